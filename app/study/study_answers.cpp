@@ -51,6 +51,7 @@ std::optional<StudyAnswers> read_answers(const StudyQuestion& question, std::sto
     }
     part_by_kind(answers, *std::move(records));
     if (answers.records.empty()) return answers;
+    answers.founder = founder_of(answers.records)->header;
     answers.is_of_other_patterns =
         question.set == nullptr ||
         answers.records.front().header.set_fingerprint !=

@@ -12,9 +12,9 @@
 
 #include "app/compare/reading_text.h"
 #include "app/document/editing.h"
+#include "app/study/study_asked.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
-#include "app/study/study_numbers.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
 #include "model/set/set_study.h"

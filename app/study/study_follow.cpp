@@ -13,6 +13,7 @@
 #include "app/session/program_version.h"
 #include "app/study/study_actuator.h"
 #include "app/study/study_answers.h"
+#include "app/study/study_asked.h"
 #include "app/study/study_masking.h"
 #include "app/ui/file_question.h"
 #include "devices/device/memory_device.h"
@@ -174,9 +175,11 @@ std::vector<double> study_durations_s(const PatternSet& set,
     return all;
 }
 
-std::string simulation_obstacle(const Workspace& work, const ShownMap& shown_map) {
+std::string simulation_obstacle(const Workspace& work, const StudyState& studying,
+                                const ShownMap& shown_map) {
     const auto& map = shown_map.transition.shown;
     if (study_names(work).size() < 3) return "A study takes three patterns at least.";
+    if (std::string changed = design_obstacle(work, studying); !changed.empty()) return changed;
     const bool is_there = map && names_of(*map->request.set) == names_of(work.document.set);
     return is_there ? "" : "The map must be there first: simulated people feel by it.";
 }
@@ -185,7 +188,7 @@ void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_m
                           const PlayState& play, StudyState& studying) {
     const auto& map = shown_map.transition.shown;
     const std::vector<std::string> names = study_names(work);
-    const std::string obstacle = simulation_obstacle(work, shown_map);
+    const std::string obstacle = simulation_obstacle(work, studying, shown_map);
     if (!obstacle.empty()) return say(ui, obstacle);
     std::vector<std::size_t> place;
     for (const std::string& name : names) place.push_back(*place_named(work.document.set, name));
@@ -197,6 +200,10 @@ void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_m
     }
     const std::string code = unused_code(work, studying, "synthetic ");
     StudyHeader header = study_header(work, play, studying, code);
+    if (const auto changes = changes_on_disk(study_folder(work, studying), header);
+        !changes.empty()) {
+        return complain(ui, another_study_words(changes));
+    }
     header.device = {"none: simulated", "none", {}};
     header.synthetic = true;
     header.seed = participant_seed(header.design.seed, code);

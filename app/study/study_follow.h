@@ -54,7 +54,8 @@ std::string unused_code(const Workspace& work, const StudyState& studying,
 // Why nobody can begin, and why nobody can be simulated, as sentences; empty: they can.
 std::string participant_obstacle(const Workspace& work, const PlayState& play,
                                  const StudyState& studying);
-std::string simulation_obstacle(const Workspace& work, const ShownMap& shown_map);
+std::string simulation_obstacle(const Workspace& work, const StudyState& studying,
+                                const ShownMap& shown_map);
 
 // A new participant from the consent on; one with a file from where it was left.
 void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,

@@ -8,6 +8,7 @@
 #include "app/compare/people_text.h"
 #include "app/compare/reading_text.h"
 #include "app/progress/failure.h"
+#include "app/study/study_asked.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
@@ -36,7 +37,7 @@ void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
     note_item(ui.rects, "button:run participant", nobody);
     draw_tooltip(ui, nobody.empty() ? "Fills the window: consent, instructions, training, trials."
                                     : nobody.c_str());
-    const std::string no_map = simulation_obstacle(work, shown_map);
+    const std::string no_map = simulation_obstacle(work, studying, shown_map);
     flow_on(button_width("Simulate one"), ui.theme.gap_px);
     ImGui::BeginDisabled(!no_map.empty());
     if (ImGui::Button("Simulate one")) simulate_participant(ui, work, shown_map, play, studying);
@@ -208,11 +209,28 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
     draw_tooltip(ui, "A line an answer, those who are not counted marked: for R and Python.");
 }
 
+// A design that is another than the first participant's, and the two ways on.
+void draw_design_changes(Ui& ui, Workspace& work, StudyState& studying) {
+    const auto changes = design_changes(work, studying);
+    if (changes.empty()) return;
+    small_text(ui, ui.theme.warning, another_study_words(changes), "study:another design");
+    if (link(ui, "another study", "Begin another study")) {
+        begin_another_study(ui, work, studying);
+    }
+    note_item(ui.rects, "link:another study");
+    draw_tooltip(ui, "Its participants go into a folder of their own beside this one.");
+    flow_on(ImGui::CalcTextSize("Take the design back").x, 2.0F * ui.theme.gap_px);
+    if (link(ui, "design back", "Take the design back")) take_design_back(ui, work, studying);
+    note_item(ui.rects, "link:design back");
+    draw_tooltip(ui, "Asks as the first participant was asked. One undo step.");
+}
+
 void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                  const ShownMap& shown_map, Comparing& comparing, PlayState& play,
                  StudyState& studying) {
     draw_buttons(ui, work, timeline, shown_map, play, studying);
     draw_device(ui, play, studying);
+    draw_design_changes(ui, work, studying);
     (void)draw_failure(ui, "study", failure_of(studying.job));
     const std::shared_ptr<const StudyAnswers> answers = studying.answers;
     if (!answers) {

@@ -7,6 +7,7 @@
 #include "app/play/playing.h"
 #include "app/session/folders.h"
 #include "app/study/study_actuator.h"
+#include "app/study/study_asked.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_masking.h"
 #include "model/io/people/study_lines.h"
@@ -122,6 +123,7 @@ std::string participant_obstacle(const Workspace& work, const PlayState& play,
                    std::to_string(patterns) + " patterns.";
         }
     }
+    if (std::string changed = design_obstacle(work, studying); !changed.empty()) return changed;
     return silence_obstacle(play, studying);
 }
 
@@ -131,6 +133,8 @@ void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     if (!obstacle.empty()) return say(ui, obstacle);
     StudyRecord record;
     record.header = study_header(work, play, studying, unused_code(work, studying));
+    const auto changes = changes_on_disk(study_folder(work, studying), record.header);
+    if (!changes.empty()) return complain(ui, another_study_words(changes));
     studying.code = record.header.participant.code;
     studying.age.clear();
     studying.gender.clear();

@@ -42,6 +42,7 @@ struct StudyAnswers {
     std::optional<StudyResults> results;
     std::string fault;  // why there are no results
     bool is_of_other_patterns = false;
+    std::optional<StudyHeader> founder;   // whose design is that of the study
     std::vector<Dissimilarity> matrices;  // of every record
     PerceptualSpace mean_map;             // three dimensions
     std::vector<PerceptualSpace> maps;    // of every record

@@ -74,7 +74,9 @@ bool has_study(const App& app) {
     return participant_obstacle(app.work, app.play, app.studying).empty();
 }
 
-bool has_map_of_all(const App& app) { return simulation_obstacle(app.work, app.shown_map).empty(); }
+bool has_map_of_all(const App& app) {
+    return simulation_obstacle(app.work, app.studying, app.shown_map).empty();
+}
 
 void start_rename(App& app) {
     // Names are typed in the list, which the table takes the place of.

@@ -1,6 +1,10 @@
 #include "model/study/study_record.h"
 
 #include <algorithm>
+#include <tuple>
+
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -55,6 +59,98 @@ void note_play(SortingAnswer& answer, std::size_t pattern, const Play& play) {
 
 int replays_of(const PairAnswer& answer) {
     return std::max(answer.plays_left - 1, 0) + std::max(answer.plays_right - 1, 0);
+}
+
+namespace {
+
+std::string shown(double value) { return shortest_digits(value); }
+std::string shown(StudyOrder order) { return order == StudyOrder::full ? "full" : "adaptive"; }
+std::string shown(const std::vector<int>& rounds) {
+    if (rounds.empty()) return "by default";
+    std::string text;
+    for (const int groups : rounds) {
+        text += (text.empty() ? "" : " ") + (groups == 0 ? "free" : std::to_string(groups));
+    }
+    return text;
+}
+
+// "with "a" and 2 more": those of `names` that `others` lack; "" where there are no such.
+std::string missing_from(const std::vector<std::string>& others,
+                         const std::vector<std::string>& names, const char* word) {
+    std::string text;
+    std::size_t more = 0;
+    for (const std::string& name : names) {
+        if (std::ranges::find(others, name) != others.end()) continue;
+        if (!text.empty()) {
+            ++more;
+        } else {
+            text = std::string(word) + " " + in_quotes(name);
+        }
+    }
+    return more == 0 ? text : text + " and " + std::to_string(more) + " more";
+}
+
+void note_patterns(std::vector<std::string>& changes, const StudyHeader& first,
+                   const StudyHeader& now) {
+    for (std::string phrase : {missing_from(now.patterns, first.patterns, "without the pattern"),
+                               missing_from(first.patterns, now.patterns, "with the pattern")}) {
+        if (!phrase.empty()) changes.push_back(std::move(phrase));
+    }
+    if (first.patterns != now.patterns) {
+        if (changes.empty()) changes.emplace_back("the patterns in another order");
+        return;
+    }
+    const bool both_known = !first.set_fingerprint.empty() && !now.set_fingerprint.empty();
+    if (both_known && first.set_fingerprint != now.set_fingerprint) {
+        changes.emplace_back("patterns that have been edited");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> changes_since(const StudyHeader& first, const StudyHeader& now) {
+    std::vector<std::string> changes;
+    note_patterns(changes, first, now);
+    const StudyDesign& was = first.design;
+    const StudyDesign& is = now.design;
+    const auto note = [&changes](const char* what, const auto& before, const auto& after,
+                                 const char* unit = "") {
+        if (before == after) return;
+        changes.push_back(std::string(what) + " " + shown(after) + unit + ", not " + shown(before) +
+                          unit);
+    };
+    if (now.kind == StudyKind::pairwise) {
+        note("repetitions", was.repetitions, is.repetitions);
+        note("identical pairs", was.attention_pairs, is.attention_pairs);
+        note("order", was.order, is.order);
+        note("a break every", was.break_every, is.break_every, " trials");
+        note("rest", was.rest_s, is.rest_s, " s");
+    } else {
+        note("rounds", was.groups, is.groups);
+    }
+    note("gap", was.gap_s, is.gap_s, " s");
+    note("masking noise", 100.0 * was.masking, 100.0 * is.masking, " %");
+    if (instructions_of(was, now.kind) != instructions_of(is, now.kind)) {
+        changes.emplace_back("other instructions");
+    }
+    if (consent_of(was) != consent_of(is)) changes.emplace_back("other words of consent");
+    return changes;
+}
+
+std::string words_on_changes(const std::vector<std::string>& changes) {
+    std::string text;
+    for (const std::string& change : changes) text += (text.empty() ? "" : "; ") + change;
+    return text;
+}
+
+const StudyRecord* founder_of(std::span<const StudyRecord> records) {
+    const auto place = [](const StudyRecord& record) {
+        const StudyHeader& header = record.header;
+        const int kind = is_rehearsal(header.device) ? 2 : header.synthetic ? 1 : 0;
+        return std::tuple(kind, header.begun, header.participant.code);
+    };
+    const auto first = std::ranges::min_element(records, {}, place);
+    return first == records.end() ? nullptr : &*first;
 }
 
 std::size_t answers_wanted(const StudyRecord& record) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,6 +138,19 @@ struct StudyRecord {
 
 // The words shown before a study of a kind: the design's own or the standard ones.
 std::string instructions_of(const StudyDesign& design, StudyKind kind);
+
+// What `now` is asked otherwise than `first` was, as phrases: "repetitions 2, not 4". Whoever is
+// asked otherwise takes part in another study. Left out: what nobody is asked by (the seed of the
+// orders, the rule on who counts, the output of the noise). Fingerprints count where both are
+// known.
+std::vector<std::string> changes_since(const StudyHeader& first, const StudyHeader& now);
+
+// The phrases in one: "repetitions 2, not 4; gap 0 s, not 1 s".
+std::string words_on_changes(const std::vector<std::string>& changes);
+
+// Who fixed the design of a study: the person who began first; of no people whoever was simulated,
+// of none of those whoever rehearsed. Null of no records.
+const StudyRecord* founder_of(std::span<const StudyRecord> records);
 
 // How many answers make the record complete.
 std::size_t answers_wanted(const StudyRecord& record);

@@ -90,7 +90,16 @@ std::string reason_to_exclude(const ParticipantSummary& person, const StudyRecor
            shortest_digits(rule.attention.above);
 }
 
-ParticipantSummary summary_of(const StudyRecord& record, const CollectRule& rule) {
+// A changed design is another study; empty: it is the founder's.
+std::string fault_of_design(const StudyRecord& record, const StudyRecord& founder) {
+    const auto changes = changes_since(founder.header, record.header);
+    if (changes.empty()) return {};
+    return "another study than " + founder.header.participant.code +
+           "'s: " + words_on_changes(changes);
+}
+
+ParticipantSummary summary_of(const StudyRecord& record, const StudyRecord& founder,
+                              const CollectRule& rule) {
     ParticipantSummary person;
     person.code = record.header.participant.code;
     person.synthetic = record.header.synthetic;
@@ -115,6 +124,7 @@ ParticipantSummary summary_of(const StudyRecord& record, const CollectRule& rule
     person.minutes = seconds / 60.0;
     person.conduct = conduct_of(record);
     person.excluded = reason_to_exclude(person, record, rule);
+    if (person.excluded.empty()) person.excluded = fault_of_design(record, founder);
     return person;
 }
 
@@ -231,7 +241,7 @@ std::vector<std::string> remarks_on_conduct(std::span<const StudyRecord> records
 
 CollectRule rule_of(std::span<const StudyRecord> records) {
     CollectRule rule;
-    if (!records.empty()) rule.attention = records.front().header.design.attention;
+    if (!records.empty()) rule.attention = founder_of(records)->header.design.attention;
     return rule;
 }
 
@@ -247,7 +257,7 @@ Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
     const StudyHeader& header = records.front().header;
     RatingStudy study{header.patterns, true, {}, {}, header.set_fingerprint};
     for (const StudyRecord* record : *sorted) {
-        const ParticipantSummary person = summary_of(*record, rule);
+        const ParticipantSummary person = summary_of(*record, *founder_of(records), rule);
         if (person.synthetic || !person.excluded.empty()) {
             study.standings.push_back(
                 {person.code, person.synthetic, person.rehearsal, person.excluded});
@@ -269,7 +279,7 @@ Expected<StudyResults> study_results(std::span<const StudyRecord> records,
     results.scaling = rule.scaling;
     const auto sorted = in_order(records);
     for (const StudyRecord* record : *sorted) {
-        results.people.push_back(summary_of(*record, rule));
+        results.people.push_back(summary_of(*record, *founder_of(records), rule));
     }
     Expected<Counted> counted = who_counts(*std::move(everyone), by_name(rule.who));
     if (!counted) return counted.error();

@@ -5,6 +5,8 @@
 //           must notice identical pairs. Outliers: Tukey 1977 (fences), on how each agrees with the
 //           mean of the others.
 // Output    judgements by pass, so that repetitions stay told apart
+//           Whoever was asked by another design than the first participant (founder_of()) takes
+//           part in another study, and is left out with what differs, unless included by name.
 // Left out  the removal of outliers: they are pointed at, and counted.
 // Exact     same records, same numbers, whatever their order on the disk.
 #pragma once
@@ -75,7 +77,7 @@ Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
 std::vector<std::string> remarks_on_conduct(std::span<const StudyRecord> records,
                                             const ConductRule& rule);
 
-// The records' own rule is the first one's: it is the design's.
+// The records' own rule is the founder's: it is the design's.
 CollectRule rule_of(std::span<const StudyRecord> records);
 
 // Errors: no record; records of other patterns, of another kind or order of study, of one code;

@@ -106,11 +106,23 @@ StudyHeader simulated_header(const StudyCommand& command, const PatternSet& set)
     return header;
 }
 
+// A study's design is fixed at its first participant.
+std::string fault_of_design(const fs::path& folder, const StudyHeader& now) {
+    const auto changes = changes_on_disk(folder, now);
+    if (changes.empty()) return {};
+    return folder.string() +
+           ": has participants of another study, expected a folder of its own for this one: " +
+           words_on_changes(changes);
+}
+
 Expected<Done> simulate(const StudyCommand& command, PatternSet set) {
     set.study = design_of(command, set);
     StudyHeader header = simulated_header(command, set);
     if (header.patterns.size() < 2) {
         return Error{"the study has fewer than two patterns of the set, expected two at least"};
+    }
+    if (const std::string fault = fault_of_design(command.out, header); !fault.empty()) {
+        return Error{fault};
     }
     const Expected<Dissimilarity> truth = truth_for(command, set, header.patterns);
     if (!truth) return truth.error();

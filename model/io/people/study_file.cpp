@@ -1,6 +1,7 @@
 #include "model/io/people/study_file.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
@@ -164,6 +165,27 @@ Expected<std::vector<StudyRecord>> read_study_folder(const fs::path& folder) {
         return Error{fault};
     }
     return records;
+}
+
+std::vector<StudyRecord> study_heads(const fs::path& folder) {
+    std::vector<StudyRecord> heads;
+    const Expected<std::vector<fs::path>> files = study_files(folder);
+    if (!files) return heads;
+    for (const fs::path& file : *files) {
+        std::ifstream stream(file, std::ios::binary);
+        std::string line;
+        if (!std::getline(stream, line)) continue;
+        Expected<StudyRecord> head = parse_study(line, file.string());
+        if (head) heads.push_back(*std::move(head));
+    }
+    return heads;
+}
+
+std::vector<std::string> changes_on_disk(const fs::path& folder, const StudyHeader& now) {
+    std::vector<StudyRecord> heads = study_heads(folder);
+    std::erase_if(heads, [&now](const StudyRecord& head) { return head.header.kind != now.kind; });
+    const StudyRecord* founder = founder_of(heads);
+    return founder == nullptr ? std::vector<std::string>{} : changes_since(founder->header, now);
 }
 
 bool is_study(const fs::path& path) {

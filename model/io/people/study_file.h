@@ -40,6 +40,15 @@ Expected<std::vector<StudyRecord>> read_study_folder(const std::filesystem::path
 // The same of folders and of single files of participants.
 Expected<std::vector<StudyRecord>> read_studies(std::span<const std::filesystem::path> paths);
 
+// Who takes part in a folder, by the first line of each file: without answers, exclusions, and
+// whoever's line is not whole. Empty of a folder that is not there.
+std::vector<StudyRecord> study_heads(const std::filesystem::path& folder);
+
+// What someone who is about to begin is asked otherwise than the first participant of the folder
+// with the same kind of study (model/study/study_record.h); empty: nothing.
+std::vector<std::string> changes_on_disk(const std::filesystem::path& folder,
+                                         const StudyHeader& now);
+
 // Whether the path is one of those: a folder with participants, or a participant's file.
 bool is_study(const std::filesystem::path& path);
 

@@ -196,6 +196,34 @@ TEST_CASE("study: rules on how people answer are named by the commands, with who
                    "expected the folder of a study"));
 }
 
+TEST_CASE("study: nobody is added to a folder by another design, and what is other is named") {
+    const Study study;
+    REQUIRE(study.simulated().exit_code == 0);
+    std::filesystem::remove(study.people + "/S06.jsonl");
+    const Ran other = study.simulated({"--repetitions", "2"});
+    CHECK(other.exit_code == 1);
+    CHECK(contains(other.err, "repetitions 2, not 3"));
+    CHECK(!std::filesystem::exists(study.people + "/S06.jsonl"));
+    // One who is there all the same does not count.
+    const std::string aside = (study.folder.path / "aside").string();
+    REQUIRE(run_program({"study", study.set, "--simulate", "6", "--out", aside, "--from-matrix",
+                         study.truth, "--repetitions", "2"})
+                .exit_code == 0);
+    std::filesystem::copy(aside + "/S06.jsonl", study.people + "/S06.jsonl");
+    const Json all = study.collected();
+    CHECK(all.at("counted") == 5);
+    CHECK(contains(all.at("participants")[5].at("excluded").get<std::string>(),
+                   "another study than S01's: repetitions 2, not 3"));
+    CHECK(study.collected({"--include", "S06"}).at("counted") == 6);
+    const std::string report = (study.folder.path / "report").string();
+    REQUIRE(run_program({"study", study.set, "--collect", study.people, "--report", report})
+                .exit_code == 0);
+    CHECK(contains(bytes_of(report + "/report.html"), "repetitions 2, not 3"));
+    const Ran compared =
+        run_program({"compare", study.set, "--ratings", study.people, "--metric", "pm"});
+    CHECK(contains(compared.out, "repetitions 2, not 3"));
+}
+
 TEST_CASE("study: help and plan say what identical pairs are worth") {
     CHECK(contains(run_program({"study", "--help"}).out, "20 % pass 1, 0.78 % pass 3"));
 }

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/document/editing.h"
+#include "app/study/study_asked.h"
 #include "app/study/study_follow.h"
 #include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
@@ -313,6 +315,55 @@ TEST_CASE("study window: a trial fits into any window, at any size of text") {
             CHECK(program.at("study:go on").max.y <= size.y);
         }
     }
+}
+
+TEST_CASE("study window: after its first participant a changed design is another study") {
+    StudyProgram program;
+    program.press('4', true);
+    program.begin();
+    program.answer(30);
+    program.key(key::kEscape);
+    program.press('q');
+    program.wait_for("participant:P1");
+    CHECK_FALSE(program.shows("study:another design"));
+    program.app.work.document.edit().study.repetitions = 2;
+    document_changed(program.app.work);
+    commit_step(program.app.ui, program.app.work, "study: repetitions");
+    program.wait_for("study:another design");
+    CHECK(contains(program.at("study:another design").value, "repetitions 2, not 1"));
+    CHECK(contains(program.at("button:run participant").value, "repetitions 2, not 1"));
+    program.click("button:run participant");
+    CHECK_FALSE(program.app.studying.run);
+    // Back as it was, and forth again, into a folder of its own.
+    program.click("link:design back");
+    CHECK(program.app.work.document.set.study.repetitions == 1);
+    CHECK_FALSE(program.shows("study:another design"));
+    program.press('z', true);
+    program.wait_for("study:another design");
+    program.click("link:another study");
+    program.wait_for("button:run participant");
+    CHECK(program.at("link:study folder").value.ends_with("people 2"));
+    program.click("button:run participant");
+    REQUIRE(program.app.studying.run);
+    program.key(key::kEscape);
+    program.press('q');
+    // The same design finds its folder again, and another one another.
+    set_study_folder(program.app.work, program.app.studying, program.folder.path / "people");
+    begin_another_study(program.app.ui, program.app.work, program.app.studying);
+    CHECK(study_folder(program.app.work, program.app.studying).filename() == "people 2");
+}
+
+TEST_CASE("study window: nobody begins a changed study before the folder has been read") {
+    StudyProgram program;
+    StudyRecord record;
+    record.header = study_header(program.app.work, program.app.play, program.app.studying, "P1");
+    record.header.design.gap_s = 2.0;
+    std::filesystem::create_directories(program.folder.path / "people");
+    REQUIRE(write_study_file(program.folder.path / "people" / "P1.jsonl", record));
+    begin_participant(program.app.ui, program.app.work, program.app.timeline, program.app.play,
+                      program.app.studying);
+    CHECK_FALSE(program.app.studying.run);
+    CHECK(contains(program.app.ui.status.text, "gap 0.05 s, not 2 s"));
 }
 
 TEST_CASE("study window: a simulated participant says everywhere that it is none") {

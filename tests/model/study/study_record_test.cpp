@@ -35,4 +35,87 @@ TEST_CASE("study record: an answer counts if both sides were felt whole, on some
     CHECK(device_of(record, 4).name == kNoDevice);
 }
 
+TEST_CASE("study record: whatever people are asked otherwise is named, and nothing else is") {
+    StudyHeader first;
+    first.patterns = {"a", "b", "c"};
+    first.set_fingerprint = "f";
+    const auto named = [&first](StudyKind kind, const auto& change) {
+        first.kind = kind;
+        StudyHeader now = first;
+        change(now);
+        return words_on_changes(changes_since(first, now));
+    };
+    // A field that is new to the design does not compile here: is anybody asked by it?
+    const auto& [patterns, repetitions, attention_pairs, seed, order, gap_s, rest_s, break_every,
+                 masking, headphones, attention, instructions, consent, groups] = first.design;
+    CHECK((patterns.empty() && repetitions == 4 && attention_pairs == 3 && seed == 1 &&
+           order == StudyOrder::full && gap_s == 1.0 && rest_s == 1.0 && break_every == 66 &&
+           masking == 0.0 && headphones.empty() && attention == AttentionRule{} &&
+           instructions.empty() && consent.empty() && groups.empty()));
+    const auto pairs = [&](const auto& change) { return named(StudyKind::pairwise, change); };
+    const auto sorts = [&](const auto& change) { return named(StudyKind::sorting, change); };
+    CHECK(pairs([](StudyHeader&) {}).empty());
+    CHECK(pairs([](StudyHeader& h) { h.design.repetitions = 2; }) == "repetitions 2, not 4");
+    CHECK(pairs([](StudyHeader& h) { h.design.attention_pairs = 1; }) ==
+          "identical pairs 1, not 3");
+    CHECK(pairs([](StudyHeader& h) { h.design.order = StudyOrder::adaptive; }) ==
+          "order adaptive, not full");
+    CHECK(pairs([](StudyHeader& h) { h.design.gap_s = 0.5; }) == "gap 0.5 s, not 1 s");
+    CHECK(pairs([](StudyHeader& h) { h.design.rest_s = 0; }) == "rest 0 s, not 1 s");
+    CHECK(pairs([](StudyHeader& h) { h.design.break_every = 0; }) ==
+          "a break every 0 trials, not 66 trials");
+    CHECK(pairs([](StudyHeader& h) { h.design.masking = 0.3; }) == "masking noise 30 %, not 0 %");
+    CHECK(pairs([](StudyHeader& h) { h.design.instructions = "x"; }) == "other instructions");
+    CHECK(pairs([](StudyHeader& h) { h.design.consent = "x"; }) == "other words of consent");
+    CHECK(pairs([](StudyHeader& h) {
+              h.patterns = {"a", "d", "e", "f"};
+          }) == "without the pattern \"b\" and 1 more; with the pattern \"d\" and 2 more");
+    CHECK(pairs([](StudyHeader& h) {
+              h.patterns = {"b", "a", "c"};
+          }) == "the patterns in another order");
+    CHECK(pairs([](StudyHeader& h) { h.set_fingerprint = "g"; }) ==
+          "patterns that have been edited");
+    CHECK(pairs([](StudyHeader& h) { h.set_fingerprint.clear(); }).empty());
+    CHECK(sorts([](StudyHeader& h) {
+              h.design.groups = {0, 3};
+          }) == "rounds free 3, not by default");
+    // Of the other kind of study, or nothing that a person notices.
+    CHECK(pairs([](StudyHeader& h) { h.design.groups = {0, 3}; }).empty());
+    CHECK(sorts([](StudyHeader& h) {
+              h.design.repetitions = 2;
+              h.design.attention_pairs = 1;
+              h.design.order = StudyOrder::adaptive;
+              h.design.break_every = 0;
+              h.design.rest_s = 0;
+          }).empty());
+    CHECK(pairs([](StudyHeader& h) {
+              h.design.seed = 7;
+              h.design.headphones = "ears";
+              h.design.attention.above = 50;
+          }).empty());
+    // The standard words written out are the standard words.
+    CHECK(pairs([](StudyHeader& h) { h.design.consent = consent_of(StudyDesign{}); }).empty());
+}
+
+TEST_CASE("study record: people fix a design before simulations, and those before rehearsals") {
+    const auto record = [](const char* code, const char* begun, const char* device,
+                           bool synthetic) {
+        StudyRecord one;
+        one.header.participant.code = code;
+        one.header.begun = begun;
+        one.header.device.name = device;
+        one.header.synthetic = synthetic;
+        return one;
+    };
+    std::vector<StudyRecord> records{
+        record("P4", "2026-01-05", "pad", false), record("P3", "2026-01-04", "pad", false),
+        record("S1", "", "none: simulated", true), record("P1", "2026-01-01", kNoDevice, false)};
+    CHECK(founder_of(records)->header.participant.code == "P3");
+    records.erase(records.begin(), records.begin() + 2);
+    CHECK(founder_of(records)->header.participant.code == "S1");
+    records.erase(records.begin());
+    CHECK(founder_of(records)->header.participant.code == "P1");
+    CHECK(founder_of({}) == nullptr);
+}
+
 }  // namespace study_record_test

@@ -216,6 +216,30 @@ TEST_CASE("study results: other patterns, or one code twice, are refused") {
     CHECK_FALSE(study_results({}, {}));
 }
 
+TEST_CASE(
+    "study results: who was asked by a changed design is left out, and what changed is said") {
+    std::vector<StudyRecord> records = crowd(3, {});
+    for (StudyRecord& record : records) record.header.synthetic = false;
+    for (StudyRecord& record : records) {
+        record.header.begun = "2026-01-0" + record.header.participant.code.substr(1);
+    }
+    const auto remarks = [](const StudyResults& results) {
+        std::string text;
+        for (const std::string& remark : results.remarks) text += remark + "\n";
+        return text;
+    };
+    CHECK(results_of(records).remarks.empty());
+    records[0].header.begun = "2026-01-09";  // began last, though first in the folder
+    records[0].header.design.gap_s = 0.25;
+    const StudyResults results = results_of(records);
+    CHECK(contains(remarks(results),
+                   "P1 is not counted: another study than P2's: gap 0.25 s, not 1 s"));
+    CHECK(results.mean == results_of({records[1], records[2]}).mean);
+    CollectRule rule;
+    rule.who.include = {"P1"};
+    CHECK(results_of(records, rule).remarks.empty());
+}
+
 TEST_CASE("study results: the CSV reads back as the same ratings") {
     std::vector<StudyRecord> records = crowd(3, {});
     records[1].answers.resize(3);

@@ -306,6 +306,21 @@ TEST_CASE("study file: codes become names of files that cannot leave their folde
     CHECK(study_file_name("...") == "");
 }
 
+TEST_CASE("study file: a folder tells by first lines what is asked otherwise than at first") {
+    const TemporaryFolder folder;
+    StudyHeader now = header();
+    CHECK(changes_on_disk(folder.path / "nowhere", now).empty());
+    CHECK(changes_on_disk(folder.path, now).empty());
+    begun(folder.path / "P1.jsonl");
+    folder.write("P2.jsonl", "{\"tactspace_study\": 1, \"part");  // torn
+    now.participant.code = "P3";
+    CHECK(changes_on_disk(folder.path, now).empty());
+    now.design.repetitions = 3;
+    CHECK(words_on_changes(changes_on_disk(folder.path, now)) == "repetitions 3, not 2");
+    now.kind = StudyKind::sorting;  // of which nobody has fixed anything
+    CHECK(changes_on_disk(folder.path, now).empty());
+}
+
 TEST_CASE("study file: a folder gives its participants in natural order") {
     const TemporaryFolder folder;
     CHECK_FALSE(read_study_folder(folder.path));
