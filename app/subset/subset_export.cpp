@@ -6,6 +6,7 @@
 #include "app/compare/people_text.h"
 #include "app/map/map_follow.h"
 #include "app/pictures/pictures.h"
+#include "app/progress/failure.h"
 #include "app/rendering/labels.h"
 #include "app/report/report.h"
 #include "app/session/folders.h"
@@ -75,9 +76,9 @@ void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_m
                  work.document.path.parent_path(), "subset");
 }
 
-void export_subset(const ShownMap& shown_map, SubsetState& picking, const fs::path& folder) {
-    if (shown_pick(shown_map, picking) == nullptr) return;
+void export_subset(Ui& ui, SubsetState& picking, const fs::path& folder) {
     picking.export_to = folder;
+    say(ui, "The subset follows when the most distinct patterns are picked.");
 }
 
 void export_report_dialog(Ui& ui, const Workspace& work) {
@@ -142,6 +143,15 @@ bool is_ready_for_report(const Workspace& work, const ShownMap& shown_map,
            !is_of_preview(pick->request);
 }
 
+// Why there will be no subset of the set as it is; empty where one is there or will come.
+std::string no_pick_because(const Workspace& work, const ShownMap& shown_map,
+                            const SubsetState& picking) {
+    if (is_picking(picking)) return {};
+    if (picking.cancelled) return "the picking was cancelled; press Pick again, then export";
+    if (picking.pick && !is_pick_stale(work, shown_map, picking)) return picking.pick->fault;
+    return failure_of(picking.pick_job);
+}
+
 void write_report(Ui& ui, const fs::path& file, const Report& report) {
     if (const auto written = write_atomically(file, report_page(report)); !written) {
         return complain(ui, "Not exported: " + written.error().message);
@@ -149,28 +159,29 @@ void write_report(Ui& ui, const fs::path& file, const Report& report) {
     say(ui, "Exported the report to " + file.string());
 }
 
+void write_subset_and_tell(Ui& ui, const fs::path& folder, const Report& report) {
+    if (const auto written = write_subset(folder, report); !written) {
+        return complain(ui, "Not exported: " + written.error().message);
+    }
+    say(ui, "Exported the subset to " + folder.string());
+}
+
 }  // namespace
 
 void continue_subset_export(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                             SubsetState& picking) {
-    const Pick* pick = shown_pick(shown_map, picking);
-    const Subset* shown = shown_subset(shown_map, picking);
-    const fs::path folder = std::exchange(picking.export_to, {});
-    if (!folder.empty() && pick != nullptr && is_of_preview(pick->request)) {
-        complain(ui, "Not exported: this subset is of a preview; export it once it is exact.");
-    } else if (!folder.empty() && pick != nullptr) {
-        const auto written = write_subset(folder, report_of(*pick, *shown, picking));
-        written ? say(ui, "Exported the subset to " + folder.string())
-                : complain(ui, "Not exported: " + written.error().message);
-    }
-    if (picking.report_to.empty()) return;
-    if (is_ready_for_report(work, shown_map, picking)) {
-        write_report(ui, std::exchange(picking.report_to, {}), report_of(*pick, *shown, picking));
-    } else if (picking.pick && !picking.pick->fault.empty() &&
-               !is_pick_stale(work, shown_map, picking)) {
+    if (const std::string why = no_pick_because(work, shown_map, picking); !why.empty()) {
+        picking.export_to.clear();
         picking.report_to.clear();
-        complain(ui, "No report: " + picking.pick->fault);
+        return complain(ui, "Not exported: " + why);
     }
+    if (!is_ready_for_report(work, shown_map, picking)) return;
+    const Pick& pick = *shown_pick(shown_map, picking);
+    const Report report = report_of(pick, *shown_subset(shown_map, picking), picking);
+    const fs::path folder = std::exchange(picking.export_to, {});
+    const fs::path page = std::exchange(picking.report_to, {});
+    if (!folder.empty()) write_subset_and_tell(ui, folder, report);
+    if (!page.empty()) write_report(ui, page, report);
 }
 
 }  // namespace tact

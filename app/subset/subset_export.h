@@ -20,11 +20,10 @@ namespace tact {
 // All files, each whole or not at all; makes the folder.
 Expected<Done> write_subset(const std::filesystem::path& folder, const Report& report);
 
-// From the window. The page waits until a subset of the set as it is has been picked.
+// From the window. Both wait until an exact subset of the set as it is has been picked.
 void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                           const SubsetState& picking);
-void export_subset(const ShownMap& shown_map, SubsetState& picking,
-                   const std::filesystem::path& folder);
+void export_subset(Ui& ui, SubsetState& picking, const std::filesystem::path& folder);
 
 void export_report_dialog(Ui& ui, const Workspace& work);
 void export_report(Ui& ui, SubsetState& picking, const std::filesystem::path& file);

@@ -175,7 +175,7 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     const bool has_pairs = is_current && shown_map.transition.shown->prediction.pm.size > 1;
     const bool is_wanted = layout.bench == BenchTab::subset ||
                            layout.bench == BenchTab::candidates || work.selection.only_picked ||
-                           !picking.report_to.empty();
+                           !picking.export_to.empty() || !picking.report_to.empty();
     if (!is_wanted || !has_pairs) return;
     PickRequest request = request_of(work, shown_map, picking);
     if (request == picking.asked) return;

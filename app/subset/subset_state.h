@@ -124,8 +124,8 @@ struct SubsetState {
     bool change_second = false;                                 // of the open pair
     std::optional<AppliedChange> applied{};                     // not yet checked
 
-    std::filesystem::path export_to;  // when the frame is done
-    std::filesystem::path report_to;  // when a subset has been picked
+    std::filesystem::path export_to;  // both: when a subset has been picked and the frame is done
+    std::filesystem::path report_to;
 
     // Null until the program has begun; the answers may be of an earlier document.
     OwnedJob<PickRequest, Pick> pick_job;

@@ -160,8 +160,8 @@ void cancel_animation(App& app) {
 
 bool is_exporting(const App& app) {
     return app.exports.animation != nullptr || !app.exports.picture.empty() ||
-           !app.picking.export_to.empty() || !app.exports.effects.export_to.empty() ||
-           !app.lesson.sheet_to.empty() || app.exports.copy_asked;
+           !app.exports.effects.export_to.empty() || !app.lesson.sheet_to.empty() ||
+           app.exports.copy_asked;
 }
 
 void continue_exports(App& app) {

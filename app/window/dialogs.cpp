@@ -144,7 +144,7 @@ void draw_chooser(App& app) {
         case ChooserPurpose::export_view:
             return export_view(app.exports, *chosen);
         case ChooserPurpose::export_subset:
-            return export_subset(app.shown_map, app.picking, *chosen);
+            return export_subset(app.ui, app.picking, *chosen);
         case ChooserPurpose::export_report:
             return export_report(app.ui, app.picking, *chosen);
         case ChooserPurpose::export_effects:

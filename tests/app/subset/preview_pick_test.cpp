@@ -62,24 +62,40 @@ TEST_CASE("subset: it is picked on the preview, says so, and is picked anew on t
               ->best.weakest_dissimilarity);
 }
 
-TEST_CASE("subset: one that is of a preview is not exported") {
+TEST_CASE("subset: an export waits while the map is a preview, and is of the exact one") {
     Previewed program;
     program.show(true);
     program.until_proof_begins("A preview");
     const TemporaryFolder folder;
     const auto to = folder.path / "subset";
     const auto write = [&] {
-        program.app.picking.export_to = to;
         continue_subset_export(program.app.ui, program.app.work, program.app.shown_map,
                                program.app.picking);
     };
+    export_subset(program.app.ui, program.app.picking, to);
     write();
     CHECK_FALSE(std::filesystem::exists(to));
-    CHECK(program.app.ui.status.is_error);
+    CHECK_FALSE(program.app.ui.status.is_error);
+    CHECK(program.app.picking.export_to == to);
     program.show(false);
     program.until_proof_begins("Proven");
     write();
     CHECK(std::filesystem::exists(to));
+    CHECK(program.app.picking.export_to.empty());
+}
+
+TEST_CASE("subset: an export does not wait for a picking that was cancelled") {
+    Previewed program;
+    program.show(false);
+    program.until_proof_begins("Proven");
+    cancel_picking(program.app.picking);
+    const TemporaryFolder folder;
+    export_subset(program.app.ui, program.app.picking, folder.path / "subset");
+    continue_subset_export(program.app.ui, program.app.work, program.app.shown_map,
+                           program.app.picking);
+    CHECK(program.app.ui.status.is_error);
+    CHECK(program.app.picking.export_to.empty());
+    CHECK_FALSE(std::filesystem::exists(folder.path / "subset"));
 }
 
 }  // namespace preview_pick_test

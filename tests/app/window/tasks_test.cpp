@@ -11,6 +11,7 @@
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
+#include "app/generate/generating.h"
 #include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "app/window/session_layout.h"
@@ -146,7 +147,11 @@ TEST_CASE("tasks: candidates, the most distinct of them with one kept and one le
     program.fills("generate:amplitude", "0.6, 1.3");
     program.fills("generate:carrier 1 steps", "3");
     program.fills("generate:modulation", "0, 11");
-    program.wait_until([&] { return program.at("generate:count").value == "12 patterns"; });
+    // The count of the entries before is the same.
+    program.wait_until(
+        [&] { return bool(current_plan(program.app.work, program.app.generating)); });
+    program.settle();  // what it says moves the buttons
+    CHECK(program.at("generate:count").value == "12 patterns");
     program.clicks("button:add candidates");
     program.clicks("workspace:Select");
     program.wait_for_exact_map();
