@@ -37,12 +37,13 @@ struct DtwOptions {
     int threads = 0;            // 0: all cores
     double waiting_cost = 0.0;  // of a sample, at least 0
     std::stop_token stop = {};
-    std::function<void(double)> progress = {};  // share of the pairs done, 0..1, from any thread
+    std::function<void(double)> progress = {};  // share of the work done, 0..1, from any thread
 };
 
-// The distance of every pair, in their order. Up to twice as fast as one by one, since pairs of one
-// shape are taken side by side; pairs of any shapes may be mixed. With a stop asked for, some
-// distances are infinity, and it returns soon.
+// The distance of every pair, in their order; pairs of any lengths may be mixed. Up to twice as
+// fast as one by one, since pairs of similar lengths are taken side by side. Zeros at the ends of
+// both signals cost nothing: a pair costs the product of its own two lengths (dtw_batches.h). With
+// a stop asked for, some distances are infinity, and it returns soon.
 std::vector<double> dtw(std::span<const SignalPair> pairs, const DtwOptions& options = {},
                         const DtwKernel& kernel = dtw_kernel());
 

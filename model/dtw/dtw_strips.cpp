@@ -35,8 +35,12 @@ class Lines {
 void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs, double waiting_cost,
                 std::span<double> distances, const std::stop_token& stop) {
     assert(!pairs.empty() && pairs.size() <= sweep.pairs && pairs.size() == distances.size());
-    const std::size_t rows = pairs[0].a.size();
-    const std::size_t columns = pairs[0].b.size();
+    std::size_t rows = 0;
+    std::size_t columns = 0;
+    for (const SignalPair& pair : pairs) {
+        rows = std::max(rows, pair.a.size());
+        columns = std::max(columns, pair.b.size());
+    }
     std::ranges::fill(distances, kNowhere);
     if (rows == 0 && columns == 0) std::ranges::fill(distances, 0.0);
     if (rows == 0 || columns == 0) return;
@@ -55,9 +59,9 @@ void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs, double
     Lines above_left(strips * state, kNowhere);
     double* const b_first = b.data() + (margin + columns - 1) * side;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        assert(pairs[p].a.size() == rows && pairs[p].b.size() == columns);
-        for (std::size_t i = 0; i < rows; ++i) a.data()[i * side + p] = pairs[p].a[i];
-        for (std::size_t j = 0; j < columns; ++j) *(b_first + p - j * side) = pairs[p].b[j];
+        const std::size_t its_columns = pairs[p].b.size();
+        for (std::size_t i = 0; i < pairs[p].a.size(); ++i) a.data()[i * side + p] = pairs[p].a[i];
+        for (std::size_t j = 0; j < its_columns; ++j) *(b_first + p - j * side) = pairs[p].b[j];
     }
     // The path starts at no cost before the first cell.
     std::fill_n(above_left.data(), side, 0.0);

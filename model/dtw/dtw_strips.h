@@ -11,9 +11,9 @@
 
 namespace tact {
 
-// One distance per pair, at so much for a sample of waiting, or infinities soon after a stop (a
-// strip of 10,000 columns takes 0.1 ms). The pairs have to be of one shape: all a of one length,
-// all b of one length; at most sweep.pairs.
+// One distance per pair, or infinities soon after a stop (a strip of 10,000 columns takes 0.1 ms).
+// At most sweep.pairs. Signals shorter than the longest of their side are filled up with zeros at
+// their end, which changes no bit where TrimmedPair::may_be_padded says so.
 void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs, double waiting_cost,
                 std::span<double> distances, const std::stop_token& stop);
 

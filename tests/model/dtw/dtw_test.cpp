@@ -1,11 +1,14 @@
 #include "model/dtw/dtw.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 #include <mutex>
 #include <random>
 #include <thread>
 
+#include "model/dtw/dtw_batches.h"
 #include "tests/support/dtw_textbook.h"
 #include "tests/support/golden.h"
 
@@ -23,6 +26,17 @@ std::vector<double> wandering(std::size_t length, unsigned seed) {
     std::vector<double> signal(length);
     double value = 0.0;
     for (double& sample : signal) sample = value = 0.9 * value + step(random);
+    return signal;
+}
+
+// Small whole numbers and halves, some of them zero, between silences of any length.
+std::vector<double> with_zeros(std::mt19937_64& random) {
+    std::uniform_int_distribution<int> silence(-2, 6);
+    std::uniform_int_distribution<int> sounding(0, 12);
+    std::uniform_int_distribution<int> value(-2, 3);
+    std::vector<double> signal(static_cast<std::size_t>(std::max(silence(random), 0)), 0.0);
+    for (int k = sounding(random); k > 0; --k) signal.push_back(0.3 * value(random));
+    signal.resize(signal.size() + static_cast<std::size_t>(std::max(silence(random), 0)), 0.0);
     return signal;
 }
 
@@ -162,6 +176,75 @@ TEST_CASE("dtw: pairs of different shapes keep their places") {
     check_all_ways(neighbours(signals));
 }
 
+TEST_CASE("dtw: zeros before, within and behind the signals give the textbook's bits") {
+    std::mt19937_64 random(11);
+    std::vector<std::vector<double>> signals;
+    for (int k = 0; k < 700; ++k) signals.push_back(with_zeros(random));
+    check_all_ways(neighbours(signals));
+    check_all_ways(neighbours({signals.begin(), signals.begin() + 100}), 0.3);
+}
+
+TEST_CASE("dtw: a pair costs the product of its own lengths where both signals end in silence") {
+    const std::vector<double> short_one{0, 0, 3, 1, 0, 0, 0, 0};
+    const std::vector<double> long_one{0, 1, 2, 1, 0, 2, 0, 0};
+    const TrimmedPair own = trimmed({short_one, long_one}, 0.0);
+    CHECK(own.may_be_padded);
+    CHECK(own.signals.a.size() == 7);  // one zero at either end
+    CHECK(own.signals.b.size() == 4);
+    // One of the two sounds to its end: nothing behind may go, and nothing may be added.
+    const std::vector<double> sounding{0, 0, 3, 1, 2};
+    const TrimmedPair kept = trimmed({short_one, sounding}, 0.0);
+    CHECK_FALSE(kept.may_be_padded);
+    CHECK(kept.signals.a.size() == 7);  // the beginning alone
+    CHECK(kept.signals.b.size() == 4);
+    // Where waiting costs, every zero counts.
+    CHECK(trimmed({short_one, long_one}, 0.3).signals.a.size() == 8);
+    CHECK_FALSE(trimmed({short_one, long_one}, 0.3).may_be_padded);
+}
+
+TEST_CASE("dtw: pairs of unequal lengths fill registers with little waste") {
+    std::mt19937_64 random(12);
+    std::uniform_int_distribution<std::size_t> length(200, 30'000);
+    std::vector<std::vector<double>> signals;
+    for (int k = 0; k < 60; ++k) {
+        signals.emplace_back(length(random), 1.0);
+        signals.back().back() = 0.0;
+    }
+    std::vector<TrimmedPair> pairs;
+    double cells = 0.0;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            pairs.push_back(trimmed({signals[i], signals[j]}, 0.0));
+            cells +=
+                static_cast<double>(signals[i].size()) * static_cast<double>(signals[j].size());
+        }
+    }
+    for (const DtwKernel& kernel : dtw_kernels()) {
+        CAPTURE(kernel.name);
+        double cost = 0.0;
+        std::size_t count = 0;
+        for (const DtwBatch& batch : dtw_batches(pairs, kernel, 2).all) {
+            cost += batch.cost;
+            count += batch.count;
+        }
+        CHECK(count == pairs.size());
+        CHECK(cost <= 1.2 * cells);
+    }
+}
+
+TEST_CASE("dtw: eleven pairs of one shape keep two threads about equally busy") {
+    const std::vector<double> signal(10'000, 1.0);
+    const std::vector<TrimmedPair> pairs(11, trimmed({signal, signal}, 0.0));
+    // Each takes the next batch as soon as it is free: 4 and two alone against 4 and one alone, in
+    // place of two registers against one that is not full.
+    const DtwKernel four_lanes{"", {4, 6, nullptr, nullptr}, {1, 24, nullptr, nullptr}};
+    std::array<double, 2> busy{};
+    for (const DtwBatch& batch : dtw_batches(pairs, four_lanes, 2).all) {
+        *std::ranges::min_element(busy) += batch.cost;
+    }
+    CHECK(std::ranges::max(busy) <= 7.0 * 1e8);
+}
+
 TEST_CASE("dtw: a second at 10 kHz, and a sample around it, gives the textbook's bits" *
           doctest::test_suite("long")) {
     std::vector<std::vector<double>> signals;
@@ -192,7 +275,7 @@ TEST_CASE("dtw: tiny, huge and equal numbers give the textbook's bits") {
     CHECK_FALSE(std::signbit(dtw(zeros, negative_zeros)));
 }
 
-TEST_CASE("dtw: progress climbs to one, by the pairs that are done") {
+TEST_CASE("dtw: progress climbs to one, by the work that is done") {
     std::vector<std::vector<double>> signals;
     for (unsigned k = 0; k < 30; ++k) signals.push_back(wandering(50, k));
     const auto pairs = neighbours(signals);
