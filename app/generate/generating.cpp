@@ -23,16 +23,18 @@ DesignSpace first_draft(const Workspace& work) {
     return space;
 }
 
-GenerateOutcome outcome_of(const GenerateRequest& request, const Candidates& found, Before before,
-                           std::size_t stay) {
+GenerateOutcome outcome_of(const GenerateRequest& request, const Candidates& found, Before before) {
     GenerateOutcome outcome;
     outcome.fresh = new_to(*request.set, found.kept, before);
-    outcome.patterns_after = stay + outcome.fresh.size();
-    double longest = longest_s(*request.set);
-    for (const Candidate& candidate : outcome.fresh) {
-        longest = std::max(longest, candidate.pattern.duration_s);
+    std::vector<double> durations_s;
+    for (const Vibration& vibration : request.set->vibrations) {
+        if (!is_replaced(vibration, before)) durations_s.push_back(own_duration_s(vibration));
     }
-    outcome.map_s = expected_map_s(outcome.patterns_after, longest);
+    for (const Candidate& candidate : outcome.fresh) {
+        durations_s.push_back(candidate.pattern.duration_s);
+    }
+    outcome.patterns_after = durations_s.size();
+    outcome.map_s = expected_map_s(std::move(durations_s));
     return outcome;
 }
 
@@ -96,11 +98,10 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
         return plan;
     }
     plan.found = *std::move(found);
-    const std::size_t all = set.vibrations.size();
     plan.generated_before = static_cast<std::size_t>(std::ranges::count_if(
         set.vibrations, [](const Vibration& v) { return is_replaced(v, Before::replaced); }));
-    plan.add = outcome_of(request, plan.found, Before::kept, all);
-    plan.replace = outcome_of(request, plan.found, Before::replaced, all - plan.generated_before);
+    plan.add = outcome_of(request, plan.found, Before::kept);
+    plan.replace = outcome_of(request, plan.found, Before::replaced);
     return plan;
 }
 

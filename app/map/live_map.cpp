@@ -9,6 +9,7 @@
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/perceptual_model/rhythm_envelope.h"
 #include "model/subset/separation.h"
 
 namespace tact {
@@ -52,13 +53,37 @@ bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
 }
 
 double expected_map_s(const PatternSet& set) {
-    return expected_map_s(set.vibrations.size(), longest_s(set));
+    // Where waiting costs, silence counts as well: all pairs are as long as the longest.
+    if (set.model.envelope.waiting_cost > 0.0) {
+        return expected_map_s(set.vibrations.size(), longest_s(set));
+    }
+    std::vector<double> durations_s;
+    for (const Vibration& vibration : set.vibrations) {
+        durations_s.push_back(own_duration_s(vibration));
+    }
+    return expected_map_s(std::move(durations_s));
+}
+
+double expected_map_s(std::vector<double> durations_s) {
+    if (durations_s.size() < 2) return 0.0;
+    const double tail_s = static_cast<double>(kEnvelopeSamples) / kModelRateHz;
+    const double longest_s = *std::ranges::max_element(durations_s);
+    const auto silent = std::ranges::partition(
+        durations_s, [&](double duration_s) { return duration_s + tail_s >= longest_s; });
+    double sum_s = 0.0;
+    double squares_s2 = 0.0;
+    for (const double duration_s : silent) {
+        sum_s += duration_s + tail_s;
+        squares_s2 += (duration_s + tail_s) * (duration_s + tail_s);
+    }
+    const std::size_t others = pair_count(durations_s.size()) - pair_count(silent.size());
+    const double pairs_s2 =
+        0.5 * (sum_s * sum_s - squares_s2) + static_cast<double>(others) * longest_s * longest_s;
+    return pairs_s2 * kModelRateHz * kModelRateHz / (cells_per_s() * thread_count(0));
 }
 
 double expected_map_s(std::size_t patterns, double longest_s) {
-    const double samples = longest_s * kModelRateHz;
-    const auto pairs = static_cast<double>(pair_count(patterns));
-    return pairs * samples * samples / (cells_per_s() * thread_count(0));
+    return expected_map_s(std::vector<double>(patterns, longest_s));
 }
 
 bool needs_asking(const PatternSet& set) {

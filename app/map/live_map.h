@@ -26,9 +26,11 @@ inline constexpr std::size_t kMostLivePatterns = 1000;
 inline constexpr double kLongestUnaskedS = 120.0;
 
 // Rough time of a first exact map on this machine: its comparison of envelopes, which is nearly all
-// of it for patterns of usual length.
+// of it. A pair takes the product of its own two lengths, but for pairs with the longest patterns:
+// their envelopes sound to the end (dtw_batches.h).
 double expected_map_s(const PatternSet& set);
-double expected_map_s(std::size_t patterns, double longest_s);
+double expected_map_s(std::vector<double> durations_s);
+double expected_map_s(std::size_t patterns, double longest_s);  // all of one length
 
 bool needs_asking(const PatternSet& set);
 

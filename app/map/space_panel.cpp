@@ -8,6 +8,7 @@
 #include "app/map/map_follow.h"
 #include "app/map/unshifted_map.h"
 #include "app/progress/failure.h"
+#include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -62,6 +63,19 @@ void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
     note_item(ui.rects, "link:reset view");
 }
 
+// The pattern that takes most of the time, if there is one, and what is left without it.
+std::string dominant_text(const PatternSet& set) {
+    const auto& all = set.vibrations;
+    const auto longest = std::ranges::max_element(all, {}, own_duration_s);
+    if (longest == all.end()) return {};
+    PatternSet rest = set;
+    rest.vibrations.erase(rest.vibrations.begin() + (longest - all.begin()));
+    const double rest_s = expected_map_s(rest);
+    if (rest_s > 0.5 * expected_map_s(set)) return {};
+    return " " + longest->name + " lasts " + significant(own_duration_s(*longest), 2) +
+           " s: without it, " + estimate_text(rest_s) + ".";
+}
+
 void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area, MapState state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown_side(work) != Side::both && shown_set(work).vibrations.size() < 2) {
@@ -70,12 +84,9 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
     }
     const std::size_t count = work.document.set.vibrations.size();
     if (state == MapState::too_large) {
-        const double minutes = expected_map_s(work.document.set) / 60.0;
-        const std::string time =
-            minutes < 2.0 ? "minutes" : "about " + significant(minutes, 2) + " minutes";
         draw_empty(list, ui.theme, area, std::to_string(count) + " patterns are many",
-                   "A map of them takes " + time +
-                       ". \"tactspace predict\" in a terminal is made for such sets.");
+                   "A map of them takes " + estimate_text(expected_map_s(work.document.set)) + "." +
+                       dominant_text(work.document.set));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
         if (ImGui::Button("Compute anyway")) {

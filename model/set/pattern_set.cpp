@@ -30,17 +30,27 @@ std::vector<Waveform> model_waveforms(const PatternSet& set) {
     return waveforms;
 }
 
+namespace {
+
+std::size_t samples_of(const Vibration& vibration) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+        return sample_count(pattern->duration_s, kModelRateHz);
+    }
+    return std::get<Measurement>(vibration.source).waveform->samples_g.size();
+}
+
+}  // namespace
+
 std::size_t longest_samples(const PatternSet& set) {
     std::size_t longest = 0;
     for (const Vibration& vibration : set.vibrations) {
-        if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
-            longest = std::max(longest, sample_count(pattern->duration_s, kModelRateHz));
-        } else {
-            const auto& measurement = std::get<Measurement>(vibration.source);
-            longest = std::max(longest, measurement.waveform->samples_g.size());
-        }
+        longest = std::max(longest, samples_of(vibration));
     }
     return longest;
+}
+
+double own_duration_s(const Vibration& vibration) {
+    return static_cast<double>(samples_of(vibration)) / kModelRateHz;
 }
 
 double longest_s(const PatternSet& set) {

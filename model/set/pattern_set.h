@@ -112,6 +112,9 @@ std::vector<Waveform> model_waveforms(const PatternSet& set);
 std::size_t longest_samples(const PatternSet& set);
 double longest_s(const PatternSet& set);
 
+// How long a vibration lasts by itself, before it is filled up to the longest of its set.
+double own_duration_s(const Vibration& vibration);
+
 // Of all vibrations, in their order.
 std::vector<std::string> names_of(const PatternSet& set);
 

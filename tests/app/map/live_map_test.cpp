@@ -19,9 +19,31 @@ TEST_CASE("live map: sets of a usual size need no asking, long or very large one
     CHECK_FALSE(needs_asking(short_patterns(300)));
     CHECK(needs_asking(short_patterns(kMostLivePatterns + 1)));
     PatternSet minutes = short_patterns(100);
-    std::get<Pattern>(minutes.vibrations[3].source).duration_s = 60.0;  // all are padded to it
+    std::get<Pattern>(minutes.vibrations[3].source).duration_s = 60.0;
+    std::get<Pattern>(minutes.vibrations[4].source).duration_s = 60.0;
     CHECK(needs_asking(minutes));
     CHECK(expected_map_s(short_patterns(24)) > 4.0 * expected_map_s(short_patterns(12)));
+}
+
+TEST_CASE("live map: a pair is expected to take the product of its own lengths") {
+    const double half_s = expected_map_s({0.5, 0.5});
+    CHECK(half_s > 0.0);
+    CHECK(expected_map_s({1.0, 1.0}) == doctest::Approx(4.0 * half_s));
+    // The third is the longest and sounds to its end: its pairs are as long as it on both sides.
+    CHECK(expected_map_s({0.49, 0.49, 2.0}) == doctest::Approx(half_s + 2.0 * 16.0 * half_s));
+    // One clip of 6 s among a hundred of half a second: far less than if all were that long.
+    std::vector<double> one_long(100, 0.5);
+    one_long.push_back(6.0);
+    CHECK(expected_map_s(one_long) < expected_map_s(101, 6.0) / 25.0);
+    CHECK(expected_map_s(std::vector<double>{}) == 0.0);
+    CHECK(expected_map_s(std::vector<double>{1.0}) == 0.0);
+    // Where waiting costs, silence is compared, too.
+    PatternSet waits = short_patterns(5);
+    std::get<Pattern>(waits.vibrations[3].source).duration_s = 6.0;
+    const double free_s = expected_map_s(waits);
+    waits.model.envelope.waiting_cost = 0.1;
+    CHECK(expected_map_s(waits) > 1.5 * free_s);
+    CHECK(expected_map_s(waits) == doctest::Approx(expected_map_s(5, 6.0)));
 }
 
 TEST_CASE("live map: other names and locks are the same work, another sound or map is not") {

@@ -20,11 +20,13 @@ namespace {
 
 using Shown = std::map<std::string, std::string>;  // what is noted, by the view that it is in
 
-PatternSet weaker_patterns(double longest_s) {
+PatternSet weaker_patterns(double duration_s) {
     PatternSet set = short_patterns(6);
     set.name = "another set";
-    for (Vibration& one : set.vibrations) std::get<Pattern>(one.source).amplitude_g = 0.3;
-    std::get<Pattern>(set.vibrations[0].source).duration_s = longest_s;
+    for (Vibration& one : set.vibrations) {
+        std::get<Pattern>(one.source).amplitude_g = 0.3;
+        std::get<Pattern>(one.source).duration_s = duration_s;
+    }
     return set;
 }
 
