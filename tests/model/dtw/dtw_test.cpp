@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "model/dtw/dtw_batches.h"
+#include "model/dtw/dtw_strips.h"
 #include "tests/support/dtw_textbook.h"
 #include "tests/support/golden.h"
 
@@ -261,6 +262,49 @@ TEST_CASE("dtw: a second at 10 kHz, and a sample around it, gives the textbook's
         const std::vector<double> same(full.size(), expected[0]);
         CHECK(same_bits(dtw(full, {.threads = 1}, kernel), same));
     }
+}
+
+TEST_CASE("dtw: several threads at one pair give the textbook's bits, whatever its shape") {
+    const std::vector<std::pair<std::size_t, std::size_t>> shapes{
+        {1, 1}, {1, 9000}, {9000, 1}, {70, 20'000}, {20'000, 70}, {3000, 5000}, {8192, 24}};
+    for (const auto& [rows, columns] : shapes) {
+        CAPTURE(rows);
+        CAPTURE(columns);
+        const auto a = wandering(rows, 1);
+        const auto b = wandering(columns, 2);
+        for (const double waiting_cost : {0.0, 0.3}) {
+            const double expected = dtw_textbook(a, b, waiting_cost);
+            for (const DtwKernel& kernel : dtw_kernels()) {
+                for (const DtwSweep& sweep : {kernel.one_pair, kernel.many_pairs}) {
+                    for (const int threads : {2, 3, 8}) {
+                        const SignalPair pair{a, b};
+                        double got = 0.0;
+                        dtw_strips(sweep, {&pair, 1}, waiting_cost, {&got, 1}, {}, threads);
+                        CHECK(same_bits({got}, {expected}));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("dtw: a pair that takes longer than all others together is computed by all threads" *
+          doctest::test_suite("long")) {
+    const auto longest = wandering(40'000, 1);
+    const auto other = wandering(39'000, 2);
+    const auto small = wandering(500, 3);
+    const std::vector<SignalPair> pairs{{small, other}, {longest, other}, {small, small}};
+    const auto alone = dtw(pairs, {.threads = 1});
+    CHECK(same_bits(dtw(pairs, {.threads = 3}), alone));
+    // Stopped in the middle, it is soon back.
+    std::stop_source stop;
+    std::jthread soon([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        stop.request_stop();
+    });
+    const std::vector<double> endless(400'000, 1.0);  // 1.6e11 cells
+    const std::vector<SignalPair> one{{endless, endless}};
+    CHECK(std::isinf(dtw(one, {.threads = 2, .stop = stop.get_token()})[0]));
 }
 
 TEST_CASE("dtw: tiny, huge and equal numbers give the textbook's bits") {
