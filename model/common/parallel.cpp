@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "model/common/processors.h"
+
 namespace tact {
 
 namespace {
@@ -34,7 +36,7 @@ struct Failure {
 
 int thread_count(int threads) {
     if (threads > 0) return threads;
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return usable_processors();
 }
 
 bool parallel_for(std::size_t count, int threads, std::stop_token stop,
