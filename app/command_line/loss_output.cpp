@@ -4,6 +4,7 @@
 
 #include "app/command_line/text_table.h"
 #include "model/export/loss_words.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -96,7 +97,7 @@ std::string pairs_text(const ExportLoss& loss) {
 
 std::string text_of(const ExportLoss& loss) {
     return "\n" + summary_of(loss) + "\n\n" + patterns_text(loss) + set_text(loss) +
-           pairs_text(loss) + "\n" + subset_verdict(loss) + "\n";
+           pairs_text(loss) + "\n" + shown_text(subset_verdict(loss)) + "\n";
 }
 
 Json json_of(const ExportLoss& loss) {

@@ -13,6 +13,7 @@
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 #include "model/set/set_study.h"
+#include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -81,7 +82,7 @@ Error with_hint(Error error, const PatternSet& set) {
 std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>& left_out) {
     std::string text;
     if (synthetic) text += "SYNTHETIC: some or all of these ratings were given by nobody\n";
-    for (const std::string& remark : remarks_on(left_out)) text += remark + "\n";
+    for (const std::string& remark : remarks_on(left_out)) text += shown_text(remark) + "\n";
     return text;
 }
 

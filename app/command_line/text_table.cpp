@@ -7,10 +7,13 @@
 
 #include "model/io/tables/matrix_file.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
-std::string aligned(const std::vector<TextRow>& rows) {
+std::string aligned(const std::vector<TextRow>& exact) {
+    std::vector<TextRow> rows;
+    for (const TextRow& row : exact) rows.push_back(shown_texts(row));
     std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
     for (const TextRow& row : rows) {
         assert(row.size() == widths.size() && "as many cells in every row");

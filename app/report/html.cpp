@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "model/text/utf8.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/theme.h"
 
@@ -77,11 +77,6 @@ std::string whole_style(const std::string& own) {
            ".light{display:none}.dark{display:block}\n}\n" + kPrintStyle;
 }
 
-bool is_allowed(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte >= 0x20 && byte != 0x7F) || c == '\n' || c == '\t';
-}
-
 std::string cell_of(const char* element, const HtmlColumn& column, const std::string& html) {
     return std::string("<") + element + (column.is_number ? " class=\"number\">" : ">") + html +
            "</" + element + ">";
@@ -91,7 +86,7 @@ std::string cell_of(const char* element, const HtmlColumn& column, const std::st
 
 std::string html_escaped(std::string_view text) {
     std::string html;
-    for (const char c : valid_utf8(text)) {
+    for (const char c : shown_lines(text)) {
         switch (c) {
             case '&':
                 html += "&amp;";
@@ -109,7 +104,7 @@ std::string html_escaped(std::string_view text) {
                 html += "&#39;";
                 break;
             default:
-                html += is_allowed(c) ? std::string(1, c) : "\uFFFD";
+                html += c;
         }
     }
     return html;

@@ -13,8 +13,8 @@
 
 namespace tact {
 
-// As text or as the value of an attribute. What is not UTF-8, and characters that no page may have,
-// become U+FFFD.
+// As text or as the value of an attribute. What is not UTF-8 becomes
+// U+FFFD, a character that steers the page its number (model/text/shown_text.h).
 std::string html_escaped(std::string_view text);
 
 struct HtmlColumn {

@@ -19,6 +19,7 @@
 #include "app/screen/kept_frame.h"
 #include "app/screen/side_window.h"
 #include "app/screen/window_events.h"
+#include "model/text/shown_text.h"
 #include "viz/picture/program_icon.h"
 
 namespace tact {
@@ -165,7 +166,7 @@ void heed(Window& window, const FrameRequest& request, double now_s) {
     set_full_screen(*window.glfw, window.full_screen, request.full_screen);
     if (!request.title.empty() && request.title != window.title) {
         window.title = request.title;
-        glfwSetWindowTitle(window.glfw, window.title.c_str());
+        glfwSetWindowTitle(window.glfw, shown_text(window.title).c_str());
     }
     const ImGuiIO& io = ImGui::GetIO();
     const bool goes_on = request.animate || window.events.fonts_outdated || is_anything_held(io);

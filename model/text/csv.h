@@ -1,4 +1,4 @@
-// Records of comma-separated values.
+// Records of comma-separated values, and what is wrong with a line of a file.
 //
 // Source    RFC 4180; also blanks as separators, for bare numbers
 // Valid     kMaxCsvFields a record; what follows them stays together in the last one
@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "model/common/expected.h"
 
 namespace tact {
 
@@ -36,5 +38,10 @@ CsvRecord next_record(CsvReader& reader);
 // as it is.
 std::string guarded(std::string_view text);
 std::string unguarded(std::string text);
+
+// "FILE:LINE: FAULT"; lines count from 1.
+inline Error at_line(const std::string& file, std::size_t line, const std::string& fault) {
+    return Error{file + ":" + std::to_string(line) + ": " + fault};
+}
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "model/common/fingerprint.h"
+#include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -20,10 +21,10 @@ std::string number_of_whole(std::string_view name) {
 }  // namespace
 
 std::string file_stem(std::string_view name) {
-    constexpr std::string_view kRefused = "/\\:*?\"<>|\x7F";
-    std::string stem = valid_utf8(name);
+    constexpr std::string_view kRefused = "/\\:*?\"<>|";
+    std::string stem = without_steering(name, '-');
     for (char& c : stem) {
-        if (kRefused.find(c) != kRefused.npos || static_cast<unsigned char>(c) < 0x20) c = '-';
+        if (kRefused.find(c) != kRefused.npos) c = '-';
     }
     if (stem.empty() || stem.front() == '.') stem.insert(stem.begin(), '-');
     if (stem.size() <= kLongestStem) return stem;

@@ -11,9 +11,10 @@ namespace tact {
 
 inline constexpr std::size_t kLongestStem = 120;  // bytes; file systems have 255 with the ending
 
-// A name as a file's, without its ending: UTF-8, never empty nor hidden; what file systems refuse
-// becomes "-". A longer one is cut between characters and gets a number of the whole, so that names
-// that differ behind the cut differ here, too.
+// A name as a file's, without its ending: UTF-8, never empty nor hidden; what file systems refuse,
+// and what would steer the terminal that lists it, becomes "-". A longer one is cut between
+// characters and gets a number of the whole, so that names that differ behind the cut differ here,
+// too.
 std::string file_stem(std::string_view name);
 
 }  // namespace tact

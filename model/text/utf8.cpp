@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/text/shown_text.h"
+
 namespace tact {
 
 namespace {
@@ -71,10 +73,7 @@ std::string shortened(std::string_view text, std::size_t characters) {
     for (; end < text.size(); ++end) {
         if (!continues(text[end]) && characters-- == 0) break;
     }
-    std::string line = valid_utf8(text.substr(0, end)) + (end < text.size() ? "..." : "");
-    std::ranges::replace_if(
-        line, [](char byte) { return (byte >= 0 && byte < ' ') || byte == '\x7F'; }, ' ');
-    return line;
+    return shown_text(text.substr(0, end)) + (end < text.size() ? "..." : "");
 }
 
 std::string lower_case(std::string text) {

@@ -30,7 +30,8 @@ struct TextPosition {
 
 TextPosition position_of(std::string_view text, std::size_t offset);
 
-// At most `characters` of a text on one line, with "..." where some are missing: for messages.
+// At most `characters` of a text as it is shown on one line, with "..." where some are missing: for
+// messages.
 std::string shortened(std::string_view text, std::size_t characters = 40);
 
 // ASCII letters in lower case: for searches.

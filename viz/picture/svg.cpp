@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/text/atomic_file.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/picture/frame_shapes.h"
 
@@ -96,6 +97,10 @@ std::string escaped(const std::vector<ImWchar>& characters) {
     std::string text;
     for (const ImWchar c : characters) {
         std::array<char, 5> bytes{};
+        if (is_steering(c)) {
+            text += number_of_character(c);
+            continue;
+        }
         switch (c) {
             case '&':
                 text += "&amp;";

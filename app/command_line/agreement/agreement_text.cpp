@@ -9,6 +9,7 @@
 #include "app/command_line/people/people_words.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -29,7 +30,7 @@ std::string voices_text(const Reliability& people) {
 std::string head_of(const SetAgreement& set) {
     const PerceptualSpace& space = rated_of(set).people.space;
     const AlienationChance& chance = rated_of(set).k_chance;
-    std::string text = set.name + ": " + std::to_string(set.patterns) + " patterns, " +
+    std::string text = shown_text(set.name) + ": " + std::to_string(set.patterns) + " patterns, " +
                        std::to_string(set.people.rated_pairs) + " of " +
                        std::to_string(pair_count(set.patterns)) + " pairs rated" +
                        voices_text(set.people.reliability) + "\n" +
@@ -40,7 +41,7 @@ std::string head_of(const SetAgreement& set) {
             ", nine in ten " + interval_text(chance.middle, 3) + "\n";
     const std::string unrated =
         remark_on_unrated(set.people.unrated, set.patterns + set.people.unrated.size());
-    if (!unrated.empty()) text += unrated + "\n";
+    if (!unrated.empty()) text += shown_text(unrated) + "\n";
     const std::string collapsed = remark_on_people_map(rated_of(set));
     if (!collapsed.empty()) text += collapsed + "\n";
     return text + text_of(set.labels) + text_on_people(set.people.synthetic, set.left_out);

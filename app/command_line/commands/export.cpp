@@ -14,8 +14,10 @@
 #include "app/command_line/output.h"
 #include "app/export/effect_files.h"
 #include "app/export/export_report.h"
+#include "app/session/path_json.h"
 #include "model/export/export_loss.h"
 #include "model/subset/set_subset.h"
+#include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -114,12 +116,14 @@ Expected<Exported> exported_part(const ExportCommand& command, const PatternSet&
 
 void print_table(const Exported& exported, const std::filesystem::path& folder) {
     for (std::size_t k = 0; k < exported.remarks.size(); ++k) {
-        std::cout << (folder / exported.names[k]).string();
+        std::string file = (folder / exported.names[k]).string();
         if (*traits(exported.target.format).beside != '\0') {
-            std::cout << " with " << name_beside(exported.names[k], exported.target.format);
+            file += " with " + name_beside(exported.names[k], exported.target.format);
         }
-        std::cout << "\n";
-        for (const std::string& remark : exported.remarks[k]) std::cout << "    " << remark << "\n";
+        std::cout << shown_text(file) << "\n";
+        for (const std::string& remark : exported.remarks[k]) {
+            std::cout << "    " << shown_text(remark) << "\n";
+        }
         if (exported.remarks[k].empty()) std::cout << "    nothing lost\n";
     }
     if (exported.loss) std::cout << text_of(*exported.loss);
@@ -149,10 +153,10 @@ void print_json(const Exported& exported, const PatternSet& part,
     for (std::size_t k = 0; k < exported.remarks.size(); ++k) {
         const std::string& name = exported.names[k];
         nlohmann::json one{{"pattern", part.vibrations[k].name},
-                           {"file", (folder / name).string()},
+                           {"file", path_json(folder / name)},
                            {"remarks", exported.remarks[k]}};
         if (*traits(format).beside != '\0') {
-            one["beside"] = (folder / name_beside(name, format)).string();
+            one["beside"] = path_json(folder / name_beside(name, format));
         }
         list.push_back(std::move(one));
     }

@@ -11,6 +11,7 @@
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -27,30 +28,30 @@ Expected<Lesson> lesson_named(const std::string& name) {
 
 void print_question(const LessonQuestion& question, const QuestionAnswer& answer,
                     const LessonNumbers& numbers) {
-    std::cout << "   Question: " << filled(question.ask, numbers) << "\n";
+    std::cout << "   Question: " << shown_lines(filled(question.ask, numbers)) << "\n";
     for (std::size_t k = 0; k < answer.options.size(); ++k) {
         const bool right = std::ranges::find(answer.right, k) != answer.right.end();
-        std::cout << "     " << k + 1 << " " << filled(answer.options[k], numbers)
+        std::cout << "     " << k + 1 << " " << shown_text(filled(answer.options[k], numbers))
                   << (right ? "  (right)" : "") << "\n";
     }
     for (const std::string& text :
          {filled(question.reveal, numbers), answer.model, answer.people}) {
-        if (!text.empty()) std::cout << "     " << text << "\n";
+        if (!text.empty()) std::cout << "     " << shown_lines(text) << "\n";
     }
 }
 
 void print_lesson_text(const Lesson& lesson, const LessonAnswers& answers) {
-    std::cout << lesson.name << "\n" << lesson.about << "\n";
+    std::cout << shown_text(lesson.name) << "\n" << shown_lines(lesson.about) << "\n";
     for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
         const LessonStep& step = lesson.steps[k];
         std::cout << "\n"
-                  << k + 1 << ". " << filled(step.title, answers.numbers) << "\n   "
-                  << filled(step.text, answers.numbers) << "\n";
+                  << k + 1 << ". " << shown_text(filled(step.title, answers.numbers)) << "\n   "
+                  << shown_lines(filled(step.text, answers.numbers)) << "\n";
         if (!step.note.empty()) {
-            std::cout << "   Note: " << filled(step.note, answers.numbers) << "\n";
+            std::cout << "   Note: " << shown_lines(filled(step.note, answers.numbers)) << "\n";
         }
         if (step.question) print_question(*step.question, answers.questions[k], answers.numbers);
-        if (!step.source.empty()) std::cout << "   Source: " << step.source << "\n";
+        if (!step.source.empty()) std::cout << "   Source: " << shown_text(step.source) << "\n";
     }
 }
 

@@ -6,10 +6,12 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
+#include "app/session/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
+#include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -84,7 +86,8 @@ std::string text_of(const std::vector<Imported>& all) {
         std::snprintf(numbers, sizeof numbers,
                       "lag %.4g s, correlation %.3f, gain %+.1f dB, peak %.3g g", one.lag_s,
                       one.correlation, one.gain_db, one.peak_g);
-        text += one.name + ": " + (one.recording.empty() ? "" : one.recording + ", ") + numbers;
+        text += shown_text(one.name) + ": " +
+                (one.recording.empty() ? "" : shown_text(one.recording) + ", ") + numbers;
         for (const std::string& remark : one.remarks) text += "; " + remark;
         text += "\n";
     }
@@ -96,7 +99,7 @@ nlohmann::json json_of(const Imported& one, bool synthetic) {
         {"name", one.name},       {"measures", one.pattern},        {"synthetic", synthetic},
         {"lag_s", one.lag_s},     {"correlation", one.correlation}, {"peak_g", one.peak_g},
         {"gain_db", one.gain_db}, {"remarks", one.remarks}};
-    if (!one.recording.empty()) fields["recording"] = one.recording;
+    if (!one.recording.empty()) fields["recording"] = path_json(one.recording);
     return fields;
 }
 

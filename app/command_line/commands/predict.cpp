@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,7 @@
 #include "model/perceptual_model/rank_sum.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -124,7 +126,7 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
 void show(const std::string& what, std::size_t pairs) {
     constexpr std::size_t kSlow = 2'000'000;  // half a second
     if (pairs < kSlow || isatty(STDERR_FILENO) == 0) return;
-    std::cerr << "\r" << what << "\033[K";
+    std::fprintf(stderr, "\r%s\033[K", shown_text(what).c_str());
 }
 
 // PM in the place of NC: there may be no room for one more matrix.

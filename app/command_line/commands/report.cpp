@@ -14,6 +14,7 @@
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -171,9 +172,10 @@ std::string text_of(const ReportAnswer& answer, const std::vector<std::string>& 
     const std::string pairs = " of " + grouped_digits(answer.pm.condensed.size()) + " pairs";
     const CloserThan& than = answer.closer_than;
     return "people would confuse, within a felt step: " + grouped_digits(answer.confused.pairs) +
-           pairs + "\n" + text_of(answer.confused, names) + "\ncloser than " + than.words +
-           ", below PM " + significant_digits(than.dissimilarity, 6) + ", " + than.source + ": " +
-           grouped_digits(answer.closer.pairs) + pairs + "\n" + text_of(answer.closer, names);
+           pairs + "\n" + text_of(answer.confused, names) + "\ncloser than " +
+           shown_text(than.words) + ", below PM " + significant_digits(than.dissimilarity, 6) +
+           ", " + than.source + ": " + grouped_digits(answer.closer.pairs) + pairs + "\n" +
+           text_of(answer.closer, names);
 }
 
 }  // namespace
@@ -212,7 +214,7 @@ Expected<Done> run(const ReportCommand& command) {
             add_labels(json, sets->labels);
             stream << json.dump() << "\n";
         } else {
-            stream << text_of(sets->labels) << text_of(*answer, names);
+            stream << text_of(sets->labels) << text_of(*answer, shown_texts(names));
         }
     });
 }

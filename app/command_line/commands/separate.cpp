@@ -10,6 +10,7 @@
 #include "app/command_line/text_table.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/separation.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -170,7 +171,7 @@ Expected<Done> run(const SeparateCommand& command) {
     const std::vector<std::string> names = names_of(sets->meant);
     return write_result(command.out, [&](std::ostream& stream) {
         stream << (command.common.json ? json_of(*result, names).dump() + "\n"
-                                       : text_of(*result, names));
+                                       : text_of(*result, shown_texts(names)));
     });
 }
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
@@ -58,7 +60,8 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
     Expected<std::vector<RatedPatterns>> rated = load_rated(command.common, command.ratings);
     if (!rated) return rated.error();
     RatedPatterns& one = rated->front();
-    std::cerr << text_on_people(is_partly_synthetic(one.study), one.left_out);
+    std::istringstream remarks(text_on_people(is_partly_synthetic(one.study), one.left_out));
+    for (std::string remark; std::getline(remarks, remark);) std::cerr << remark << "\n";
     const std::vector<std::string> unrated = unrated_patterns(one.study);
     Mappable result{
         rated_alone(one.set, unrated), {}, "ratings", true, is_partly_synthetic(one.study)};
@@ -172,7 +175,7 @@ nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
 void print_remarks(const PerceptualSpace& space, const std::optional<OnOtherMap>& on) {
     std::fprintf(stderr, "tactspace: stress-1 %.4f, %s\n", space.stress1, fit_label(space).c_str());
     const std::string remark = remark_on(space);
-    if (!remark.empty()) std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
+    if (!remark.empty()) std::cerr << "tactspace: " << remark << "\n";
     if (!on) return;
     const double r = on->fit.correlation;
     std::fprintf(

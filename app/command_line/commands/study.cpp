@@ -23,6 +23,7 @@
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 #include "model/study/synthetic_study.h"
+#include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -265,7 +266,7 @@ std::string foot_of(const StudyResults& results) {
 
 std::string text_of(const StudyResults& results, const OrderEffects& effects) {
     std::string text = head_of(results, effects) + "\n" + aligned(people_table(results));
-    for (const std::string& remark : results.remarks) text += remark + "\n";
+    for (const std::string& remark : results.remarks) text += shown_text(remark) + "\n";
     if (std::ranges::any_of(results.people, &ParticipantSummary::is_outlier)) {
         text += "outlier: rho with others below Tukey's lower fence, Q1 - 1.5 IQR; counts\n";
     }

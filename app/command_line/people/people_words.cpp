@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/text_table.h"
+#include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -105,7 +106,7 @@ std::string text_of(const IndividualWeights& weights) {
     std::string text = aligned(rows);
     for (std::size_t r = 0; r < weights.mean.size(); ++r) text += ends_text(weights, r);
     for (const std::string& one : weights.left_out) {
-        text += one + " did not rate every pair, or all alike, and has no weights\n";
+        text += shown_text(one) + " did not rate every pair, or all alike, and has no weights\n";
     }
     return text + kFootOfWeights;
 }

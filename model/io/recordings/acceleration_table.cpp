@@ -6,7 +6,6 @@
 
 #include "model/io/recordings/recording.h"
 #include "model/text/csv.h"
-#include "model/text/line_error.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

@@ -6,7 +6,7 @@
 #include "model/signal/resample.h"
 #include "model/signal/waveform.h"
 #include "model/text/atomic_file.h"
-#include "model/text/line_error.h"
+#include "model/text/csv.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

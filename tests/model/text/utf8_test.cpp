@@ -48,7 +48,7 @@ TEST_CASE("utf8: long names are cut between characters") {
     CHECK(shortened("\u9707\u52a8\u9707", 2) == "\u9707\u52a8...");
     CHECK(shortened("\u9707\u52a8", 2) == "\u9707\u52a8");
     CHECK(in_quotes("a") == "\"a\"");
-    CHECK(in_quotes("a\nb\t\x7F") == "\"a b  \"");
+    CHECK(in_quotes("a\nb\t\x7F") == "\"a\\u000ab\\u0009\\u007f\"");
     CHECK(in_quotes(std::string(1000, 'a')).size() == 45);
 }
 
