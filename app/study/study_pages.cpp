@@ -153,7 +153,9 @@ std::string code_fault(const Workspace& work, const StudyState& studying) {
     return {};
 }
 
-void draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
+// Whether the person may go on. The folder is asked once a frame whether the code is taken: what is
+// typed in this frame counts from the next one on.
+bool draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     ImGui::BeginGroup();
     const std::string fault = code_fault(work, studying);
     draw_entry(ui, "Code", "code", studying.code, fault.empty() ? "no name, please" : "");
@@ -169,6 +171,7 @@ void draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     draw_check(ui.theme, "I agree and take part", studying.agrees);
     note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
     ImGui::EndGroup();
+    return studying.agrees && fault.empty();
 }
 
 // Enter ticks, then begins.
@@ -272,13 +275,13 @@ void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     ImGui::PopTextWrapPos();
     const ImVec2 below{corner.x, corner.y + title + text};
     ImGui::SetCursorScreenPos(below);
-    if (has_form) draw_form(ui, work, studying);
+    const bool may_go_on = !has_form || draw_form(ui, work, studying);
     const ImVec2 foot{below.x, below.y + form};
     ImGui::SetCursorScreenPos(foot);
     if (run.is_asking) {
         draw_asking_buttons(ui, work, play, studying, pressed);
     } else {
-        ImGui::BeginDisabled(has_form && (!studying.agrees || !code_fault(work, studying).empty()));
+        ImGui::BeginDisabled(!may_go_on);
         draw_go_on(ui, work, play, studying, {foot, foot}, words.go_on);
         ImGui::EndDisabled();
     }
