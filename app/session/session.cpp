@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/session/autosave.h"
@@ -147,6 +146,7 @@ json settings_of(const Session& session) {
 }
 
 bool make_folder(Session& session) {
+    keep_new_files_private_in(session.folder);
     std::error_code failure;
     fs::create_directories(session.folder, failure);
     if (!failure) {
@@ -206,7 +206,8 @@ Session open_session(const fs::path& folder) {
         return session;
     }
     session.ended_in_crash = is_there(running_mark(folder));
-    std::ofstream(running_mark(folder)) << getpid() << '\n';
+    [[maybe_unused]] const auto marked =  // without it a crash is not told, and nothing is lost
+        write_atomically(running_mark(folder), std::to_string(getpid()) + "\n");
     recover_orphans(session);
     return session;
 }

@@ -5,13 +5,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
+#include <mutex>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "model/text/numbers.h"
 
@@ -88,17 +94,87 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+// A handler of signals has no arguments of ours: names of temporary files lie where it finds them.
+// Whoever takes one out of its place owns it, so that a handler never reads what is freed.
+std::array<std::atomic<char*>, 64> unfinished{};
+
+char* noted(const fs::path& temporary) {
+    char* const name = ::strdup(temporary.c_str());
+    for (std::atomic<char*>& place : unfinished) {
+        char* free = nullptr;
+        if (name != nullptr && place.compare_exchange_strong(free, name)) return name;
+    }
+    std::free(name);
+    return nullptr;
+}
+
+void forget(char* name) {
+    for (std::atomic<char*>& place : unfinished) {
+        char* expected = name;
+        if (name == nullptr || !place.compare_exchange_strong(expected, nullptr)) continue;
+        std::free(name);
+        return;
+    }
+}
+
+// Folders of which nobody else reads anything; like the umask, of the whole process.
+struct PrivateFolders {
+    std::mutex mutex;
+    std::vector<fs::path> folders;
+};
+
+PrivateFolders& private_folders() {
+    static PrivateFolders the_folders;
+    return the_folders;
+}
+
+fs::path resolved(const fs::path& path) {
+    std::error_code none;
+    fs::path whole = fs::weakly_canonical(fs::absolute(path, none), none);
+    return none ? path : whole;
+}
+
 }  // namespace
+
+void remove_unfinished_files() {
+    for (std::atomic<char*>& place : unfinished) {
+        if (const char* const name = place.exchange(nullptr)) ::unlink(name);
+    }
+}
+
+void keep_new_files_private_in(const fs::path& folder) {
+    PrivateFolders& all = private_folders();
+    const std::scoped_lock lock(all.mutex);
+    fs::path whole = resolved(folder);
+    if (std::ranges::find(all.folders, whole) == all.folders.end()) {
+        all.folders.push_back(std::move(whole));
+    }
+}
+
+unsigned mode_of_new(const fs::path& path, unsigned usual) {
+    PrivateFolders& all = private_folders();
+    const std::scoped_lock lock(all.mutex);
+    if (all.folders.empty()) return usual;
+    const fs::path whole = resolved(path);
+    const bool is_private = std::ranges::any_of(all.folders, [&whole](const fs::path& folder) {
+        return std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end()).first ==
+               folder.end();
+    });
+    constexpr unsigned kOwner = 0700;
+    return is_private ? usual & kOwner : usual;
+}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
+      noted_(std::exchange(other.noted_, nullptr)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 AtomicFile::~AtomicFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    forget(noted_);
 }
 
 Expected<AtomicFile> AtomicFile::open(const fs::path& path, unsigned new_mode) {
@@ -114,7 +190,9 @@ Expected<AtomicFile> AtomicFile::open(const fs::path& path, unsigned new_mode) {
         if (file.descriptor_ < 0) return not_written(path, errno);
         return file;
     }
-    if (auto opened = file.open_temporary(exists ? 0600 : new_mode); !opened) return opened.error();
+    if (auto opened = file.open_temporary(exists ? 0600 : mode_of_new(file.target_, new_mode));
+        !opened)
+        return opened.error();
     if (exists) {
         // The owner first, as that clears bits of the mode. Only root may give files away.
         [[maybe_unused]] const int owned = ::fchown(file.descriptor_, old.st_uid, old.st_gid);
@@ -132,12 +210,16 @@ Expected<Done> AtomicFile::open_temporary(unsigned mode) {
         name += std::to_string(::getpid()) + "-" + std::to_string(serial++);
         name += kTemporaryEnd;
         const fs::path file = folder_of(target_) / name;
+        // Noted before it is there: a signal may come in between.
+        noted_ = noted(file);
         descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (descriptor_ >= 0) {
             temporary_ = file;
             return Done{};
         }
-        if (errno != EEXIST) return not_written(path_, errno);
+        const int code = errno;
+        forget(std::exchange(noted_, nullptr));
+        if (code != EEXIST) return not_written(path_, code);
     }
 }
 
@@ -153,6 +235,7 @@ Expected<Done> AtomicFile::commit() {
     if (temporary_.empty()) return Done{};
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) return not_written(path_, errno);
     temporary_.clear();
+    forget(std::exchange(noted_, nullptr));
     sync_folder_of(target_);
     return Done{};
 }
@@ -222,7 +305,7 @@ Expected<int> open_alone(const fs::path& path, bool make) {
     std::string fault = is_there ? kind_fault(about) : std::string();
     if (!fault.empty()) return Error{path.string() + ": " + fault};
     const int flags = O_RDWR | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (make ? O_CREAT : 0);
-    const int descriptor = ::open(path.c_str(), flags, 0666);
+    const int descriptor = ::open(path.c_str(), flags, mode_of_new(path, 0666));
     if (descriptor < 0) return not_written(path, errno);
     if (::fstat(descriptor, &about) == 0) fault = kind_fault(about);
     // A file system without locks must not keep anyone from working.

@@ -46,11 +46,22 @@ class AtomicFile {
     std::filesystem::path path_;       // as asked for
     std::filesystem::path target_;     // with links followed
     std::filesystem::path temporary_;  // empty: none to remove
+    char* noted_ = nullptr;            // where remove_unfinished_files() finds it
     int descriptor_ = -1;
 };
 
 Expected<Done> write_atomically(const std::filesystem::path& path, std::string_view bytes,
                                 unsigned new_mode = 0666);
+
+// Removes the temporary files of all that is being written now: for a handler of signals that end
+// the program, after which nothing is committed. Safe in one (signal-safety(7)).
+void remove_unfinished_files();
+
+// From now on new files and folders of this process in and below a folder are its owner's alone.
+void keep_new_files_private_in(const std::filesystem::path& folder);
+
+// The mode of a file or folder that is made there: the usual one, or of that what is the owner's.
+unsigned mode_of_new(const std::filesystem::path& path, unsigned usual);
 
 // Removes what programs that were killed while they wrote left in a folder: temporary files of this
 // user whose process is gone and that nobody has written to for a day (on a shared disk the process

@@ -53,8 +53,8 @@ Expected<Done> write_study_file(const fs::path& path, const StudyRecord& record)
 }
 
 Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& header) {
-    const int descriptor =
-        ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
+                                  mode_of_new(path, 0666));
     if (descriptor < 0 && errno == EEXIST) {
         return Error{path.string() + ": is there already, expected another code for participant " +
                      in_quotes(header.participant.code)};

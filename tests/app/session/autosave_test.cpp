@@ -5,8 +5,10 @@
 
 #include <fstream>
 
+#include "app/session/folders.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
+#include "model/text/atomic_file.h"
 
 namespace autosave_test {
 
@@ -137,6 +139,28 @@ TEST_CASE("autosave: what is kept is for this user alone, whatever was open to o
     const auto aside = set_autosave_aside(session);
     REQUIRE(aside);
     CHECK(is_private(*aside));
+}
+
+TEST_CASE("autosave: whatever is written into the kept folder during a run is private at once") {
+    const Places places;
+    const Session session = open_session(places.state);
+    const auto mode_of = [](const fs::path& path) { return fs::status(path).permissions(); };
+    constexpr auto kOwner = fs::perms::owner_read | fs::perms::owner_write;
+    const fs::path folder = places.state / "studies" / "new";
+    REQUIRE(make_folder(folder));
+    CHECK(mode_of(folder) == fs::perms::owner_all);
+    CHECK(mode_of(places.state / "running") == kOwner);
+    REQUIRE(write_atomically(folder / "whole", "x"));
+    CHECK(mode_of(folder / "whole") == kOwner);
+    const auto log = open_alone(folder / "log", true);
+    REQUIRE(log);
+    ::close(*log);
+    CHECK(mode_of(folder / "log") == kOwner);
+    // Beside it, what the umask says: the folder is of the same kind, and another one.
+    REQUIRE(write_atomically(places.state.string() + " beside", "x"));
+    CHECK(mode_of_new(places.state.string() + " beside", 0666) == 0666);
+    CHECK(mode_of_new(places.state / "a" / ".." / ".." / "b", 0666) == 0666);
+    CHECK(mode_of_new(places.state / "a" / "b" / "c", 0666) == 0600);
 }
 
 TEST_CASE("autosave: after a crash the remark says so") {

@@ -74,6 +74,25 @@ TEST_CASE(
     CHECK(file_count(folder.path) == 1);
 }
 
+TEST_CASE(
+    "atomic file: what ends the program in between removes what is not finished, and no more") {
+    const TemporaryFolder folder;
+    REQUIRE(write_atomically(folder.path / "old", "old"));
+    auto file = AtomicFile::open(folder.path / "old");
+    REQUIRE(file);
+    REQUIRE(file->append("new"));
+    auto finished = AtomicFile::open(folder.path / "finished");
+    REQUIRE(finished);
+    REQUIRE(finished->commit());
+    CHECK(file_count(folder.path) == 3);
+    remove_unfinished_files();
+    CHECK(file_count(folder.path) == 2);
+    CHECK(*read_text_file(folder.path / "old") == "old");
+    CHECK_FALSE(file->commit());  // it is gone: nothing of it may come into place
+    CHECK(*read_text_file(folder.path / "old") == "old");
+    CHECK(file_count(folder.path) == 2);
+}
+
 TEST_CASE("atomic file: a device is written to, not replaced") {
     const auto written = write_atomically("/dev/full", "x");
     REQUIRE_FALSE(written);
