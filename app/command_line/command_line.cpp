@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "app/command_line/endings.h"
 #include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
 #include "model/common/thrown.h"
@@ -70,6 +71,22 @@ std::string with_exclusions_in_order(std::string text) {
     return text;
 }
 
+int told(const Error& fault, int exit_code) {
+    std::cerr << "tactspace: " << fault.message << "\n";
+    return exit_code;
+}
+
+// Help and version, or what is wrong with the usage.
+int explained(const CLI::App& app, const CLI::ParseError& fault) {
+    std::ostringstream words;
+    const bool is_answer = app.exit(fault, std::cout, words) == 0;
+    std::istringstream lines(words.str());
+    for (std::string line; std::getline(lines, line);) std::cerr << line << "\n";
+    if (!is_answer) return 2;
+    const Expected<Done> printed = flushed_output();
+    return printed ? 0 : told(printed.error(), 1);
+}
+
 }  // namespace
 
 std::vector<CommandHelp> command_help() {
@@ -96,13 +113,16 @@ int run_command_line(int argc, const char* const* argv, RunWindow run_window) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
-        return app.exit(fault) == 0 ? 0 : 2;
+        return explained(app, fault);
     }
-    const Expected<Done> answer = outcome_of(chosen);
-    if (answer) return 0;
-    std::cerr << "tactspace: " << answer.error().message << "\n";
+    Expected<Done> answer = outcome_of(chosen);
+    if (answer) answer = flushed_output();
     const int interrupted = interrupted_exit_code();
-    return interrupted != 0 ? interrupted : 1;
+    if (answer && interrupted != 0) {
+        answer = Error{"stopped: what is written may not be all that was asked for"};
+    }
+    if (answer) return 0;
+    return told(answer.error(), interrupted != 0 ? interrupted : 1);
 }
 
 }  // namespace tact

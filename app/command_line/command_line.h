@@ -12,7 +12,8 @@ namespace tact {
 // The window on some sets, where no command is given.
 using RunWindow = Expected<Done> (*)(const std::vector<std::filesystem::path>& sets);
 
-// 0 done, 1 bad input (one sentence on standard error), 2 bad usage.
+// 0: all that was asked for is there. Else one sentence on standard error, and 1: bad input or a
+// failure, 2: bad usage, 128 and the number of the signal: interrupted.
 int run_command_line(int argc, const char* const* argv, RunWindow run_window);
 
 // What --help says of each command.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <streambuf>
 
+#include "app/command_line/endings.h"
 #include "app/rendering/rendered_set.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/export/exported_set.h"
@@ -21,6 +22,7 @@
 #include "model/io/set/model_file.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -251,9 +253,7 @@ Expected<Done> write_result(const std::filesystem::path& out,
                             const std::function<void(std::ostream&)>& write) {
     if (out.empty()) {
         write(std::cout);
-        std::cout.flush();
-        if (!std::cout) return Error{"standard output: cannot be written"};
-        return Done{};
+        return flushed_output();
     }
     Expected<AtomicFile> file = AtomicFile::open(out);
     if (!file) return file.error();
@@ -272,7 +272,8 @@ std::function<void(double)> progress_line(const std::string& what) {
         std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
         std::chrono::steady_clock::time_point shown = begin;
     };
-    return [what, terminal, interval, state = std::make_shared<State>()](double share) {
+    return [what = shown_text(what), terminal, interval,
+            state = std::make_shared<State>()](double share) {
         const std::scoped_lock lock(state->mutex);
         const auto now = std::chrono::steady_clock::now();
         const bool last = share >= 1.0;

@@ -1,10 +1,11 @@
 // A library for LD_PRELOAD: the system calls that write below one folder, of which one fails, or
-// all from that one on. For tests/faults.
+// all from that one on, or before which a signal arrives. For tests/faults and tests/endings.
 //
 // Input     FAULTS_UNDER the folder; FAULTS_AT which call, from 1 (0: none); FAULTS_ERRNO its
 // errno;
 //           FAULTS_ON where set, later calls fail too, as on a full disk; FAULTS_SHORT where set, a
-//           write that is to fail takes half of the bytes, and the next one fails
+//           write that is to fail takes half of the bytes, and the next one fails; FAULTS_SIGNAL
+//           where set, no call fails, and the process gets this signal before that one
 // Output    FAULTS_COUNT a file that gets the number of calls
 // Left out  unlink: what tidies up is to work. Calls that glibc makes within itself, as of stdio.
 #include <dlfcn.h>
@@ -16,6 +17,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -51,6 +53,7 @@ bool is_under(int descriptor) {
 struct Plan {
     long at = number_of("FAULTS_AT");
     int code = static_cast<int>(number_of("FAULTS_ERRNO"));
+    int signal = static_cast<int>(number_of("FAULTS_SIGNAL"));
     bool on = text_of("FAULTS_ON") != nullptr;
     bool cuts = text_of("FAULTS_SHORT") != nullptr;
 };
@@ -66,6 +69,10 @@ bool was_cut = false;  // so the next call fails
 bool fails() {
     const long k = ++calls;
     if (plan().at == 0) return false;
+    if (plan().signal != 0) {
+        if (k == plan().at) ::kill(::getpid(), plan().signal);
+        return false;
+    }
     const bool is_it = k == plan().at || (was_cut && k == plan().at + 1);
     if (!is_it && !(plan().on && k > plan().at)) return false;
     errno = plan().code;

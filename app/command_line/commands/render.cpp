@@ -9,6 +9,7 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/session/folders.h"
+#include "app/session/path_json.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/recordings/waveform_csv.h"
@@ -101,7 +102,7 @@ Expected<Done> run(const RenderCommand& command) {
         if (command.format == "txt") written = write_text_waveform(path, waveforms[k]);
         if (command.format == "csv") written = write_atomically(path, waveform_csv(waveforms[k]));
         if (!written) return written;
-        files.push_back(path.string());
+        files.push_back(path_json(path));
     }
     std::cerr << "tactspace: wrote " << waveforms.size() << " files to " << command.out.string();
     if (command.format == "wav") std::cerr << ", " << wave.scale_g << " g at full scale";

@@ -7,6 +7,7 @@
 #include "app/command_line/output.h"
 #include "app/physiology/stage_csv.h"
 #include "app/session/folders.h"
+#include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {
@@ -24,7 +25,7 @@ Expected<Done> run(const StagesCommand& command) {
         for (const CsvFile& file : stage_csv(values, stage)) {
             const std::filesystem::path path = command.out / file.name;
             if (const auto written = write_atomically(path, file.text); !written) return written;
-            listed.push_back(path.string());
+            listed.push_back(path_json(path));
             std::cerr << "tactspace: wrote " << path.string() << "\n";
         }
     }

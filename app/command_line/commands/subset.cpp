@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
@@ -21,6 +21,7 @@
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -49,7 +50,7 @@ Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Nam
     const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) {
-        std::fprintf(stderr, "tactspace: %s\n", remark.c_str());
+        std::cerr << "tactspace: " << remark << "\n";
     }
     const Expected<RatingStudy> study = matched(loaded->study, names);
     if (!study) return Error{files.front().string() + ": " + study.error().message};
@@ -346,6 +347,8 @@ Expected<Done> run(const SubsetCommand& command) {
     if (const auto locked = apply_locks(command, source->set); !locked) return locked;
     const Expected<SubsetResult> result = picked(command, *source, interrupt.token());
     if (!result) return result.error();
+    // The best so far, without what was not begun, is not what was asked for.
+    if (interrupt.token().stop_requested()) return Error{"stopped, and nothing is written"};
     if (!command.out.empty()) {
         const PatternSet part = part_of(source->set, result->answer.best.members);
         if (const auto written = write_set_file(command.out, part); !written) return written;
@@ -363,7 +366,7 @@ Expected<Done> run(const SubsetCommand& command) {
             stream << json.dump() << "\n";
         } else {
             stream << text_of(source->labels) << text_on_people(source->synthetic_ratings, {})
-                   << text_of(*result, names);
+                   << text_of(*result, shown_texts(names));
         }
     });
 }
