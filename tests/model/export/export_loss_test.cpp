@@ -238,4 +238,46 @@ TEST_CASE("export loss: recordings stay as they are, and say so") {
     CHECK(exported->back.vibrations[2] == set.vibrations[2]);
 }
 
+TEST_CASE("export loss: samples of 24 bits move no pair of a set that has equal pairs") {
+    PatternSet set = six_tones();
+    for (const char* twin : {"a", "d"}) {
+        const auto found = std::ranges::find(set.vibrations, twin, &Vibration::name);
+        Vibration same = *found;
+        same.name += " again";
+        set.vibrations.push_back(same);
+    }
+    ExportTarget target = own_target(TargetFormat::wav);
+    target.sampled.rate_hz = 10'000.0;  // the set's own: a filter of another rate moves jumps
+    const ExportLoss loss = loss_of(set, target);
+    CHECK(loss.most_moved.empty());
+    CHECK(loss.before == loss.after);
+    REQUIRE(loss.subset);
+    CHECK(loss.subset->is_still_best);
+}
+
+TEST_CASE("export loss: as far a weakest pair with a smaller sum is not the best for the target") {
+    int with_smaller_sum = 0;
+    for (const double amplitude_g : {0.1, 0.2, 0.3, 0.5}) {
+        for (const char* rhythm : {"x-", "x--", "x=-"}) {
+            PatternSet set;  // two alike that stay in, and one more by frequency or by rhythm
+            set.vibrations = {tone("a", 0.9, 150.0), tone("b", 0.88, 150.0),
+                              tone("high", amplitude_g, 260.0), tone("pulses", 0.9, 150.0, rhythm)};
+            set.vibrations[0].locked = true;
+            set.vibrations[1].locked = true;
+            ExportLossOptions options;
+            options.subset_count = 3;
+            const ExportLoss loss = loss_of(set, one_frequency(150.0), options);
+            REQUIRE(loss.subset);
+            const Subset& kept = loss.subset->kept;
+            const Subset& best = loss.subset->best.best;
+            if (kept.weakest_dissimilarity != best.weakest_dissimilarity || kept.sum == best.sum)
+                continue;
+            ++with_smaller_sum;
+            CHECK_FALSE(loss.subset->is_still_best);
+            CHECK(best_for_target(loss) == best.members);
+        }
+    }
+    CHECK(with_smaller_sum > 0);
+}
+
 }  // namespace export_loss_test

@@ -192,6 +192,19 @@ TEST_CASE(
     CHECK(kotlin.text.find("    .build()\n") != std::string::npos);
 }
 
+TEST_CASE("writers: an Android envelope begins in silence, and rises as soon as its points may") {
+    Pattern falls = tone(150.0);
+    falls.amplitude_curve = {{0.0, 1.0}, {falls.duration_s, 0.2}};
+    for (const Pattern& pattern : {tone(150.0), falls}) {
+        pugi::xml_document xml;
+        REQUIRE(xml.load_string(written(TargetFormat::android_xml, pattern).text.c_str()));
+        const auto first =
+            xml.child("vibration-effect").child("waveform-envelope-effect").child("control-point");
+        CHECK(first.attribute("durationMs").as_int() == 20);
+        CHECK(first.attribute("amplitude").as_double() > 0.9 * pattern.amplitude_g);
+    }
+}
+
 TEST_CASE("writers: a rhythm of more notes than Android has points for is not only ramps") {
     Pattern pattern = tone(150.0);
     pattern.rhythm = {"x---x-", 0.05};
