@@ -1,17 +1,18 @@
 #include "devices/calibration/calibration_run.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <span>
 
+#include "devices/calibration/aligned_recording.h"
 #include "devices/calibration/plan_alignment.h"
 #include "devices/calibration/resonance.h"
-#include "model/common/decompositions.h"
+#include "devices/calibration/tone_fit.h"
 
 namespace tact {
 
@@ -22,9 +23,9 @@ constexpr double kBurstHz = 150.0;
 constexpr double kBurstS = 0.3;
 constexpr double kPauseS = 0.3;  // after the burst, and at the end
 constexpr double kRampS = 0.02;  // of every tone
-constexpr int kHarmonics = 5;
 constexpr double kMostThd = 0.1;
-constexpr double kMostError = 0.03;  // standard error of an amplitude: 0.26 dB
+constexpr double kMostError = 0.03;          // standard error of an amplitude: 0.26 dB
+constexpr double kMostOffProportion = 0.12;  // between levels: 1 dB
 
 std::vector<double> frequencies(const CalibrationParams& params) {
     std::vector<double> all;
@@ -89,74 +90,6 @@ void add_sweep(CalibrationPlan& plan, const CalibrationParams& params) {
     }
 }
 
-struct Fit {
-    double amplitude_g = 0.0;
-    double thd = 0.0;
-    double snr_db = 0.0;
-    double standard_error = 0.0;
-};
-
-// The model of the head comment. `samples` and `phase` of one length.
-Fit fitted(std::span<const double> samples, std::span<const double> phase) {
-    constexpr int kColumns = 2 * kHarmonics + 1;
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(kColumns, kColumns);
-    Eigen::Vector<double, kColumns> right = Eigen::Vector<double, kColumns>::Zero();
-    Eigen::Vector<double, kColumns> row;
-    const auto fill = [&row](double p) {
-        row(0) = 1.0;
-        for (int h = 1; h <= kHarmonics; ++h) {
-            row(2 * h - 1) = std::cos(h * p);
-            row(2 * h) = std::sin(h * p);
-        }
-    };
-    for (std::size_t n = 0; n < samples.size(); ++n) {
-        fill(phase[n]);
-        normal.noalias() += row * row.transpose();
-        right += samples[n] * row;
-    }
-    const Eigen::Vector<double, kColumns> solved = solved_symmetric(normal, right);
-    double rest = 0.0;
-    for (std::size_t n = 0; n < samples.size(); ++n) {
-        fill(phase[n]);
-        const double left = samples[n] - row.dot(solved);
-        rest += left * left / static_cast<double>(samples.size());
-    }
-    const double fundamental = solved.segment<2>(1).squaredNorm();
-    const double harmonics = solved.tail<2 * kHarmonics - 2>().squaredNorm();
-    if (!(fundamental > 0.0)) return {0.0, 0.0, -300.0, 1e15};
-    const double snr = fundamental / 2.0 / std::max(rest, 1e-30);
-    const double half = static_cast<double>(samples.size()) / 2.0;
-    return {std::sqrt(fundamental), std::sqrt(harmonics / fundamental), 10.0 * std::log10(snr),
-            1.0 / std::sqrt(snr * half)};
-}
-
-// A tone of the plan in the recording that begins it at `start`.
-Fit fit_of(const CalibrationPlan& plan, const CalibrationTone& tone,
-           std::span<const double> samples, std::size_t start) {
-    const std::size_t end = std::min(start + tone.end, samples.size());
-    const std::size_t begin = std::min(start + tone.begin, end);
-    return fitted(samples.subspan(begin, end - begin),
-                  std::span(plan.phase_rad).subspan(tone.begin, end - begin));
-}
-
-// Where around `start` the highest tone fits best: that of a sweep would be lost elsewhere. A
-// steady one has another phase and the same amplitude anywhere, and stays where it is.
-std::size_t refined_start(const CalibrationPlan& plan, std::span<const double> samples,
-                          std::size_t start) {
-    constexpr std::size_t kStep = 5;
-    constexpr std::size_t kAround = 100;  // 10 ms
-    constexpr double kClearlyDb = 1.0;    // by less a place is no better
-    std::size_t best = start;
-    double most_db = fit_of(plan, plan.tones.back(), samples, start).snr_db + kClearlyDb;
-    const std::size_t first = start - std::min(start, kAround);
-    for (std::size_t at = first; at <= start + kAround; at += kStep) {
-        const double snr_db = fit_of(plan, plan.tones.back(), samples, at).snr_db;
-        if (snr_db > most_db) best = at;
-        most_db = std::max(most_db, snr_db);
-    }
-    return best;
-}
-
 // Empty where all tones were taken.
 std::string remark_on_left_out(const std::vector<MeasuredTone>& tones) {
     const auto taken = std::ranges::count_if(tones, &MeasuredTone::accepted);
@@ -166,25 +99,70 @@ std::string remark_on_left_out(const std::vector<MeasuredTone>& tones) {
            " tones were left out: " + words_on_left_out();
 }
 
-// One point a frequency: at its highest accepted level, with how far the others are off.
-std::vector<ResponsePoint> points_of(const std::vector<MeasuredTone>& tones) {
+double strength(const MeasuredTone& one) { return one.amplitude_g / one.tone.level; }
+
+// How far the strengths of tones of one frequency are off that of the last, as a share.
+double off_proportion(std::span<const MeasuredTone* const> levels) {
+    double most = 0.0;
+    for (const MeasuredTone* one : levels) {
+        most = std::max(most, std::abs(strength(*one) / strength(*levels.back()) - 1.0));
+    }
+    return most;
+}
+
+struct Points {
+    std::vector<ResponsePoint> points;
+    std::vector<double> left_out_hz;  // out of proportion already at the lowest levels
+    std::size_t lowered = 0;  // measured at higher levels, too, which were not in proportion
+};
+
+// One point a frequency: at the highest accepted level up to which all are in proportion, as a
+// table has one strength for all levels.
+Points points_of(const std::vector<MeasuredTone>& tones) {
     std::map<double, std::vector<const MeasuredTone*>> accepted;
     for (const MeasuredTone& tone : tones) {
         if (tone.accepted) accepted[tone.tone.frequency_hz].push_back(&tone);
     }
-    const auto strength = [](const MeasuredTone& one) { return one.amplitude_g / one.tone.level; };
-    std::vector<ResponsePoint> points;
-    for (const auto& [f_hz, levels] : accepted) {
-        const MeasuredTone& highest = **std::ranges::max_element(
-            levels, {}, [](const MeasuredTone* one) { return one->tone.level; });
-        ResponsePoint point{f_hz, strength(highest), highest.tone.level, highest.thd, 0.0};
-        for (const MeasuredTone* one : levels) {
-            point.nonlinearity = std::max(point.nonlinearity,
-                                          std::abs(strength(*one) / point.g_per_full_scale - 1.0));
+    Points made;
+    for (auto& [f_hz, levels] : accepted) {
+        std::ranges::sort(levels, {}, [](const MeasuredTone* one) { return one->tone.level; });
+        const std::size_t all = levels.size();
+        while (levels.size() > 1 && off_proportion(levels) > kMostOffProportion) levels.pop_back();
+        if (all > 1 && levels.size() == 1) {
+            made.left_out_hz.push_back(f_hz);
+            continue;
         }
-        points.push_back(point);
+        made.lowered += levels.size() < all ? 1 : 0;
+        const MeasuredTone& highest = *levels.back();
+        made.points.push_back(
+            {f_hz, strength(highest), highest.tone.level, highest.thd, off_proportion(levels)});
     }
-    return points;
+    return made;
+}
+
+std::string short_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+void tell_proportion(const Points& made, std::vector<std::string>& remarks) {
+    const std::string limit = std::to_string(std::lround(100.0 * kMostOffProportion)) + " %";
+    if (!made.left_out_hz.empty()) {
+        std::string where;
+        for (const double f_hz : made.left_out_hz) {
+            where += (where.empty() ? "" : ", ") + short_digits(f_hz);
+        }
+        remarks.push_back("left out " + where +
+                          " Hz: what was measured there is out of proportion "
+                          "to the drive by more than " +
+                          limit + ", already at the lowest levels");
+    }
+    if (made.lowered > 0) {
+        remarks.push_back("at " + std::to_string(made.lowered) +
+                          " frequencies the actuator is in proportion to its drive, to " + limit +
+                          ", at lower levels only: it is driven up to those");
+    }
 }
 
 }  // namespace
@@ -192,6 +170,7 @@ std::vector<ResponsePoint> points_of(const std::vector<MeasuredTone>& tones) {
 CalibrationPlan calibration_plan(const CalibrationParams& params) {
     assert(!params.levels.empty() && params.low_hz > 0.0 && params.high_hz >= params.low_hz);
     CalibrationPlan plan;
+    plan.is_sweep = params.is_sweep;
     add_sine(plan, params.levels.back(), kBurstS, [](double t_s) { return kTau * kBurstHz * t_s; });
     add_silence(plan, kPauseS);
     if (params.is_sweep) {
@@ -220,29 +199,43 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
         return Error{"expected a recording of 10,000 Hz"};
     }
     const std::size_t length = plan.drive.samples.size();
-    if (samples.size() < length) {
+    // A clock that is slow has fewer samples for the same time.
+    if (static_cast<double>(samples.size()) * (1.0 + kMostClockOff) < static_cast<double>(length)) {
         return Error{"expected a recording of the whole calibration signal, " +
                      std::to_string(length / 10'000) + " s or more"};
     }
-    const std::optional<std::size_t> found = place_of_plan(plan, samples);
+    const std::optional<AlignedRecording> found = aligned_recording(plan, recorded);
     if (!found) return Error{"the calibration signal is not in this recording"};
-    const std::size_t start = refined_start(plan, samples, *found);
     CalibrationResult result;
-    result.begins_s = static_cast<double>(start) / recorded.rate_hz;
+    result.clock_off = found->clock_off;
+    result.begins_s = static_cast<double>(found->start) / recorded.rate_hz;
     for (const CalibrationTone& tone : plan.tones) {
-        const Fit fit = fit_of(plan, tone, samples, start);
+        const ToneFit fit = fit_of(plan, tone, found->recorded.samples_g, found->start);
         result.tones.push_back({tone, fit.amplitude_g, fit.thd, fit.snr_db, fit.standard_error,
                                 fit.thd < kMostThd && fit.standard_error < kMostError});
     }
-    result.points = points_of(result.tones);
-    if (result.points.empty()) {
+    Points made = points_of(result.tones);
+    if (made.points.empty() && !made.left_out_hz.empty()) {
+        return Error{
+            "nothing in this recording is in proportion to the drive: the sensor clips, or "
+            "this is not the signal that was played"};
+    }
+    if (made.points.empty()) {
         return Error{"no tone of this recording is clean enough: all have " + words_on_left_out()};
     }
-    FinerTable finer = finer_table(result.points);
+    FinerTable finer = finer_table(made.points);
     result.points = std::move(finer.points);
     result.remarks = std::move(finer.remarks);
     if (const std::string left_out = remark_on_left_out(result.tones); !left_out.empty()) {
         result.remarks.insert(result.remarks.begin(), left_out);
+    }
+    tell_proportion(made, result.remarks);
+    if (result.clock_off != 0.0) {
+        result.remarks.insert(result.remarks.begin(),
+                              "the clock of this recording runs " +
+                                  short_digits(100.0 * std::abs(result.clock_off)) + " % " +
+                                  (result.clock_off > 0.0 ? "slow" : "fast") +
+                                  ", by the signal itself: taken out");
     }
     return result;
 }

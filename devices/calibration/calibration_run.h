@@ -15,7 +15,8 @@
 //
 // Source    THD < 10 % and an error < 3 % (0.26 dB) to be taken: a choice of ours
 // Input     a recording in g at the plan's rate, begun before the plan and ended after it
-// Left out  phase; several sensors; drift of the sensor's clock beyond what a tone can bear.
+// The recording's clock is told by the signal, which is known: what it is off is told and taken
+// out. Left out  phase; several sensors; a clock that drifts; a sweep's by a clock that is off.
 // Exact     same input, same table.
 #pragma once
 
@@ -56,6 +57,7 @@ struct CalibrationPlan {
     Drive drive;
     std::vector<double> phase_rad;  // of the sine at every sample
     std::vector<CalibrationTone> tones;
+    bool is_sweep = false;
 };
 
 CalibrationPlan calibration_plan(const CalibrationParams& params);
@@ -73,7 +75,8 @@ struct CalibrationResult {
     std::vector<ResponsePoint> points;  // of accepted tones, one a frequency, at its highest level,
                                         // and those worked out between them
     std::vector<MeasuredTone> tones;
-    double begins_s = 0.0;  // of the plan, in the recording
+    double begins_s = 0.0;   // of the plan, in the recording
+    double clock_off = 0.0;  // of the recording, as a share; above 0: all was too high
     // Sentences without a full stop: tones that were left out, and where the table may be wrong.
     std::vector<std::string> remarks;
 };

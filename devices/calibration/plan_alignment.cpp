@@ -97,6 +97,86 @@ void add_correlations(std::span<const double> meant, std::span<const double> fou
 
 }  // namespace
 
+namespace {
+
+struct Likeness {
+    double share = 0.0;  // mean over the frequencies
+    std::size_t lag = 0;
+};
+
+// What the plan would be to a clock that is off.
+std::vector<double> quickened(const std::vector<double>& strengths, double clock_off) {
+    std::vector<double> quick;
+    for (std::size_t k = 0;; ++k) {
+        const double at = static_cast<double>(k) * (1.0 + clock_off);
+        const auto below = static_cast<std::size_t>(at);
+        if (below + 1 >= strengths.size()) return quick;
+        const double share = at - static_cast<double>(below);
+        quick.push_back(strengths[below] + share * (strengths[below + 1] - strengths[below]));
+    }
+}
+
+// Of every `step`th frequency of the plan.
+Likeness likeness(const CalibrationPlan& plan, std::span<const double> samples, double clock_off,
+                  std::size_t step) {
+    const std::vector<double>& drive = plan.drive.samples;
+    std::set<double> all_hz;
+    for (const CalibrationTone& tone : plan.tones) all_hz.insert(tone.frequency_hz);
+    const auto fits =
+        static_cast<std::size_t>(static_cast<double>(drive.size()) / (1.0 + clock_off));
+    if (all_hz.empty() || samples.size() + kHopSamples < fits) return {};
+    std::vector<double> alike(
+        1 + samples.size() / kHopSamples - std::min(samples.size(), fits) / kHopSamples, 0.0);
+    std::size_t counted = 0;
+    std::size_t place = 0;
+    for (const double f_hz : all_hz) {
+        if (place++ % step != 0) continue;
+        ++counted;
+        const std::vector<double> meant =
+            quickened(strength_over_time(drive, f_hz, plan.drive.rate_hz), clock_off);
+        std::vector<double> found =
+            strength_over_time(samples, f_hz * (1.0 + clock_off), plan.drive.rate_hz);
+        found.resize(std::max(found.size(), meant.size() + alike.size()), 0.0);
+        add_correlations(meant, found, alike);
+    }
+    const auto best = std::ranges::max_element(alike);
+    return {*best / static_cast<double>(counted), static_cast<std::size_t>(best - alike.begin())};
+}
+
+}  // namespace
+
+double clock_off_of(const CalibrationPlan& plan, std::span<const double> samples) {
+    constexpr std::size_t kSome = 4;  // of the frequencies
+    constexpr double kStep = 0.002;
+    constexpr double kClearly = 1e-3;  // by less a clock is no better
+    const auto alike = [&](double off) { return likeness(plan, samples, off, kSome).share; };
+    double best = 0.0;
+    double most = alike(0.0);
+    for (const double direction : {1.0, -1.0}) {
+        double at = 0.0;
+        // One that is much too fast or slow has a valley before it.
+        for (int ahead = 1;
+             ahead <= 3 && std::abs(at + direction * kStep * ahead) <= kMostClockOff;) {
+            const double off = at + direction * kStep * ahead;
+            const double found = alike(off);
+            if (found > most + kClearly) {
+                best = at = off;
+                most = found;
+                ahead = 1;
+            } else {
+                ++ahead;
+            }
+        }
+        if (best != 0.0) break;
+    }
+    if (best == 0.0) return 0.0;
+    // The top of a parabola through three.
+    const double before = alike(best - kStep);
+    const double after = alike(best + kStep);
+    const double bend = before - 2.0 * most + after;
+    return bend < 0.0 ? best + 0.5 * kStep * (before - after) / bend : best;
+}
+
 std::optional<std::size_t> place_of_plan(const CalibrationPlan& plan,
                                          std::span<const double> samples) {
     const std::vector<double>& drive = plan.drive.samples;

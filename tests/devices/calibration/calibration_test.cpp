@@ -211,4 +211,25 @@ TEST_CASE("calibration: what is not the plan's recording is refused with a sente
     CHECK_FALSE(calibration_from(plan, other));
 }
 
+TEST_CASE("calibration: other tones at the plan's frequencies are not the plan") {
+    CalibrationParams params;
+    params.tone_s = 0.4;
+    params.per_octave = 3;
+    const CalibrationPlan plan = calibration_plan(params);
+    CalibrationPlan backwards = plan;
+    std::ranges::reverse(backwards.drive.samples);
+    CHECK_FALSE(calibration_from(plan, recorded(Coil{}, backwards, 5000, 0.0)));
+    // Nor are the same tones, longer or shorter ones.
+    for (const double tone_s : {0.2, 0.3, 0.8}) {
+        CAPTURE(tone_s);
+        CalibrationParams other = params;
+        other.tone_s = tone_s;
+        other.settle_s = 0.05;
+        CalibrationPlan played = calibration_plan(other);
+        played.drive.samples.resize(
+            std::max(played.drive.samples.size(), plan.drive.samples.size()));
+        CHECK_FALSE(calibration_from(plan, recorded(Coil{}, played, 5000, 0.0)));
+    }
+}
+
 }  // namespace calibration_test
