@@ -166,4 +166,12 @@ TEST_CASE("protection: what is no number is silence, and nothing stays nothing")
     CHECK(protected_drive(nothing, false, true).drive.samples == nothing.samples);
 }
 
+TEST_CASE("protection: of a loop whose lines all lie below 7 Hz nothing is left") {
+    for (const double frequency_hz : {1.0, 5.0, 6.0, 7.0}) {
+        CAPTURE(frequency_hz);
+        const Drive meant = tone(frequency_hz, 0.8, 1.0);
+        CHECK(largest(protected_drive(meant, true, true).drive.samples) < 1e-9);
+    }
+}
+
 }  // namespace protection_test

@@ -223,4 +223,19 @@ TEST_CASE("tracking: silence is silent, and too strong a signal is held within o
     CHECK(is_near(loud.high, 1.0 / 3.0, 0.02));
 }
 
+TEST_CASE("tracking: a fade is told down to 3 % of the loudest beside it") {
+    for (const double end : {0.03, 0.05, 0.08}) {
+        // Loud, 12 ms of a fade, and steady from there on: within one window.
+        Drive drive = tones({{150.0, 0.9}}, 0.3);
+        for (std::size_t n = 0; n < drive.samples.size(); ++n) {
+            const double t_s = static_cast<double>(n) / kModelRateHz - 0.1;
+            drive.samples[n] *= std::pow(end, std::clamp(t_s / 0.012, 0.0, 1.0));
+        }
+        CAPTURE(end);
+        const auto middle = static_cast<std::size_t>(0.125 / kHopS);
+        const RumbleFrame told = tracked_frame(drive, middle, kHopS).rumble;
+        CHECK(std::max(told.low, told.high) > 0.5 * 0.9 * end);
+    }
+}
+
 }  // namespace two_band_tracking_test
