@@ -88,11 +88,13 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
                   "however long; an actuator may be harmed");
     play.add_option("--longest", options.longest_s,
                     "that a pattern or a loop may play on end, s; default: 60, and no limit with "
-                    "--no-protection or a calibration that has an rms limit")
+                    "--no-protection or a calibration that has an rms limit. Patterns in "
+                    "turn count as one, less the rests between them, against 60 s or more")
         ->check(within(0.1, 86'400.0));
     play.add_option("--buffer", options.buffer_ms,
-                    "of sound rendered ahead, ms; else 100. Less follows --level sooner and has "
-                    "gaps on a busy computer; up to 10 a stop is a fade, else a cut")
+                    "of sound rendered ahead, ms; default: 100. Less follows --level sooner and has "
+                    "gaps on a busy computer; up to 10 a stop by Ctrl+C is a fade of 5 ms, with "
+                    "more it is a cut")
         ->check(within(5.0, 2000.0));
     play.add_flag("--loop", options.loop, "until Ctrl+C");
     play.callback([&options, &chosen] {

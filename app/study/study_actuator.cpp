@@ -106,10 +106,14 @@ Play play_so_far(const StudyState& state, const DeviceStatus& status) {
     if (!actuator.is_there) return play;  // a rehearsal, which its file says
     play.is_to_the_end = status.trouble.empty() && status.connected;
     play.dropouts = actuator.dropouts;
+    play.is_to_the_end = play.is_to_the_end && !status.is_warm;
     if (status.clipped && state.run && state.run->playing) {
-        const double held = actuator.level * actuator.peaks[*state.run->playing];
+        const double peak = actuator.peaks[*state.run->playing];
+        const double most = std::min(peak > 0.0 ? actuator.ceiling / peak : actuator.level,
+                                     actuator.drives[*state.run->playing].largest_level);
         // What the device says counts; how much is known from what it was given.
-        play.turned_down_db = std::max(20.0 * std::log10(held / actuator.ceiling), 0.01);
+        const double kept = std::min(actuator.level, most) * std::max(status.kept, 1e-5);
+        play.turned_down_db = std::max(20.0 * std::log10(actuator.level / kept), 0.01);
     }
     return play;
 }

@@ -97,16 +97,20 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
         const PlayNotes& notes = notes_of(playback_, asked.serial);
         status.clipped = notes.clipped.load();
         status.dropouts = notes.dropouts.load();
+        status.kept = static_cast<double>(notes.kept.load());
+        status.is_warm = notes.is_warm.load();
     }
     if (stopped_.load() >= asked.serial || !status.trouble.empty()) return status;
     status.playing = true;
     if (playback_.begun.load() < asked.serial) return status;
     const PlayNotes& notes = notes_of(playback_, asked.serial);
-    const double since_s = steady_s() + clock_offset_s_.load() - notes.origin_s.load() -
-                           asked.lead_s - place_.latency_offset_s;
+    const double now_s = steady_s() + clock_offset_s_.load() - place_.latency_offset_s;
+    const double since_s = now_s - notes.origin_s.load() - asked.lead_s;
     const bool has_ended = playback_.ended.load() >= asked.serial;
+    // Rendered is not yet felt.
+    const bool is_felt = !has_ended || now_s < notes.end_s.load();
     if (asked.looping) {
-        status.playing = !has_ended;
+        status.playing = is_felt;
         // Before the first round is heard there is none to be at the end of.
         if (asked.duration_s <= 0.0 || (since_s < 0.0 && notes.rounds.load() == 0)) return status;
         const double rest_s = std::fmod(since_s, asked.duration_s);
@@ -114,8 +118,7 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
         return status;
     }
     status.position_s = std::clamp(since_s, 0.0, asked.duration_s);
-    // Rendered is not yet felt.
-    status.playing = !has_ended || since_s < asked.duration_s;
+    status.playing = !has_ended || (is_felt && since_s < asked.duration_s);
     return status;
 }
 
@@ -124,6 +127,7 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
     if (serial <= stopped_.load() || serial < superseded_.load()) return stream_ != nullptr;
     if (stream_ != nullptr) settle_cut();
     if (stream_ == nullptr) {
+        note_rest(playback_.ledger, steady_s() - polled_at_s_);  // no callback runs
         const Expected<Done> opened = open(host);
         connected_ = static_cast<bool>(opened);
         if (!opened) {
@@ -132,11 +136,11 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
         }
     }
     const double rate_hz = playback_.layout.rate_hz;
-    auto clip = std::make_unique<Clip>(rest_s ? clip_after(drive, rate_hz, *rest_s)
-                                              : clip_of(drive, rate_hz, loop));
+    auto clip = std::make_unique<Clip>(rest_s && clip_ ? clip_after(drive, rate_hz, *rest_s, *clip_)
+                                                       : clip_of(drive, rate_hz, loop));
     clip->serial = serial;
     const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
-    start(std::move(clip), loop ? duration_s : kept_s(duration_s, loop, drive.longest_s));
+    start(std::move(clip), duration_s - drive.lead_s - drive.tail_s);
     // Stopped while it was being made ready.
     if (serial <= stopped_.load()) playback_.wanted.store(nullptr);
     return true;

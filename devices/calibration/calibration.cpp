@@ -216,9 +216,10 @@ std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibr
                            turned_down_above(limits.excursion_limit_mm / driven.excursion_mm));
     }
     if (limits.rms_limit > 0.0 && driven.rms > limits.rms_limit) {
-        warnings.push_back(
-            "drives it with " + digits(driven.rms) + " of full scale for a second, more than its " +
-            digits(limits.rms_limit) + turned_down_above(limits.rms_limit / driven.rms));
+        warnings.push_back("drives it with " + digits(driven.rms) +
+                           " of full scale for a second, over and over, more than its " +
+                           digits(limits.rms_limit) +
+                           turned_down_above(limits.rms_limit / driven.rms));
     }
     if (driven.over_measured > 1.0) {
         warnings.push_back("drives it " + digits(driven.over_measured) +
@@ -271,15 +272,19 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
         });
     driven.peak = largest_of(driven.drive.samples);
     driven.excursion_mm = excursion_of_pass_mm(driven.drive, calibration);
-    driven.rms = loudest_second(driven.drive);
+    // A single pass, too, is as strong however soon the next one comes.
+    driven.rms = std::max(loudest_second(driven.drive), loudest_second_of_loop(driven.drive));
     if (loop) {
         driven.excursion_mm =
             std::max(driven.excursion_mm, excursion_of_loop_mm(driven.drive, calibration));
-        driven.rms = std::max(driven.rms, loudest_second_of_loop(driven.drive));
     }
     // A limit of rms is one of heat; without it nobody knows how warm the actuator gets.
     driven.drive.longest_s = longest_s.value_or(
         calibration.rms_limit > 0.0 ? std::numeric_limits<double>::infinity() : kLongestOnEndS);
+    driven.drive.rms_limit = calibration.rms_limit;
+    if (calibration.rms_limit <= 0.0) {
+        driven.drive.rest_after_s = std::max(kLongestOnEndS, driven.drive.longest_s);
+    }
     driven.over_measured = over_measured(driven.drive, calibration);
     driven.share_lost = share_lost(waveform, calibration);
     driven.drive.largest_level = largest_level(driven, calibration);

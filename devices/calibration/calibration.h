@@ -70,7 +70,8 @@ struct CalibratedDrive {
     Drive drive;
     double peak = 0.0;           // of full scale; above 1 it would be cut
     double excursion_mm = 0.0;   // peak, down to the slowest that the table reaches
-    double rms = 0.0;            // of the loudest second, of a loop's repetition too
+    double rms = 0.0;            // of the loudest second of its repetition, looped or not: plays
+                                 // in turn may follow at once
     double over_measured = 0.0;  // peak, each frequency as a share of the largest drive measured
                                  // there; 0: measured up to full scale
     double share_lost = 0.0;     // of the energy meant: outside the table, or boosted too little

@@ -76,6 +76,8 @@ Clip clip_of(const Drive& drive, double rate_hz, bool loop) {
     clip.loop = loop;
     clip.largest_level = static_cast<float>(drive.largest_level);
     clip.longest_frames = frames_in(drive.longest_s, rate_hz);
+    clip.rms_limit = drive.rms_limit;
+    clip.rest_after_s = drive.rest_after_s;
     if (drive.samples.empty()) return clip;
     // A loop is cut back to its own length; the margin lets the filter see the seam from both
     // sides.
@@ -95,20 +97,26 @@ Clip clip_of(const Drive& drive, double rate_hz, bool loop) {
     }
     clip.peak = static_cast<float>(true_peak(played, from, count));
     clip.lead_s = loop ? 0.0 : kClipMarginS + drive.lead_s;
+    clip.tail_s = loop ? 0.0 : kClipMarginS + drive.tail_s;
+    clip.load = load_of(clip.samples, rate_hz);
     return clip;
 }
 
-Clip clip_after(const Drive& drive, double rate_hz, double rest_s) {
+Clip clip_after(const Drive& drive, double rate_hz, double rest_s, const Clip& before) {
     Clip clip = clip_of(drive, rate_hz, false);
     clip.waits = true;
-    const auto margin = static_cast<std::int64_t>(sample_count(kClipMarginS, rate_hz));
-    const auto rest = static_cast<std::int64_t>(std::llround(std::max(0.0, rest_s) * rate_hz));
-    const std::int64_t short_of = std::max<std::int64_t>(0, 2 * margin - rest);
-    const std::int64_t left_out =
-        std::min(short_of / 2, static_cast<std::int64_t>(clip.samples.size()));
-    clip.samples.erase(clip.samples.begin(), clip.samples.begin() + left_out);
-    clip.lead_s -= static_cast<double>(left_out) / rate_hz;
-    clip.rest_frames = rest - 2 * margin + left_out;
+    const double between_s = std::max(0.0, rest_s) - before.tail_s - clip.lead_s;
+    clip.rest_frames = std::llround(between_s * rate_hz);
+    if (clip.rest_frames >= 0) return clip;
+    // The end of the one before is left to this one.
+    const auto both = std::min(static_cast<std::size_t>(-clip.rest_frames), before.samples.size());
+    clip.rest_frames = -static_cast<std::int64_t>(both);
+    clip.samples.resize(std::max(clip.samples.size(), both), 0.0F);
+    for (std::size_t n = 0; n < both; ++n) {
+        clip.samples[n] += before.samples[before.samples.size() - both + n];
+        clip.peak = std::max(clip.peak, std::abs(clip.samples[n]));
+    }
+    clip.load = load_of(clip.samples, rate_hz);
     return clip;
 }
 

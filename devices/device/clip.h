@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "devices/device/device.h"
+#include "devices/device/ledger.h"
 
 namespace tact {
 
@@ -24,16 +25,20 @@ struct Clip {
     std::uint64_t longest_frames = std::numeric_limits<std::uint64_t>::max();  // then it fades
     bool waits = false;            // for the end of the clip before it, which is not cut off ...
     std::int64_t rest_frames = 0;  // ... and so long after that; below 0: before it
-    double lead_s = 0.0;           // in it before the signal begins
+    double lead_s = 0.0;           // in it before the signal begins ...
+    double tail_s = 0.0;           // ... and after it
+    Load load{};
+    double rms_limit = 0.0;  // over any second, what came before it too; 0: not known
+    double rest_after_s = std::numeric_limits<double>::infinity();
 };
 
 // The filter's ringing before a sudden start and after a sudden end belongs to the signal: without
 // `loop` the clip is `kClipMarginS` longer at either end.
 Clip clip_of(const Drive& drive, double rate_hz, bool loop);
 
-// One that begins `rest_s` after the end of the signal before it, as clip_of() made that. Where
-// the two margins between them are longer than the rest, each gives way by half.
-Clip clip_after(const Drive& drive, double rate_hz, double rest_s);
+// One whose signal begins `rest_s` after the end of the signal in `before`, to the frame. Where the
+// tail of that and the lead of this are longer than the rest, both sound at once.
+Clip clip_after(const Drive& drive, double rate_hz, double rest_s, const Clip& before);
 
 inline constexpr double kClipMarginS = 0.01;
 

@@ -21,7 +21,11 @@ struct Drive {
     double largest_level =
         1.0;  // a level above it counts as this one: more would harm the actuator
     double longest_s = std::numeric_limits<double>::infinity();  // on end; then it fades
-    double lead_s = 0.0;  // in it before what is meant begins
+    double rms_limit = 0.0;  // of full scale over any second, others' plays too; 0: not known
+    // Of driving, less the rests between; then it fades (devices/device/ledger.h).
+    double rest_after_s = std::numeric_limits<double>::infinity();
+    double lead_s = 0.0;  // in it before what is meant begins ...
+    double tail_s = 0.0;  // ... and after it
 
     bool operator==(const Drive&) const = default;
 };
@@ -33,6 +37,8 @@ struct DeviceStatus {
     double position_s = 0.0;     // in the pattern, as it is felt now: latency is taken off
     double peak = 0.0;           // of full scale, since the last status
     bool clipped = false;        // the limiter has held this play back somewhere
+    double kept = 1.0;           // least share of its level that plays before it have left
+    bool is_warm = false;        // it ended as the actuator was driven for long with few rests
     std::uint64_t dropouts = 0;  // gaps in this play: the computer was too slow
     std::string trouble;         // why it stopped by itself: a sentence a person can act on
 

@@ -35,6 +35,12 @@ struct FlushDenormals {
     FlushDenormals& operator=(const FlushDenormals&) = delete;
 };
 
+// Less held back than this is not felt, and not told.
+constexpr float kAllButNothing = 0.98F;
+
+// A first loop ends by its own limit, where both are the same.
+constexpr double kWarmSlackS = 0.01;
+
 // From one frame to the next.
 struct Steps {
     float fade = 0.0F;
@@ -61,8 +67,23 @@ void end_clip(Playback& playback) {
     own.has_ended = true;
     own.under = nullptr;
     own.ended_at = own.frames + 1;
+    notes_of(playback, own.clip->serial)
+        .end_s.store(own.heard_s + static_cast<double>(own.ended_at) / playback.layout.rate_hz,
+                     std::memory_order_relaxed);
     playback.ended.store(own.clip->serial, std::memory_order_release);
     playback.quiet_frames.store(0, std::memory_order_relaxed);
+}
+
+// The level that plays before this one leave it, from where it is. Of one that is a second old only
+// itself is left.
+void ask_ledger(Playback& playback) {
+    Playback::Own& own = playback.own;
+    const double rate_hz = playback.layout.rate_hz;
+    const bool is_alone = static_cast<double>(own.fresh_frames) >= rate_hz;
+    own.allowed = is_alone ? 1.0F
+                           : static_cast<float>(allowed_level(playback.ledger, own.clip->load,
+                                                              static_cast<double>(own.at) / rate_hz,
+                                                              own.clip->loop, own.clip->rms_limit));
 }
 
 void begin_clip(Playback& playback, const Clip* clip) {
@@ -71,6 +92,7 @@ void begin_clip(Playback& playback, const Clip* clip) {
     own.under = nullptr;
     own.at = 0;
     own.clip_frames = 0;
+    own.fresh_frames = 0;
     own.fade = 1.0F;
     own.has_ended = clip == nullptr || clip->samples.empty();
     if (clip == nullptr) return;
@@ -78,6 +100,9 @@ void begin_clip(Playback& playback, const Clip* clip) {
     notes.rounds.store(0, std::memory_order_relaxed);
     notes.dropouts.store(0, std::memory_order_relaxed);
     notes.clipped.store(false, std::memory_order_relaxed);
+    notes.kept.store(1.0F, std::memory_order_relaxed);
+    notes.is_warm.store(false, std::memory_order_relaxed);
+    ask_ledger(playback);
     playback.begun.store(clip->serial, std::memory_order_release);
     if (own.has_ended) end_clip(playback);
 }
@@ -90,10 +115,18 @@ float held_back(Playback& playback, float level) {
     auto most = static_cast<float>(
         kept_level(static_cast<double>(level), static_cast<double>(clip->largest_level)));
     if (most * clip->peak > ceiling) most = ceiling / clip->peak;
-    if (most < level) {
-        notes_of(playback, clip->serial).clipped.store(true, std::memory_order_relaxed);
+    PlayNotes& notes = notes_of(playback, clip->serial);
+    const float allowed = playback.own.allowed;
+    if (allowed < kAllButNothing * most) {
+        const float kept = allowed / most;
+        if (kept < notes.kept.load(std::memory_order_relaxed)) {
+            notes.kept.store(kept, std::memory_order_relaxed);
+        }
     }
-    return most;
+    if (most < level || allowed < kAllButNothing * most) {
+        notes.clipped.store(true, std::memory_order_relaxed);
+    }
+    return std::min(most, allowed);
 }
 
 // The same play, which is to become something else.
@@ -115,6 +148,8 @@ void begin_change(Playback& playback, const Clip* wanted) {
     own.under_gain = own.gain;
     own.crossed = 0.0F;
     own.at %= wanted->samples.size();
+    own.fresh_frames = 0;
+    ask_ledger(playback);
 }
 
 // Of the clip, and of what fades under it.
@@ -136,8 +171,14 @@ float next_sample(Playback& playback, bool leaving, const Steps& steps, std::siz
     Playback::Own& own = playback.own;
     if (own.has_ended) return 0.0F;
     const float sample = mixed_sample(own, steps.cross) * own.fade;
-    if (leaving || own.clip_frames >= own.clip->longest_frames) own.fade -= steps.fade;
+    const bool is_over = own.clip_frames >= own.clip->longest_frames;
+    const bool is_warm = playback.ledger.driven_s > own.clip->rest_after_s + kWarmSlackS;
+    if (is_warm && !is_over) {
+        notes_of(playback, own.clip->serial).is_warm.store(true, std::memory_order_relaxed);
+    }
+    if (leaving || is_over || is_warm) own.fade -= steps.fade;
     ++own.clip_frames;
+    ++own.fresh_frames;
     const std::size_t last = own.clip->loop ? 0 : spare;
     if (++own.at + last >= own.clip->samples.size()) {
         own.at = 0;
@@ -220,6 +261,8 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     const auto level = static_cast<float>(kept_level(static_cast<double>(playback.level.load())));
     const Steps steps = steps_at(layout.rate_hz);
     const auto ceiling = static_cast<float>(layout.ceiling);
+    own.heard_s = heard_s - static_cast<double>(own.frames) / layout.rate_hz;
+    const double frame_s = 1.0 / layout.rate_hz;
     if (!own.has_ended) tell_origin(playback, heard_s, 0);
     float target = held_back(playback, level);
     float peak = 0.0F;
@@ -233,7 +276,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
         if (may_change(playback, wanted)) {
             begin_change(playback, wanted);
             target = held_back(playback, level);
-            own.gain = target;  // nothing of it sounds yet
+            own.gain = std::min(own.gain, target);  // its own limits hold at once
             tell_origin(playback, heard_s, n);
         }
         const float off = target - own.gain;
@@ -247,6 +290,12 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
         if (layout.everywhere) std::fill_n(frame, layout.channels, held);
         frame[layout.channel] = held;
         peak = std::max(peak, std::abs(held));
+        const bool is_driven = !own.has_ended;
+        if (note(playback.ledger, static_cast<double>(held), frame_s, is_driven) && is_driven &&
+            own.allowed < 1.0F) {
+            ask_ledger(playback);
+            target = held_back(playback, level);
+        }
     }
     if (own.has_ended) playback.quiet_frames.fetch_add(frames, std::memory_order_relaxed);
     if (peak > playback.peak.load(std::memory_order_relaxed)) {

@@ -9,7 +9,9 @@
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
 //           time; else the stream is cut, and what is on its way is not heard. A lower level
-//           takes about as long as a fade, a higher one up to kRiseS. A loop that is changed goes
+//           takes about as long as a fade, a higher one up to kRiseS, changes or not. What plays
+//           before have left of an actuator's limits (devices/device/ledger.h) holds all of a clip
+//           back until they are a second back. A loop that is changed goes
 //           on from where it is: with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before
 //           + w after, which is never above the larger one, nor steps by more than the two do and
 //           their difference / 600.
@@ -17,7 +19,8 @@
 //           PulseAudio plays silence and drops it, without a word;
 //           starting in the middle of a clip; ramps of a pattern's own start and end
 //           (devices/device/protection.h).
-// Exact     at a settled level each frame is sample * level, rounded once.
+// Exact     at a settled level each frame is sample * level, rounded once; where nothing was played
+//           within the last second the ledger holds nothing back.
 #pragma once
 
 #include <array>
@@ -26,6 +29,7 @@
 #include <cstdint>
 
 #include "devices/device/clip.h"
+#include "devices/device/ledger.h"
 
 namespace tact {
 
@@ -55,6 +59,9 @@ struct PlayNotes {
     std::atomic<std::uint64_t> rounds = 0;  // of a loop that are through
     std::atomic<std::uint64_t> dropouts = 0;
     std::atomic<bool> clipped = false;  // its level had to be held back
+    std::atomic<float> kept = 1.0F;     // least share of that which what came before it has left
+    std::atomic<bool> is_warm = false;  // it ended as the actuator had been driven for too long
+    std::atomic<double> end_s = 0.0;    // stream time at which its end is heard
 };
 
 // A stop that cannot wait for a fade: asked for by anyone, done by the callback.
@@ -81,6 +88,9 @@ struct Playback {
     std::atomic<float> peak = 0.0F;               // of full scale; whoever reads it sets it to 0
     std::atomic<Cut> cut = Cut::none;
 
+    // The callback's while a stream is open: all that the actuator was given, of any play.
+    Ledger ledger;
+
     // The callback's own.
     struct Own {
         const Clip* clip = nullptr;
@@ -91,8 +101,11 @@ struct Playback {
         float under_gain = 0.0F;
         float crossed = 1.0F;  // 0..1: how far it has come from that to the clip
         std::uint64_t frames = 0;
-        std::uint64_t clip_frames = 0;  // since the clip began
-        std::uint64_t ended_at = 0;     // frame of the stream
+        std::uint64_t clip_frames = 0;   // since the clip began
+        std::uint64_t fresh_frames = 0;  // ... or became what it is
+        float allowed = 1.0F;            // the largest level that the ledger leaves it
+        double heard_s = 0.0;            // of the stream's frame 0, as this call knows it
+        std::uint64_t ended_at = 0;      // frame of the stream
         float gain = 0.0F;
         float fade = 1.0F;
         double clock_s = 0.0;  // of the output at the stream's first frame, as is believed now

@@ -50,6 +50,7 @@ void widen(Drive& drive) {
     drive.samples.insert(drive.samples.begin(), ring, 0.0);
     drive.samples.insert(drive.samples.end(), ring, 0.0);
     drive.lead_s += static_cast<double>(ring) / drive.rate_hz;
+    drive.tail_s += static_cast<double>(ring) / drive.rate_hz;
 }
 
 std::vector<double> high_passed(const Drive& drive, bool loop) {
@@ -120,6 +121,7 @@ ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
     const double lost = take_slow_motion(made.drive, loop);
     if (!loop) soften_ends(made.drive);
     made.drive.longest_s = std::min(made.drive.longest_s, longest_s);
+    made.drive.rest_after_s = std::max(kLongestOnEndS, longest_s);
     if (lost > kToldShare) {
         made.remark = "loses what is slower than 16 Hz, " + percent(lost) +
                       " of its energy: an actuator without a calibration might not bear it";

@@ -8,16 +8,17 @@
 //     of zero phase, and the same for every drive, however little of it is slow: patterns of one
 //     set are treated alike. The edge is as soft as lets no more than 1/4 pass below 10 Hz.
 //   - a ramp of 5 ms at the start and at the end, which a coil takes for a blow otherwise
-//   - no longer than a minute on end, for the heat
+//   - no longer than a minute on end, for the heat, whether in one play or in many in turn
+//     (devices/device/ledger.h)
 // A calibration knows better: devices/calibration/calibration.h holds back by what it says.
 //
 // Source    choices of ours; 1 g is 0.6 mm at 20 Hz and 250 mm at 1 Hz
 // Output    the drive as long as before; one below 0.3 s that loses a part has 0.1 s more at either
-//           end, for the filter's ring, and says so as its lead. What lies above 16 Hz as it was,
-//           but for the ramps. A sudden start reaches below, and loses that: within 0.1 s of it a
-//           tone of 20 Hz changes by up to a quarter of its peak, one of 150 Hz by 3 %. What is no
-//           number is silence.
-// Left out  ramps of a loop, whose seam is its own; the heat of plays with pauses between them.
+//           end, for the filter's ring, and says so as its lead and tail. What lies above 16 Hz as
+//           it was, but for the ramps. A sudden start reaches below, and loses that: within 0.1 s
+//           of it a tone of 20 Hz changes by up to a quarter of its peak, one of 150 Hz by 3 %.
+//           What is no number is silence.
+// Left out  ramps of a loop, whose seam is its own.
 #pragma once
 
 #include <optional>

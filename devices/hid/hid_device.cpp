@@ -58,6 +58,7 @@ Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
     status_.playing = true;
     status_.position_s = 0.0;
     status_.clipped = false;
+    status_.is_warm = false;
     status_.trouble.clear();
     changed_.notify_one();
     return Done{};
@@ -167,9 +168,13 @@ void HidDevice::perform(const Play& play, const std::stop_token& quit) {
         late_s_.clear();
     }
     halts_ = halts();
+    note_rest(ledger_, seconds(Clock::now() - rests_since_));
     RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_),
                     level_for(play.drive));
+    const Clock::time_point begun = Clock::now();
     if (plan.size() > 0) send_frames(play, plan, quit);
+    rests_since_ = Clock::now();
+    note_driven(ledger_, seconds(rests_since_ - begun));
     end_in_silence(quit);
 }
 
@@ -193,7 +198,8 @@ void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
     }
     if (!change) return;
     const double hop_s = frame_hop_s(actuator_);
-    plan = RumblePlan(*std::move(change), traits(actuator_.kind).language, hop_s, level);
+    const double kept = kept_level(level, change->largest_level);
+    plan = RumblePlan(*std::move(change), traits(actuator_.kind).language, hop_s, kept);
     const double since_s = std::max(0.0, seconds(Clock::now() - pass.begin));
     const double at_s = std::fmod(since_s, pass.duration_s);
     const Drive& drive = plan.drive();
@@ -211,7 +217,11 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
     const double hop_s = frame_hop_s(actuator_);
     Pass pass;
     pass.duration_s = static_cast<double>(plan.drive().samples.size()) / plan.drive().rate_hz;
-    const double on_end_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
+    const auto most_s = [&] {
+        const Drive& drive = plan.drive();
+        return std::min(drive.longest_s, left_s(ledger_, drive.rest_after_s));
+    };
+    const double on_end_s = kept_s(pass.duration_s, play.loop, most_s());
     plan.rumble(0);
     pass.begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
     {
@@ -228,7 +238,7 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
     // What the loop is changed into has a limit of its own, from the start of the play.
     const auto begun = pass.begin;
     const auto end = [&] {
-        const double now_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
+        const double now_s = kept_s(pass.duration_s, play.loop, most_s());
         return now_s < kLongestCountedS ? begun + nanoseconds(now_s) : Clock::time_point::max();
     };
     std::size_t& k = pass.frame;
@@ -248,7 +258,11 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         note_lateness(deadline(k));
         if (!send_if_due(plan, k % plan.size())) return false;
     }
-    return wait_until(end(), quit);
+    if (!wait_until(end(), quit)) return false;
+    const double asked_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
+    const std::lock_guard lock(mutex_);
+    status_.is_warm = seconds(Clock::now() - begun) < asked_s - hop_s;
+    return true;
 }
 
 // Makes frame k, and as many after it as the time until its deadline is good for: later ones may

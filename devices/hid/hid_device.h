@@ -11,7 +11,8 @@
 // they are not taken they are sent again and again, as long as the controller is there, and at once
 // when it is back; a write that does not return is left to itself. From
 // the first packet of a play to the last the controller is this program's alone; how strong and for
-// how long a drive may be holds here as for an output (devices/device/bounds.h).
+// how long a drive may be holds here as for an output (devices/device/bounds.h), and for plays
+// in turn (devices/device/ledger.h).
 //
 // Source    the pace of the drivers that rumble_packets.h names
 // Left out  two plays at a time; the time that a packet takes through the air. What opens a
@@ -28,6 +29,7 @@
 
 #include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
+#include "devices/device/ledger.h"
 #include "devices/hid/hid_actuator.h"
 #include "devices/hid/hid_port.h"
 #include "devices/hid/hid_protocol.h"
@@ -127,6 +129,8 @@ class HidDevice final : public Device {
     Clock::time_point last_sent_at_;  // when the port had taken it, or not
     bool owes_rest_ = false;          // it was told to vibrate, and not yet to be still
     std::uint64_t halts_ = 0;         // of the program, at the beginning of the play
+    Ledger ledger_;                   // of all plays until ...
+    Clock::time_point rests_since_;   // ... the end of the last one
 
     mutable std::mutex mutex_;  // guards all of these
     std::condition_variable_any changed_;

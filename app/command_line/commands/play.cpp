@@ -14,6 +14,7 @@
 #include "app/command_line/output.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/drive.h"
+#include "devices/device/ledger.h"
 #include "devices/device/protection.h"
 #include "devices/device_list.h"
 
@@ -89,7 +90,9 @@ bool waited(double seconds, std::stop_token stop) {
 }
 
 void say(const std::string& name, const DeviceStatus& status) {
-    if (status.clipped) {
+    const std::string held = words_on_held(status.kept, status.is_warm);
+    if (!held.empty()) std::cerr << "tactspace: \"" << name << "\" " << held << "\n";
+    if (status.clipped && status.kept >= 1.0) {
         std::cerr << "tactspace: \"" << name
                   << "\" was too strong at this level and turned down; a larger --full-scale or a "
                      "smaller --level keeps its strength\n";
@@ -139,6 +142,8 @@ nlohmann::json report_of(const Prepared& pattern, const DeviceStatus& status) {
         {"pattern", pattern.name},
         {"duration_s", static_cast<double>(pattern.drive.samples.size()) / pattern.drive.rate_hz},
         {"clipped", status.clipped},
+        {"kept", status.kept},
+        {"ended_warm", status.is_warm},
         {"dropouts", status.dropouts}};
 }
 

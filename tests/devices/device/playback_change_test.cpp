@@ -161,4 +161,39 @@ TEST_CASE("playback: how long a loop may last counts on through its changes") {
     CHECK(loudest(stream.heard, kPad + 9600 + 241, stream.heard.size()) == 0.0);
 }
 
+TEST_CASE("playback: a change while the level still rises goes on from there, and does not jump") {
+    const Clip before = sine(0.5, 9600, true, 1);
+    const Clip after = sine(0.6, 9600, true, 1);
+    Stream stream;
+    stream.playback.level = 0.1F;
+    stream.playback.wanted = &before;
+    stream.run(kPad + 9600);
+    stream.playback.level = 1.0F;
+    stream.run(960);  // 20 ms of 180
+    stream.playback.wanted = &after;
+    const std::size_t at = stream.heard.size();
+    stream.run(14'400);
+    // No more than 1 / kRiseS a second, all the way.
+    for (std::size_t n = at; n < stream.heard.size(); n += 480) {
+        const double most = 0.1 + static_cast<double>(n + 480 - at + 960) / kRateHz / kRiseS;
+        REQUIRE(loudest(stream.heard, n, n + 480) <= 0.6 * most);
+    }
+    CHECK(std::abs(loudest(stream.heard, stream.heard.size() - 960, stream.heard.size()) - 0.6) <
+          1e-3);
+}
+
+TEST_CASE("playback: a change to a drive that bears less is held to that from its first frame") {
+    const Clip before = sine(0.5, 9600, true, 1);
+    Clip after = sine(0.5, 9600, true, 1);
+    after.largest_level = 0.2F;
+    Stream stream;
+    stream.playback.wanted = &before;
+    stream.run(kPad + 4800);
+    stream.playback.wanted = &after;
+    const std::size_t at = stream.heard.size();
+    stream.run(9600);
+    CHECK(loudest(stream.heard, at + kCross + 1, stream.heard.size()) <= 0.1 + 1e-6);
+    CHECK(notes_of(stream.playback, 1).clipped);
+}
+
 }  // namespace playback_change_test

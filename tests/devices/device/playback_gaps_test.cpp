@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "devices/device/protection.h"
 #include "tests/support/playback_stream.h"
 
 namespace playback_gaps_test {
@@ -88,7 +89,7 @@ TEST_CASE("playback: between two signals lies the rest that was asked for, howev
     first.serial = 1;
     for (const double rest_s : {0.0, 0.004, 0.02, 0.5}) {
         CAPTURE(rest_s);
-        Clip second = clip_after(pulse, kRateHz, rest_s);
+        Clip second = clip_after(pulse, kRateHz, rest_s, first);
         second.serial = 2;
         Stream stream;
         stream.playback.wanted = &first;
@@ -99,6 +100,68 @@ TEST_CASE("playback: between two signals lies the rest that was asked for, howev
                                notes_of(stream.playback, 1).origin_s - first.lead_s;
         CHECK(std::abs(apart_s - 0.1 - rest_s) < 1.5 / kRateHz);
     }
+}
+
+TEST_CASE("playback: a drive that was widened begins its signal as late as any in a sequence") {
+    const Drive pulse{kModelRateHz, std::vector<double>(1000, 0.4)};
+    const Drive longer{kModelRateHz, std::vector<double>(3000, 0.4)};
+    const Drive wide = protected_drive(pulse, false, true).drive;
+    REQUIRE(wide.lead_s > 0.05);
+    REQUIRE(wide.tail_s == wide.lead_s);
+    for (const bool is_wide_first : {false, true}) {
+        for (const double rest_s : {0.0, 0.05, 0.15, 0.5}) {
+            CAPTURE(is_wide_first);
+            CAPTURE(rest_s);
+            Clip first = clip_of(is_wide_first ? wide : longer, kRateHz, false);
+            first.serial = 1;
+            Clip second = clip_after(wide, kRateHz, rest_s, first);
+            second.serial = 2;
+            Stream stream;
+            stream.playback.wanted = &first;
+            stream.run(kPad + 240);
+            stream.playback.wanted = &second;
+            stream.run(72'000);
+            const double apart_s = notes_of(stream.playback, 2).origin_s + second.lead_s -
+                                   notes_of(stream.playback, 1).origin_s - first.lead_s;
+            const double signal_s = is_wide_first ? 0.1 : 0.3;
+            CHECK(std::abs(apart_s - signal_s - rest_s) < 1e-4);
+            // Nothing of either is lost: the two sound at once where they have to.
+            double sum = 0.0;
+            double expected = 0.0;
+            for (const float sample : stream.heard) sum += static_cast<double>(sample);
+            for (const float sample : first.samples) expected += static_cast<double>(sample);
+            for (const float sample : clip_of(wide, kRateHz, false).samples) {
+                expected += static_cast<double>(sample);
+            }
+            CHECK(std::abs(sum - expected) < 0.5);
+        }
+    }
+}
+
+TEST_CASE("playback: a card that counts 200 millionths too slowly for a minute has no gaps") {
+    const Clip clip = sine(0.5, 48'000, true, 1);
+    for (const double off : {200e-6, -200e-6}) {
+        Stream stream;
+        stream.playback.layout = {8000.0, 1, 0, kCeiling};
+        stream.playback.wanted = &clip;
+        std::vector<float> buffer(80);
+        for (int call = 0; call < 6000; ++call) {
+            const double jitter_s = call % 7 == 0 ? 0.001 : -0.001;
+            render(stream.playback, buffer.data(), 80, 0.01 * call * (1.0 + off) + jitter_s);
+        }
+        CHECK(notes_of(stream.playback, 1).dropouts == 0);
+    }
+}
+
+TEST_CASE("playback: when the end is heard is told, of a loop that is over its time too") {
+    Clip clip = sine(0.5, 3200, true, 1);
+    clip.longest_frames = 4800;
+    Stream stream;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 24'000);
+    CHECK(stream.playback.ended == 1);
+    // 0.1 s of silence, 0.1 s of the loop, and the fade.
+    CHECK(std::abs(notes_of(stream.playback, 1).end_s - 0.2 - kRampS) < 1e-3);
 }
 
 }  // namespace playback_gaps_test

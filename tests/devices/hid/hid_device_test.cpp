@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <fstream>
@@ -338,6 +339,65 @@ TEST_CASE("hid: no level is larger than the drive bears, and that is told" *
     CHECK(device.status().clipped);
     CHECK(peak_at(0.5) == most);
     CHECK_FALSE(device.status().clipped);
+}
+
+TEST_CASE("hid: what a loop becomes plays no longer than that may, from its own beginning on" *
+          doctest::test_suite("long")) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::bluetooth));
+    REQUIRE(device.play(tone(0.1), true));
+    REQUIRE(soon([&] { return pad->taken().size() > 2; }));
+    Drive shorter = tone(0.1);
+    shorter.longest_s = 0.3;
+    const auto begun = PadClock::now();
+    device.change(shorter);
+    CHECK(ended(device));
+    CHECK(PadClock::now() - begun < std::chrono::milliseconds(1500));  // a loop would never end
+    CHECK_FALSE(device.status().is_warm);
+    // The other way round it goes on.
+    REQUIRE(device.play(shorter, true));
+    device.change(tone(0.1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    CHECK(device.status().playing);
+    device.stop();
+    CHECK(ended(device));
+}
+
+TEST_CASE("hid: a change is no stronger than what it becomes may be, from its first packet on" *
+          doctest::test_suite("long")) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::bluetooth));
+    REQUIRE(device.play(tone(0.3), true));
+    REQUIRE(soon([&] { return device.status().peak > 0.4; }));
+    Drive weak = tone(0.3);
+    weak.largest_level = 0.2;
+    device.change(weak);
+    REQUIRE(soon([&] { return device.status().clipped; }));
+    (void)device.status();  // the peak since then
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    CHECK(device.status().peak <= 0.11);
+    device.stop();
+    CHECK(ended(device));
+}
+
+TEST_CASE("hid: plays in turn get an actuator as warm as a loop does, and that ends them" *
+          doctest::test_suite("long")) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::switch_pro, HidBus::bluetooth));
+    Drive drive = tone(0.3);
+    drive.rest_after_s = 0.7;
+    int whole = 0;
+    for (; whole < 10; ++whole) {
+        REQUIRE(device.play(drive, false));
+        REQUIRE(ended(device));
+        if (device.status().is_warm) break;
+    }
+    CHECK(whole >= 1);
+    CHECK(whole <= 4);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+    REQUIRE(device.play(drive, false));
+    REQUIRE(ended(device));
+    CHECK_FALSE(device.status().is_warm);
 }
 
 }  // namespace hid_device_test
