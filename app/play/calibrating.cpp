@@ -83,21 +83,25 @@ std::string calibration_text(const PlayState& play) {
            significant(made.points.back().frequency_hz) + " Hz";
 }
 
+DrivenBy driven_by(const PlayState& play) {
+    return {play.calibration, play.full_scale_g, play.is_protected};
+}
+
 DriveRequest drive_request(const PlayState& play, const Vibration& vibration) {
-    return {0, vibration, play.calibration, play.full_scale_g, false, play.is_protected};
+    return {0, vibration, driven_by(play), false};
 }
 
 MadeDrive made_drive(const DriveRequest& request) {
     const Waveform waveform = waveform_of(request.vibration);
     MadeDrive made{request, {}, {}};
-    if (!request.calibration) {
-        ProtectedDrive kept = protected_drive(drive_of(waveform, request.full_scale_g),
-                                              request.loops, request.is_protected);
+    if (!request.by.calibration) {
+        ProtectedDrive kept = protected_drive(drive_of(waveform, request.by.full_scale_g),
+                                              request.loops, request.by.is_protected);
         made.drive = std::move(kept.drive);
         if (!kept.remark.empty()) made.remark = request.vibration.name + " " + kept.remark + ".";
         return made;
     }
-    CalibratedDrive driven = calibrated_drive(waveform, *request.calibration, request.loops);
+    CalibratedDrive driven = calibrated_drive(waveform, *request.by.calibration, request.loops);
     made.drive = std::move(driven.drive);
     for (const std::string& warning : driven.warnings) {
         made.remark += (made.remark.empty() ? request.vibration.name + " " : "; it ") + warning;

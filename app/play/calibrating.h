@@ -26,6 +26,9 @@ void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState
 // "Calibrated: coil, 2026-11-21, 20-500 Hz"; empty: it is not.
 std::string calibration_text(const PlayState& play);
 
+// As the window is set now.
+DrivenBy driven_by(const PlayState& play);
+
 // What makes the chosen device do `vibration`. By a calibration a minute of it takes a good part of
 // a second: not for a thread that draws.
 DriveRequest drive_request(const PlayState& play, const Vibration& vibration);

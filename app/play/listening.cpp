@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/pair.h"
+#include "app/play/calibrating.h"
 #include "app/play/playing.h"
 #include "app/play/sounding.h"
 
@@ -24,9 +25,28 @@ void note_edit(Ui& ui, PlayState& play, bool is_edit) {
     note_rect(ui.rects, "heard edit", {}, {}, text);
 }
 
+// Another protection, full scale or calibration holds for what sounds already: a loop becomes what
+// it would have been, a single pass that was not protected ends.
+void hear_settings(Ui& ui, Timeline& timeline, PlayState& play) {
+    if (!play.sounding || play.halted || play.sounding->as_played.name.empty()) return;
+    Sounding& sounding = *play.sounding;
+    const DrivenBy now = driven_by(play);
+    const DrivenBy before = std::exchange(sounding.driven_by, now);
+    if (now == before || sounding.rests_until_s) return;
+    if (sounding.loops) {
+        const Vibration same = sounding.as_played;
+        return play_vibration(ui, timeline, play, same);
+    }
+    const bool was_free = !before.calibration && !before.is_protected;
+    if (!was_free || !(now.calibration || now.is_protected)) return;
+    silence(timeline, play);
+    say(ui, "Stopped, as it was not protected: play it again.");
+}
+
 }  // namespace
 
 void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
+    hear_settings(ui, timeline, play);
     if (!play.sounding || !play.sounding->follows || play.halted) return;
     const Vibration* current = current_vibration(work);
     Vibration& before = play.sounding->as_played;

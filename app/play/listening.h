@@ -14,7 +14,7 @@
 namespace tact {
 
 // At the end of a frame: a loop of the pattern in the editor becomes what was made of that in this
-// frame, without starting anew.
+// frame, without starting anew; and what sounds follows protection, full scale and calibration.
 void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play);
 
 // At the end of a frame, too: what the mouse has been pressed on for kHoldS sounds over and over,

@@ -18,6 +18,15 @@ namespace tact {
 
 class AudioHost;  // devices/audio/audio_host.h
 
+// What a drive is made by, besides the vibration.
+struct DrivenBy {
+    std::shared_ptr<const Calibration> calibration;  // null: none
+    double full_scale_g = kFullScaleG;
+    bool is_protected = true;  // without a calibration: devices/device/protection.h
+
+    bool operator==(const DrivenBy&) const = default;
+};
+
 // Patterns to be felt, one after the other; of the test buzz none.
 struct Sounding {
     std::vector<std::string> names;
@@ -28,6 +37,7 @@ struct Sounding {
     bool selects = false;                   // each becomes the current one
     std::optional<double> rests_until_s{};  // between two of them
     Vibration as_played{};                  // the one that sounds, as it was when it began
+    DrivenBy driven_by{};                   // ... and what its drive was made by
     double position_s = 0.0;                // in the last frame
     std::optional<double> level{};          // of its own, in the place of the bar's
     bool is_prepared = true;                // its drive is there; false: still being computed
@@ -42,10 +52,8 @@ using Listing = std::vector<DeviceInfo>;
 struct DriveRequest {
     std::uint64_t number = 0;
     Vibration vibration;
-    std::shared_ptr<const Calibration> calibration;  // null: none
-    double full_scale_g = kFullScaleG;
+    DrivenBy by;
     bool loops = false;
-    bool is_protected = true;  // without a calibration: devices/device/protection.h
 };
 
 struct MadeDrive {
@@ -88,6 +96,7 @@ struct PlayState {
     std::uint64_t drive_taken = 0;  // number of the last one
     DeviceStatus status;            // of this frame
     std::string told_trouble;       // at the foot of the window
+    std::string told_held;          // there too: what plays before have left of this one
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
     std::string felt_on_hover;                  // until another one is pointed at

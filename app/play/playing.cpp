@@ -7,8 +7,10 @@
 
 #include "app/document/editing.h"
 #include "app/map/pair.h"
+#include "app/play/calibrating.h"
 #include "app/play/sounding.h"
 #include "devices/audio/audio_host.h"
+#include "devices/device/ledger.h"
 #include "devices/device_list.h"
 
 namespace tact {
@@ -131,6 +133,17 @@ void follow_gaps(Ui& ui, PlayState& play) {
     say(ui, text);
 }
 
+// What plays before have left of an actuator's limits is said once of each play.
+void follow_held(Ui& ui, PlayState& play) {
+    if (!play.sounding) return;
+    const std::string held = words_on_held(play.status.kept, play.status.is_warm);
+    const bool is_new = !held.empty() && play.told_held.empty();
+    play.told_held = held;
+    if (!is_new) return;
+    const std::string& name = play.sounding->as_played.name;
+    say(ui, (name.empty() ? "This" : name) + " " + held + ".");
+}
+
 void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     const double fall = std::pow(10.0, -kMeterFallDbPerS * ui.frame_s / 20.0);
     play.meter *= fall;
@@ -141,6 +154,7 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     play.meter = std::max(play.meter, play.status.peak);
     play.clip_light |= play.status.clipped && is_sounding(play);
     follow_gaps(ui, play);
+    follow_held(ui, play);
     if (play.status.trouble.empty()) {
         play.told_trouble.clear();
     } else if (play.told_trouble != play.status.trouble) {

@@ -34,9 +34,10 @@ void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive,
 void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration) {
     DriveRequest request = drive_request(play, vibration);
     request.loops = play.sounding->loops;
+    play.sounding->driven_by = request.by;
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     const bool is_long = pattern != nullptr && pattern->duration_s > kLongestAtOnceS;
-    if (!request.calibration && !is_long) {
+    if (!request.by.calibration && !is_long) {
         const MadeDrive made = made_drive(request);
         if (!made.remark.empty()) say(ui, made.remark);
         return play_drive(ui, timeline, play, made.drive, play.sounding->loops);

@@ -308,4 +308,34 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
     CHECK_FALSE(program.device->playing());
 }
 
+TEST_CASE("playing: protection that is switched holds for what sounds, in the same frame") {
+    FeltProgram program;
+    program.app.timeline.playhead.loop = true;
+    program.app.play.is_protected = false;
+    program.space();
+    REQUIRE(*program.device->playing() == program.drive_of_pattern(0));
+    const int begun = program.device->begun();
+    program.app.play.is_protected = true;
+    program.frame();
+    CHECK(program.plays(0));
+    CHECK(program.device->begun() == begun);  // the loop goes on
+    program.app.play.is_protected = false;
+    program.frame();
+    CHECK(*program.device->playing() == program.drive_of_pattern(0));
+    // So does a full scale.
+    program.app.play.full_scale_g = 2.0;
+    program.frame();
+    CHECK(program.device->playing()->samples[100] ==
+          program.drive_of_pattern(0).samples[100] / 2.0);
+    program.space();
+    // A single pass cannot become another: it ends.
+    program.app.timeline.playhead.loop = false;
+    program.space();
+    REQUIRE(program.device->playing());
+    program.app.play.is_protected = true;
+    program.frame();
+    CHECK_FALSE(program.device->playing());
+    CHECK(program.app.ui.status.text.find("was not protected") != std::string::npos);
+}
+
 }  // namespace playing_test
