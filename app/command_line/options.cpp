@@ -61,6 +61,9 @@ void add_threads(CLI::App& command, int& threads) {
 
 void add_common(CLI::App& command, CommonOptions& options) {
     command.add_option("SET", options.sets, kSetHelp)->required();
+    command.add_flag("--strict", options.strict,
+                     "End with exit code 1 where a file of a folder cannot be read; default: it is "
+                     "left out and named");
     command.add_option("--actuator", options.actuator,
                        "how effect files meet g and Hz: a file (.acf or .json) or one of " +
                            actuator_names() + "; else their format's own");

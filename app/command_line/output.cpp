@@ -79,6 +79,18 @@ std::string time_text(double seconds) {
     return text;
 }
 
+// The count first, then a line for each file; an Error where that is not to be borne.
+Expected<Done> tell_left_out(const Loaded& loaded, bool strict) {
+    if (loaded.left_out.empty()) return Done{};
+    const std::string counts = counts_text(loaded);
+    std::cerr << "tactspace: " << counts << "\n";
+    for (const std::string& one : loaded.left_out) {
+        std::cerr << "tactspace: not read: " << one << "\n";
+    }
+    if (strict) return Error{"--strict: expected every file to be read, got " + counts};
+    return Done{};
+}
+
 // The side of the sets that is asked for, and what is to be said of it.
 Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
     std::optional<ActuatorMap> actuator;
@@ -89,6 +101,9 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
     }
     Expected<Loaded> loaded = load_sets(options.sets, actuator);
     if (!loaded) return loaded.error();
+    if (const Expected<Done> told = tell_left_out(*loaded, options.strict); !told) {
+        return told.error();
+    }
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     if (!options.model.empty()) {
         const Expected<ModelFile> file = read_model_file(options.model);

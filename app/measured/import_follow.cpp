@@ -55,7 +55,8 @@ std::string keep(Twin& twin, const fs::path& folder) {
 }
 
 ImportedFile imported(const ImportRequest& request, std::size_t k) {
-    const auto recording = read_acceleration_file(request.files[k], request.options);
+    const auto recording = read_acceleration_file(
+        request.files[k], options_among(request.files[k], request.files, request.options));
     if (!recording) return {recording.error().message, {}, {}};
     ImportedFile file{{}, recording->remarks, {}};
     const auto place = place_named(*request.set, request.patterns[k]);

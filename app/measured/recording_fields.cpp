@@ -80,6 +80,8 @@ bool draw_axis(Ui& ui, AccelerationOptions& options) {
 
 AccelerationOptions options_of(const RecordingFields& fields) {
     AccelerationOptions options = fields.options;
+    const bool has_sensor = options.unit.value_or(AccelerationUnit::volt) == AccelerationUnit::volt;
+    if (!has_sensor) options.sensitivity_v_per_g = options.offset_v = 0.0;  // not shown
     if (fields.rate_hz > 0.0) options.rate_hz = fields.rate_hz;
     if (fields.full_scale > 0.0) options.full_scale = fields.full_scale;
     return options;

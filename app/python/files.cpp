@@ -53,6 +53,7 @@ py::dict read_set(const std::filesystem::path& path) {
     if (std::string synthetic = remark_on_synthetic(loaded.set.model_origin); !synthetic.empty()) {
         loaded.remarks.push_back("the set's model: " + std::move(synthetic));
     }
+    for (const std::string& one : loaded.left_out) loaded.remarks.push_back("not read: " + one);
     for (const std::string& remark : loaded.remarks) warn(remark);
     return dict_of(loaded);
 }

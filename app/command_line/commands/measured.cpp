@@ -69,7 +69,8 @@ Expected<Imported> import_one(PatternSet& set, const ImportCommand& command, con
         return Error{in_quotes(set.vibrations[*place].name) +
                      " is a measurement itself, expected the pattern that it measures"};
     }
-    auto recording = read_acceleration_file(path, command.options);
+    auto recording =
+        read_acceleration_file(path, options_among(path, command.recordings, command.options));
     if (!recording) return recording.error();
     const Twin twin = measured_twin(set.vibrations[*place], recording->waveform);
     const std::size_t at = insert_twin(set, twin.vibration);

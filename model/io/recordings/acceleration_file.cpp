@@ -12,6 +12,7 @@
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -26,6 +27,7 @@ struct Axes {
     double rate_hz = 0.0;
     std::vector<Samples> samples;
     AccelerationUnit unit = AccelerationUnit::g;
+    bool is_assumed = false;  // nothing says the unit
 };
 
 std::string printed(const char* format, double value) {
@@ -34,13 +36,36 @@ std::string printed(const char* format, double value) {
     return text;
 }
 
-// Seconds where the table does not say: no rate we read has steps of more than 10 ms.
-double time_unit_s(const AccelerationTable& table, double mean_step,
-                   std::vector<std::string>& remarks) {
+// What a recording of vibrations is sampled with where its times have no unit: above the upper end
+// an hour of seconds looks like ms.
+constexpr Range kPlainRateHz{kLowestRateHz, 1e4};
+
+// Where the table does not say, the unit in which the rate is plain. Steps of a whole number are
+// counted in it; a step of 0.02 may be 50 Hz in seconds as well as 50 kHz in ms, and is refused.
+Expected<double> time_unit_s(const AccelerationTable& table, double mean_step,
+                             std::vector<std::string>& remarks) {
     if (table.time_unit_s) return *table.time_unit_s;
     if (mean_step * kLowestRateHz <= 1.0) return 1.0;
-    remarks.emplace_back("times taken as ms");
-    return 1e-3;
+    constexpr double kRounding = 1e-6;  // of a step, after sums of decimals
+    struct Unit {
+        const char* name;
+        double seconds;
+    };
+    for (const Unit& unit : {Unit{"ms", 1e-3}, Unit{"us", 1e-6}, Unit{"ns", 1e-9}}) {
+        const double rate_hz = 1.0 / (mean_step * unit.seconds);
+        const bool counted = mean_step >= 1.0 - kRounding;
+        if (!counted || rate_hz < kPlainRateHz.low * (1.0 - kRounding) ||
+            rate_hz > kPlainRateHz.high * (1.0 + kRounding)) {
+            continue;
+        }
+        remarks.push_back(std::string("times taken as ") + unit.name);
+        return unit.seconds;
+    }
+    return Error{printed("expected times whose name says their unit (\"time (ms)\"): a step of "
+                         "%.4g would be",
+                         mean_step) +
+                 printed(" %.4g Hz in s", 1.0 / mean_step) +
+                 printed(" and %.4g Hz in ms; a recording has 100 Hz or more", 1e3 / mean_step)};
 }
 
 // The samples at even times, by straight lines between those there are.
@@ -73,7 +98,9 @@ Expected<double> rate_of(AccelerationTable& table, std::vector<std::string>& rem
         remarks.push_back(
             printed("steps between times stray by up to %.2g %%: evened out", 100.0 * jitter));
     }
-    return 1.0 / (step * time_unit_s(table, step, remarks));
+    const Expected<double> unit_s = time_unit_s(table, step, remarks);
+    if (!unit_s) return unit_s.error();
+    return 1.0 / (step * *unit_s);
 }
 
 // What is wrong with the number of axes, or empty.
@@ -85,6 +112,18 @@ std::string axes_fault(std::size_t count, std::size_t axis) {
         return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
     }
     return {};
+}
+
+const char* name_of(AccelerationUnit unit) {
+    return kAccelerationUnits[static_cast<std::size_t>(unit)];
+}
+
+// What is wrong with a unit that is asked for beside the one that a column names, or empty.
+std::string other_unit_fault(const AccelerationTable& table, const AccelerationOptions& options) {
+    if (!options.unit || !table.unit || *options.unit == *table.unit) return {};
+    return std::string("expected accelerations in ") + name_of(*table.unit) + ", as the column " +
+           in_quotes(table.unit_column) + " says, got the unit " + name_of(*options.unit) +
+           " beside it";
 }
 
 Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& options,
@@ -102,7 +141,14 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
         if (!rate) return Error{path.string() + ": " + rate.error().message};
         axes.rate_hz = *rate;
     }
-    if (!options.unit && !table->unit) remarks.emplace_back("accelerations taken as g");
+    if (options.full_scale) {
+        return Error{path.string() + ": expected no full scale, which belongs to .wav files"};
+    }
+    if (const auto fault = other_unit_fault(*table, options); !fault.empty()) {
+        return Error{path.string() + ": " + fault};
+    }
+    axes.is_assumed = !options.unit && !table->unit;
+    if (axes.is_assumed) remarks.emplace_back("accelerations taken as g");
     axes.unit = options.unit.value_or(table->unit.value_or(AccelerationUnit::g));
     axes.samples = std::move(table->axes);
     if (const auto fault = axes_fault(axes.samples.size(), options.axis); !fault.empty()) {
@@ -114,19 +160,25 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
 
 Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& options,
                          std::vector<std::string>& remarks) {
+    if (options.rate_hz) {
+        return Error{path.string() + ": expected no rate, which a .wav file says itself"};
+    }
     auto wave = read_wave_channels(path, options.axis, [&options](std::size_t channels) {
         return axes_fault(channels, options.axis);
     });
     if (!wave) return wave.error();
-    Axes axes{wave->rate_hz, std::move(wave->channels), options.unit.value_or(AccelerationUnit::g)};
+    Axes axes{wave->rate_hz, std::move(wave->channels), options.unit.value_or(AccelerationUnit::g),
+              false};
     double full_scale = options.full_scale.value_or(1.0);
     if (!options.full_scale && wave->scale_g) {
         full_scale = *wave->scale_g;
+        if (axes.unit != AccelerationUnit::g) {
+            return Error{path.string() + ": expected g, as its sidecar says, got the unit " +
+                         name_of(axes.unit) + " beside it"};
+        }
         if (!wave->remark.empty()) remarks.push_back(wave->remark);
-        axes.unit = AccelerationUnit::g;
     } else if (!options.full_scale) {
-        remarks.push_back(std::string("full scale taken as 1 ") +
-                          kAccelerationUnits[static_cast<std::size_t>(axes.unit)]);
+        remarks.push_back(std::string("full scale taken as 1 ") + name_of(axes.unit));
     }
     for (Samples& samples : axes.samples) {
         for (double& sample : samples) sample *= full_scale;
@@ -163,6 +215,38 @@ std::string fault_of(const Axes& axes, const AccelerationOptions& options) {
     }
     if (axes.unit == AccelerationUnit::volt && !(options.sensitivity_v_per_g > 0.0)) {
         return "expected the sensor's sensitivity in V/g, as the recording is in volts";
+    }
+    const bool has_sensor = options.sensitivity_v_per_g != 0.0 || options.offset_v != 0.0;
+    if (axes.unit != AccelerationUnit::volt && has_sensor) {
+        return std::string(
+                   "expected a sensitivity and an offset with a recording in V alone, got "
+                   "them with one ") +
+               (axes.is_assumed ? "whose unit nothing says"
+                                : std::string("in ") + name_of(axes.unit));
+    }
+    return {};
+}
+
+bool is_constant(const Samples& samples) {
+    const auto [least, most] = std::ranges::minmax(samples);
+    return least == most;
+}
+
+// What is wrong with the values, or empty.
+std::string values_fault(const Axes& axes) {
+    if (std::ranges::all_of(axes.samples, is_constant)) {
+        return "expected a recording, got silence: all samples are alike";
+    }
+    if (!axes.is_assumed) return {};
+    for (const Samples& samples : axes.samples) {
+        const auto [least, most] = std::ranges::minmax(samples);
+        const double swing = (most - least) / 2.0;
+        if (swing <= limits::kAmplitudeG.high) continue;
+        return "expected a name that says the unit (\"x (g)\"): swings of " +
+               significant_digits(swing, 4) +
+               printed(" are no vibration in g, which has at most %.3g g",
+                       limits::kAmplitudeG.high) +
+               "; counts of a converter have to be scaled first";
     }
     return {};
 }
@@ -213,6 +297,9 @@ Expected<Recording> recording_of(const fs::path& path, const AccelerationOptions
     if (!axes) return axes.error();
     const std::string fault = fault_of(*axes, options);
     if (!fault.empty()) return Error{path.string() + ": " + fault};
+    if (const auto odd = values_fault(*axes); !odd.empty()) {
+        return Error{path.string() + ": " + odd};
+    }
     convert_to_g(*axes, options);
     remark_on(*axes, recording.remarks);
     for (Samples& samples : axes->samples) {
@@ -254,6 +341,17 @@ std::size_t samples_at_rail(const Samples& samples) {
         if (end - begin >= kLeastRun && jumps) count += end - begin;
     }
     return count;
+}
+
+AccelerationOptions options_among(const fs::path& file, std::span<const fs::path> all,
+                                  AccelerationOptions options) {
+    const auto is_wave = [](const fs::path& path) { return extension_of(path) == ".wav"; };
+    const bool has_other = std::ranges::any_of(
+        all, [&](const fs::path& path) { return is_wave(path) != is_wave(file); });
+    if (!has_other) return options;
+    if (is_wave(file)) options.rate_hz.reset();
+    if (!is_wave(file)) options.full_scale.reset();
+    return options;
 }
 
 Expected<Recording> read_acceleration_file(const fs::path& path,

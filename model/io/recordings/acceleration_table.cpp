@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <utility>
 
 #include "model/io/recordings/recording.h"
@@ -104,6 +105,25 @@ std::optional<Layout> layout_of(std::string_view text) {
     return std::nullopt;
 }
 
+// Units behind an underscore; those that are none of ours are known so that they can be refused.
+bool is_unit_word(std::string_view text) {
+    constexpr std::array kUnits{"s",     "ms",   "us",   "ns",       "min",    "g",     "v",
+                                "mps2",  "ms2",  "m/s2", "m/s^2",    "mg",     "ug",    "gal",
+                                "mv",    "uv",   "kv",   "mm/s2",    "mm/s^2", "cm/s2", "cm/s^2",
+                                "ft/s2", "mms2", "lsb",  "adc",      "counts", "raw",   "mps",
+                                "m/s",   "mm/s", "dps",  "m/s\u00b2"};
+    return std::ranges::find(kUnits, text) != kUnits.end();
+}
+
+// Columns that are called by their unit alone. "a", "g" and "s" are names, too.
+bool is_unit_name(std::string_view text) {
+    constexpr std::array kUnits{"v",       "volt",   "volts",        "voltage", "mv",
+                                "mg",      "gal",    "lsb",          "adc",     "counts",
+                                "raw",     "ms",     "us",           "ns",      "second",
+                                "seconds", "millis", "milliseconds", "micros",  "microseconds"};
+    return std::ranges::find(kUnits, text) != kUnits.end();
+}
+
 // "Time [ms]" as its word and its unit: "time", "ms"; "ax_g" has the unit "g".
 std::pair<std::string, std::string> word_and_unit(const std::string& name) {
     std::string text = lower(std::string(trimmed(name)));
@@ -116,23 +136,31 @@ std::pair<std::string, std::string> word_and_unit(const std::string& name) {
     const std::size_t underscore = text.rfind('_');
     if (underscore != text.npos && underscore > 0) {
         const std::string end = text.substr(underscore + 1);
-        for (const char* unit : {"s", "ms", "us", "g", "v", "mps2", "ms2", "m/s2", "m/s^2"}) {
-            if (end == unit) return {text.substr(0, underscore), end};
-        }
+        if (is_unit_word(end)) return {text.substr(0, underscore), end};
     }
+    // "Beschleunigung in m/s2", "time in ms".
+    const std::size_t in = text.rfind(" in ");
+    if (in != text.npos) return {text.substr(0, in), std::string(trimmed(text.substr(in + 4)))};
+    if (is_unit_name(text)) return {text, text};
     return {text, ""};
 }
 
 std::optional<double> time_unit_of(const std::string& unit) {
-    if (unit == "s" || unit == "sec" || unit == "seconds") return 1.0;
-    if (unit == "ms" || unit == "msec" || unit == "milliseconds") return 1e-3;
-    if (unit == "us" || unit == "\u00b5s" || unit == "\u03bcs") return 1e-6;
+    const auto is = [&unit](std::initializer_list<std::string_view> names) {
+        return std::ranges::find(names, unit) != names.end();
+    };
+    if (is({"s", "sec", "secs", "second", "seconds", "sekunden"})) return 1.0;
+    if (is({"ms", "msec", "millis", "millisecond", "milliseconds"})) return 1e-3;
+    if (is({"us", "usec", "micros", "microsecond", "microseconds", "\u00b5s", "\u03bcs"}))
+        return 1e-6;
+    if (is({"ns", "nsec", "nanos", "nanosecond", "nanoseconds"})) return 1e-9;
     return std::nullopt;
 }
 
 std::optional<AccelerationUnit> unit_of(const std::string& unit) {
     if (unit == "g") return AccelerationUnit::g;
-    if (unit == "v" || unit == "volt" || unit == "volts") return AccelerationUnit::volt;
+    if (unit == "v" || unit == "volt" || unit == "volts" || unit == "voltage")
+        return AccelerationUnit::volt;
     for (const char* same :
          {"m/s2", "m/s^2", "m/s\u00b2", "m/s/s", "mps2", "ms2", "ms-2", "m s-2"}) {
         if (unit == same) return AccelerationUnit::m_per_s2;
@@ -142,7 +170,8 @@ std::optional<AccelerationUnit> unit_of(const std::string& unit) {
 
 bool is_time(const std::string& word) {
     return word == "t" || word.starts_with("time") || word.starts_with("zeit") ||
-           word.starts_with("elapsed");
+           word.starts_with("elapsed") || word == "second" || word == "seconds" ||
+           word == "millis" || word == "micros";
 }
 
 // Names that stand for an axis in loggers' files; others ("sample", "temperature") are passed over
@@ -274,13 +303,37 @@ std::string take(const CsvRecord& record, TableReading& reading) {
     return fault;
 }
 
-void take_units(const Layout& layout, const Columns& columns, AccelerationTable& table) {
-    if (layout.names.empty()) return;
-    const std::string& axis = layout.names[columns.axes.front()];
-    table.unit = unit_of(word_and_unit(axis).second);
-    if (columns.time) {
-        table.time_unit_s = time_unit_of(word_and_unit(layout.names[*columns.time]).second);
+// The unit of one axis; what is wrong with it, or empty.
+std::string take_unit(const std::string& name, AccelerationTable& table) {
+    const std::string written = word_and_unit(name).second;
+    if (written.empty()) return {};
+    const std::optional<AccelerationUnit> unit = unit_of(written);
+    if (!unit) {
+        return "expected a unit of g, m/s2 or V, got " + in_quotes(written) + " in the name " +
+               in_quotes(name);
     }
+    if (table.unit && *table.unit != *unit) {
+        return "expected one unit for all axes, got " + in_quotes(table.unit_column) + " and " +
+               in_quotes(name);
+    }
+    if (!table.unit) table.unit_column = name;
+    table.unit = unit;
+    return {};
+}
+
+// The units that the names say; what is wrong with them, or empty.
+std::string take_units(const Layout& layout, const Columns& columns, AccelerationTable& table) {
+    if (layout.names.empty()) return {};
+    for (const std::size_t axis : columns.axes) {
+        if (std::string fault = take_unit(layout.names[axis], table); !fault.empty()) return fault;
+    }
+    if (!columns.time) return {};
+    const std::string& name = layout.names[*columns.time];
+    const std::string written = word_and_unit(name).second;
+    table.time_unit_s = time_unit_of(written);
+    if (written.empty() || table.time_unit_s) return {};
+    return "expected a time in s, ms, us or ns, got " + in_quotes(written) + " in the name " +
+           in_quotes(name);
 }
 
 }  // namespace
@@ -300,7 +353,9 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
     reading.columns = columns_of(reading.layout);
     AccelerationTable& table = reading.table;
     table.axes.resize(reading.columns.axes.size());
-    take_units(reading.layout, reading.columns, table);
+    if (const auto fault = take_units(reading.layout, reading.columns, table); !fault.empty()) {
+        return at_line(file, layout->first_line, fault);
+    }
     for (CsvRecord record = next_row(reader); record.line > 0; record = next_row(reader)) {
         const std::string fault = take(record, reading);
         if (!fault.empty()) return at_line(file, record.line, fault);

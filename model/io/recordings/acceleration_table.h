@@ -11,7 +11,8 @@
 // Output    errors as "FILE:LINE: expected .."
 // Valid     1 sample and more of any number of axes, kMaxDecodedSamples in all (recording.h); NaN
 // is
-//           refused
+//           refused; so is a unit that a name writes and that is none of ours ("x (mg)", "gal"),
+//           for a time as for an axis, and axes of different units
 // Left out  more than one time column; text between the numbers.
 #pragma once
 
@@ -31,7 +32,8 @@ struct AccelerationTable {
     std::vector<double> time;           // as it is written; empty: no column of it
     std::optional<double> time_unit_s;  // that its name says
     std::vector<std::vector<double>> axes;
-    std::optional<AccelerationUnit> unit;  // that the name of the first axis says
+    std::optional<AccelerationUnit> unit;  // that the names of the axes say ...
+    std::string unit_column;               // ... and the first of them that does
 };
 
 inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 28;

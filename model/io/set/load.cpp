@@ -42,9 +42,9 @@ void remark_on_second(const fs::path& path, std::vector<FileRemark>& remarks) {
 }
 
 Expected<Loaded> load_effects(const fs::path& path, const fs::path& second,
-                              const std::optional<ActuatorMap>& actuator) {
+                              const LoadOptions& options) {
     std::vector<FileRemark> remarks;
-    auto effects = effects_from(path, actuator, remarks, second);
+    auto effects = effects_from(path, options, remarks, second);
     if (!effects) return effects.error();
     if (second.empty()) remark_on_second(path, remarks);
     Loaded loaded;
@@ -77,14 +77,14 @@ bool may_be_effect_file(const fs::path& path) {
 }
 
 Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
-                              const std::optional<ActuatorMap>& actuator) {
+                              const LoadOptions& options) {
     std::error_code none;
-    if (fs::is_directory(path, none)) return read_waveform_folder(path, actuator);
+    if (fs::is_directory(path, none)) return read_waveform_folder(path, options);
     if (const auto size = readable_size(path); !size) return size.error();
     if (is_recording(path)) return load_recording(path);
     const bool json = extension_of(path) == ".json";
     if (is_effect_name(path.string()) || may_be_effect_file(path)) {
-        auto effects = load_effects(path, second, actuator);
+        auto effects = load_effects(path, second, options);
         if (!effects || !effects->set.vibrations.empty()) return effects;
     }
     if (json) return read_set_file(path);
@@ -94,8 +94,8 @@ Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
 }
 
 Expected<Loaded> load_with(const fs::path& path, const fs::path& second,
-                           const std::optional<ActuatorMap>& actuator) {
-    return with_enough_memory(path.string(), [&] { return load_by_kind(path, second, actuator); });
+                           const LoadOptions& options) {
+    return with_enough_memory(path.string(), [&] { return load_by_kind(path, second, options); });
 }
 
 template <class Value>
@@ -106,8 +106,12 @@ void append(std::vector<Value>& all, std::vector<Value>&& more) {
 
 }  // namespace
 
+Expected<Loaded> load_set(const fs::path& path, const LoadOptions& options) {
+    return load_with(path, {}, options);
+}
+
 Expected<Loaded> load_set(const fs::path& path, const std::optional<ActuatorMap>& actuator) {
-    return load_with(path, {}, actuator);
+    return load_set(path, LoadOptions{actuator});
 }
 
 bool holds_effects(const fs::path& path) {
@@ -119,43 +123,107 @@ bool holds_effects(const fs::path& path) {
     return read && read->format != EffectFormat::none;
 }
 
-Expected<Loaded> load_sets(std::span<const fs::path> paths,
-                           const std::optional<ActuatorMap>& actuator) {
+namespace {
+
+// What is read so far, and which file each name is of.
+struct Merging {
+    Loaded all;
+    std::string first;  // whose name, duration and model are kept; empty: nothing was read
+    FileOfName file_of;
+};
+
+bool is_set_file(const fs::path& path, const Loaded& loaded) {
+    return extension_of(path) == ".json" && !loaded.effects;
+}
+
+// A name of both that may not change, as the end of a sentence; or empty. Frees the others.
+std::string settle_names(const Merging& merging, Loaded& more, const fs::path& path, bool partly) {
+    const bool may_change = more.effects || (partly && !is_set_file(path, more));
+    FileOfName known = merging.file_of;
+    for (Vibration& vibration : more.set.vibrations) {
+        if (may_change) vibration.name = unused_beside(known, vibration.name, path);
+        const auto [other, is_new] = known.emplace(vibration.name, path.string());
+        if (is_new) continue;
+        return in_quotes(vibration.name) + " is a name in " + other->second +
+               " too, expected names that differ";
+    }
+    return {};
+}
+
+// What is wrong with the two together, as the end of a sentence; or empty.
+std::string merge(Merging& merging, Loaded&& more, const fs::path& path, bool partly) {
+    Loaded& all = merging.all;
+    if (std::string fault = settle_names(merging, more, path, partly); !fault.empty()) return fault;
+    for (const Vibration& vibration : more.set.vibrations) {
+        merging.file_of.emplace(vibration.name, path.string());
+    }
+    if (merging.first.empty()) {
+        merging.first = path.string();
+        more.left_out.insert(more.left_out.begin(), all.left_out.begin(), all.left_out.end());
+        all = std::move(more);
+        return {};
+    }
+    if (more.set.model != all.set.model) {
+        more.remarks.push_back(path.string() + ": model parameters of " + merging.first +
+                               " used instead of its own");
+    }
+    all.files += more.files;
+    append(all.set.vibrations, std::move(more.set.vibrations));
+    append(all.set.ratings, std::move(more.set.ratings));
+    append(all.remarks, std::move(more.remarks));
+    append(all.left_out, std::move(more.left_out));
+    return {};
+}
+
+// Of one file among several: its share of the whole.
+LoadOptions part_of(const LoadOptions& options, std::size_t k, std::size_t count) {
+    LoadOptions part = options;
+    if (!options.progress) return part;
+    part.progress = [&options, k, count](double share) {
+        options.progress((static_cast<double>(k) + share) / static_cast<double>(count));
+    };
+    return part;
+}
+
+}  // namespace
+
+Expected<Loaded> load_sets(std::span<const fs::path> paths, const LoadOptions& options) {
     if (paths.empty()) return Error{"expected at least one set, got none"};
     const std::vector<NamedFiles> files = with_pairs(paths);
-    const std::string first = files.front().path.string();
-    auto all = load_with(files.front().path, files.front().second, actuator);
-    if (!all) return all;
-    FileOfName file_of;
-    for (const Vibration& vibration : all->set.vibrations) {
-        file_of.emplace(vibration.name, first);
-    }
-    for (const auto& [path, second] : std::span(files).subspan(1)) {
-        auto more = load_with(path, second, actuator);
-        if (!more) return more;
-        for (Vibration& vibration : more->set.vibrations) {
-            if (more->effects) vibration.name = unused_beside(file_of, vibration.name, path);
-            const auto [other, is_new] = file_of.emplace(vibration.name, path.string());
-            if (is_new) continue;
-            return Error{path.string() + ": " + in_quotes(vibration.name) + " is a name in " +
-                         other->second + " too, expected names that differ"};
+    Merging merging;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const auto& [path, second] = files[k];
+        auto more = load_with(path, second, part_of(options, k, files.size()));
+        if (options.stop.stop_requested()) return Error{kReadingCancelled};
+        std::string fault = more ? std::string() : more.error().message;
+        if (more) {
+            fault = merge(merging, *std::move(more), path, options.partly);
+            if (!fault.empty()) fault = path.string() + ": " + fault;
         }
-        if (more->set.model != all->set.model) {
-            more->remarks.push_back(path.string() + ": model parameters of " + first +
-                                    " used instead of its own");
-        }
-        append(all->set.vibrations, std::move(more->set.vibrations));
-        append(all->set.ratings, std::move(more->set.ratings));
-        append(all->remarks, std::move(more->remarks));
+        if (fault.empty()) continue;
+        if (!options.partly) return Error{fault};
+        merging.all.left_out.push_back(std::move(fault));
     }
-    if (all->set.vibrations.size() > limits::kMaxPatterns) {
+    Loaded& all = merging.all;
+    if (merging.first.empty()) {
+        const std::size_t others = all.left_out.size() - 1;
+        return Error{
+            all.left_out.front() +
+            (others == 0 ? "" : "; and " + grouped_digits(others) + " more were not read")};
+    }
+    if (all.set.vibrations.size() > limits::kMaxPatterns) {
         return Error{"expected at most " + grouped_digits(limits::kMaxPatterns) +
-                     " patterns in all, got " + grouped_digits(all->set.vibrations.size())};
+                     " patterns in all, got " + grouped_digits(all.set.vibrations.size())};
     }
-    if (const auto fault = samples_fault(recorded_samples(all->set)); !fault.empty()) {
+    if (const auto fault = samples_fault(recorded_samples(all.set)); !fault.empty()) {
         return Error{fault};
     }
-    return all;
+    return std::move(all);
+}
+
+Expected<Loaded> load_sets(std::span<const fs::path> paths,
+                           const std::optional<ActuatorMap>& actuator) {
+    return load_sets(paths, LoadOptions{actuator});
 }
 
 }  // namespace tact

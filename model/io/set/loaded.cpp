@@ -22,4 +22,10 @@ std::string samples_fault(std::size_t samples) {
            " samples in all recordings, got more";
 }
 
+std::string counts_text(const Loaded& loaded) {
+    if (loaded.left_out.empty()) return {};
+    return grouped_digits(loaded.files) + (loaded.files == 1 ? " file" : " files") + " read, " +
+           grouped_digits(loaded.left_out.size()) + " not";
+}
+
 }  // namespace tact

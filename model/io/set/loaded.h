@@ -1,10 +1,14 @@
-// What reading a file gives: the set, and what was odd about the file but accepted.
+// What reading a file or a folder gives: the set, what was odd but accepted, and what was left out.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "model/io/effects/actuator_map.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -22,6 +26,21 @@ struct Loaded {
     PatternSet set;
     std::vector<std::string> remarks;  // sentences: resampled, first channel used, padded ..
     bool effects = false;              // of another program: names may change to be unique
+    std::size_t files = 1;             // that were read
+    // Files of a folder that could not be read, each as "FILE: what was expected".
+    std::vector<std::string> left_out{};
 };
+
+// "35 files read, 7 not"; empty where nothing was left out.
+std::string counts_text(const Loaded& loaded);
+
+struct LoadOptions {
+    std::optional<ActuatorMap> actuator{};  // default: each format's own
+    bool partly = false;  // of several paths, those that cannot be read are left out
+    std::stop_token stop{};
+    std::function<void(double share)> progress{};  // on the reading thread
+};
+
+inline constexpr const char* kReadingCancelled = "reading was cancelled";
 
 }  // namespace tact

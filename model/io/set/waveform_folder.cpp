@@ -1,15 +1,16 @@
 #include "model/io/set/waveform_folder.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/text/atomic_file.h"
+#include "model/text/enough_memory.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
@@ -21,53 +22,112 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Kinds = std::initializer_list<std::string_view>;
-
-struct Listing {
-    std::vector<fs::path> files;  // in natural order of their stems: recordings, and what may be
-                                  // effects where those are asked for
-    std::size_t others = 0;       // neither, nor sidecars of recordings, nor hidden
-};
+using Kinds = std::vector<std::string_view>;
 
 bool is_sidecar(const fs::path& path) {
     return extension_of(path) == ".json" && extension_of(path.stem()) == ".wav";
 }
 
-bool is_of(const fs::path& path, Kinds kinds) {
+bool is_of(const fs::path& path, const Kinds& kinds) {
     return std::ranges::count(kinds, extension_of(path)) > 0;
 }
 
-// Whether to look inside: any name will do, but a set of ours is no effect.
-bool may_hold_effects(const fs::path& path) {
-    const bool is_set = path.filename().string().ends_with(".tactspace.json");
-    return !is_set && !head_of_effects(path).empty();
+bool is_set_name(const fs::path& path) {
+    return path.filename().string().ends_with(".tactspace.json");
 }
 
-Expected<Listing> listed(const fs::path& folder, Kinds kinds, bool effects) {
-    Listing listing;
-    std::error_code fault;
+// Whether to look inside: any name will do. What has an effect's name and is no effect is told.
+bool may_hold_effects(const fs::path& path) {
+    return is_effect_name(path.string()) || !head_of_effects(path).empty();
+}
+
+// What is asked for of a folder, and what is found in it and below it.
+struct Listing {
+    Kinds kinds;
+    bool effects = false;
+    const LoadOptions& options;
+    std::vector<fs::path> files{};  // recordings, and what may be effects
+    std::size_t others = 0;         // neither, nor sidecars of recordings, nor hidden
+    std::size_t entries = 0;
+    std::vector<std::string> sets{};
+    std::vector<std::string> left_out{};
+};
+
+void list_file(Listing& listing, const fs::path& path) {
+    const bool wanted = is_of(path, listing.kinds);
+    if (is_set_name(path)) {
+        listing.sets.push_back(path.string());
+    } else if (wanted || (listing.effects && !is_sidecar(path) && may_hold_effects(path))) {
+        listing.files.push_back(path);
+    } else if (!is_sidecar(path)) {
+        ++listing.others;
+    }
+}
+
+// What is there, but hidden; the error of the system, if any.
+std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& fault) {
+    std::vector<fs::path> entries;
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
          entry.increment(fault)) {
-        const fs::path& path = entry->path();
-        std::error_code none;
-        if (path.filename().string().starts_with('.')) continue;
-        const bool wanted = !entry->is_directory(none) && is_of(path, kinds);
-        if (wanted || (effects && !is_sidecar(path) && may_hold_effects(path))) {
-            listing.files.push_back(path);
-        } else if (!is_sidecar(path)) {
-            ++listing.others;
-        }
+        if (!entry->path().filename().string().starts_with('.')) entries.push_back(entry->path());
+        if (entries.size() > kMostEntries) break;
     }
-    if (fault) return Error{folder.string() + ": cannot be read: " + fault.message()};
-    std::ranges::sort(listing.files, [](const fs::path& a, const fs::path& b) {
-        const std::string stem_a = a.stem().string();
-        const std::string stem_b = b.stem().string();
-        return stem_a == stem_b ? a < b : naturally_before(stem_a, stem_b);
-    });
-    return listing;
+    return entries;
 }
 
-std::string kinds_text(Kinds kinds) {
+// A folder inside of the one that is read; "measured" beside a set holds that set's recordings.
+bool is_followed(Listing& listing, const fs::path& folder, bool beside_set, int depth) {
+    if (beside_set && folder.filename() == "measured") return false;
+    std::error_code none;
+    const bool is_link = fs::is_symlink(folder, none);
+    if (is_link)
+        listing.left_out.push_back(folder.string() + ": a link to a folder is not followed");
+    if (!is_link && depth == kMostDepth) {
+        listing.left_out.push_back(folder.string() + ": expected at most " +
+                                   std::to_string(kMostDepth) + " folders within each other");
+    }
+    return !is_link && depth < kMostDepth;
+}
+
+// What ends the listing, or empty; a folder inside that cannot be read ends nothing.
+std::string list_into(Listing& listing, const fs::path& folder, int depth) {
+    if (listing.options.stop.stop_requested()) return kReadingCancelled;
+    std::error_code fault;
+    const std::vector<fs::path> entries = entries_of(folder, fault);
+    if (fault) {
+        const std::string sentence = folder.string() + ": cannot be read: " + fault.message();
+        if (depth == 0) return sentence;
+        listing.left_out.push_back(sentence);
+    }
+    listing.entries += entries.size();
+    if (listing.entries > kMostEntries) {
+        return folder.string() + ": expected at most " + grouped_digits(kMostEntries) +
+               " files and folders in all";
+    }
+    const bool has_set = std::ranges::any_of(entries, is_set_name);
+    for (const fs::path& path : entries) {
+        std::error_code none;
+        if (!fs::is_directory(path, none)) {
+            list_file(listing, path);
+        } else if (is_followed(listing, path, has_set, depth)) {
+            const std::string end = list_into(listing, path, depth + 1);
+            if (!end.empty()) return end;
+        }
+    }
+    return {};
+}
+
+// A folder's own files come before those of the folders in it.
+bool is_before(const fs::path& a, const fs::path& b) {
+    const std::string folder_a = a.parent_path().string();
+    const std::string folder_b = b.parent_path().string();
+    if (folder_a != folder_b) return naturally_before(folder_a, folder_b);
+    const std::string stem_a = a.stem().string();
+    const std::string stem_b = b.stem().string();
+    return stem_a == stem_b ? a < b : naturally_before(stem_a, stem_b);
+}
+
+std::string kinds_text(const Kinds& kinds) {
     std::string text;
     for (const std::string_view kind : kinds)
         text += (text.empty() ? "" : " or ") + std::string(kind);
@@ -91,98 +151,163 @@ std::string lengths_remark(const PatternSet& set) {
 
 // What comes of the files of a folder, one by one.
 struct Gathered {
-    PatternSet set;
+    Loaded loaded;
     std::vector<FileRemark> remarks;
-    std::vector<fs::path> recordings;
-    std::vector<std::string> names;  // of the recordings
-    UnusedNames taken;               // of all
+    UnusedNames taken;            // of all
+    std::set<std::string> stems;  // of recordings, that have been given
     std::size_t samples = 0;
     std::size_t others = 0;
 };
 
-Expected<Done> gather_recording(Gathered& all, const fs::path& file) {
-    auto vibration = vibration_from(file, all.remarks);
-    if (!vibration) return vibration.error();
-    all.samples += recorded_samples(*vibration);
-    if (const auto fault = samples_fault(all.samples); !fault.empty()) {
-        return Error{file.string() + ": " + fault};
+// What is wrong with one vibration more, or empty.
+std::string room_fault(const Gathered& all, std::size_t samples) {
+    if (all.loaded.set.vibrations.size() >= limits::kMaxPatterns) {
+        return "expected at most " + grouped_digits(limits::kMaxPatterns) + " vibrations in all";
     }
-    all.recordings.push_back(file);
-    all.names.push_back(vibration->name);
-    all.set.vibrations.push_back(*std::move(vibration));
-    return Done{};
+    return samples_fault(all.samples + samples);
 }
 
-// A file that only its content could have made one of ours is left aside where it is faulty.
-Expected<Done> gather_effects(Gathered& all, const fs::path& file, const fs::path& second,
-                              const std::optional<ActuatorMap>& actuator) {
-    auto effects = effects_from(file, actuator, all.remarks, second);
-    if (!effects) {
-        if (is_effect_name(file.string())) return effects.error();
-        all.remarks.push_back({effects.error().message, "ignored"});
-        return Done{};
+std::string name_beside(Gathered& all, const std::string& name, const fs::path& file) {
+    if (!all.taken.taken.contains(name)) return all.taken.unused(name);
+    return all.taken.unused(name + valid_utf8(file.extension().string()));
+}
+
+// Recordings come first to their names, which were kept free for them.
+void name_recording(Gathered& all, Vibration& vibration, const fs::path& file) {
+    if (all.stems.insert(vibration.name).second) return;
+    vibration.name = name_beside(all, vibration.name, file);
+    all.remarks.push_back(
+        {file.string(), "is called " + in_quotes(vibration.name) + ", as its name is taken"});
+}
+
+// What is wrong with the file as one sentence, or empty.
+std::string gather_recording(Gathered& all, const fs::path& file) {
+    auto vibration =
+        with_enough_memory(file.string(), [&] { return vibration_from(file, all.remarks); });
+    if (!vibration) return vibration.error().message;
+    const std::size_t samples = recorded_samples(*vibration);
+    if (const auto fault = room_fault(all, samples); !fault.empty()) {
+        return file.string() + ": " + fault;
     }
-    if (effects->empty()) ++all.others;
+    all.samples += samples;
+    name_recording(all, *vibration, file);
+    all.loaded.set.vibrations.push_back(*std::move(vibration));
+    ++all.loaded.files;
+    return {};
+}
+
+std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& second,
+                           const LoadOptions& options) {
+    auto effects = effects_from(file, options, all.remarks, second);
+    if (!effects) return effects.error().message;
+    if (effects->empty() && !is_effect_name(file.string())) {
+        ++all.others;
+        return {};
+    }
+    if (effects->empty()) return file.string() + ": expected an effect, got none";
     for (Vibration& effect : *effects) {
-        const bool is_taken = all.taken.taken.contains(effect.name);
-        if (is_taken) effect.name += valid_utf8(file.extension().string());
-        effect.name = all.taken.unused(effect.name);
-        all.set.vibrations.push_back(std::move(effect));
+        if (const auto fault = room_fault(all, 0); !fault.empty()) {
+            return file.string() + ": " + fault;
+        }
+        effect.name = name_beside(all, effect.name, file);
+        all.loaded.set.vibrations.push_back(std::move(effect));
     }
-    return Done{};
+    all.loaded.files += second.empty() ? 1 : 2;
+    return {};
 }
 
-Expected<Loaded> read_folder(const fs::path& folder, Kinds kinds, bool effects,
-                             const std::optional<ActuatorMap>& actuator) {
-    const std::string name = folder.string();
-    const auto listing = listed(folder, kinds, effects);
-    if (!listing) return listing.error();
-    if (listing->files.size() > limits::kMaxPatterns) {
-        return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
-                     " files, got " + grouped_digits(listing->files.size())};
+// Two files of a pair of which one is bad: the other is read as if it were alone.
+void gather_one(Gathered& all, const NamedFiles& files, const Listing& listing) {
+    std::vector<std::string>& left_out = all.loaded.left_out;
+    if (is_of(files.path, listing.kinds)) {
+        const std::string fault = gather_recording(all, files.path);
+        if (!fault.empty()) left_out.push_back(fault);
+        return;
     }
-    Gathered all;
-    all.others = listing->others;
-    std::error_code none;
-    all.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
-    // Recordings come first to their names: two that are equal are refused below.
-    for (const fs::path& file : listing->files) {
-        if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
+    const std::string fault = gather_effects(all, files.path, files.second, listing.options);
+    if (fault.empty()) return;
+    if (files.second.empty()) {
+        left_out.push_back(fault);
+        return;
     }
-    for (const auto& [file, second] : with_pairs(listing->files)) {
-        const auto read = is_of(file, kinds) ? gather_recording(all, file)
-                                             : gather_effects(all, file, second, actuator);
-        if (!read) return read.error();
+    for (const fs::path& one : {files.path, files.second}) {
+        const std::string alone = gather_effects(all, one, {}, listing.options);
+        if (!alone.empty()) left_out.push_back(alone);
     }
-    if (all.set.vibrations.empty()) {
-        return Error{name + ": expected at least one " + kinds_text(kinds) +
-                     (effects ? " or effect" : "") + " file in this folder, got none"};
+}
+
+// False: the reading was cancelled.
+bool gather_all(Gathered& all, const Listing& listing) {
+    const std::vector<NamedFiles> files = with_pairs(listing.files);
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        gather_one(all, files[k], listing);
+        if (listing.options.stop.stop_requested()) return false;
+        if (listing.options.progress) {
+            listing.options.progress(static_cast<double>(k + 1) /
+                                     static_cast<double>(files.size()));
+        }
     }
-    if (const auto equal = first_equal(all.names)) {
-        return Error{name + ": " + all.recordings[equal->first].filename().string() + " and " +
-                     all.recordings[equal->second].filename().string() + " both give the name " +
-                     in_quotes(all.names[equal->second]) + ", expected names that differ"};
+    return true;
+}
+
+// Why a folder gave nothing.
+Error nothing_read(const Listing& listing, const std::vector<std::string>& left_out,
+                   const std::string& name) {
+    if (left_out.empty()) {
+        return Error{name + ": expected at least one " + kinds_text(listing.kinds) +
+                     (listing.effects ? " or effect" : "") + " file in this folder, got none"};
     }
-    if (all.set.vibrations.size() > limits::kMaxPatterns) {
-        return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
-                     " vibrations, got " + grouped_digits(all.set.vibrations.size())};
+    const std::size_t more = left_out.size() - 1;
+    return Error{left_out.front() +
+                 (more == 0 ? "" : "; and " + grouped_digits(more) + " more were not read")};
+}
+
+void remark_on_folder(Gathered& all, const Listing& listing, const std::string& name) {
+    std::vector<std::string>& remarks = all.loaded.remarks;
+    for (const std::string& set : listing.sets) {
+        all.remarks.push_back({set, "is a set of its own and was left alone"});
     }
-    Loaded loaded{std::move(all.set), joined(all.remarks)};
-    if (const auto remark = lengths_remark(loaded.set); !remark.empty()) {
-        loaded.remarks.push_back(name + ": " + remark);
+    remarks = joined(all.remarks);
+    if (const auto remark = lengths_remark(all.loaded.set); !remark.empty()) {
+        remarks.push_back(name + ": " + remark);
     }
     if (all.others > 0) {
-        loaded.remarks.push_back(name + ": " + grouped_digits(all.others) +
-                                 (all.others == 1 ? " other file" : " other files") + " ignored");
+        remarks.push_back(name + ": " + grouped_digits(all.others) +
+                          (all.others == 1 ? " other file" : " other files") + " ignored");
     }
-    return loaded;
 }
 
-Expected<EffectsRead> read_effects_file(const fs::path& path,
-                                        const std::optional<ActuatorMap>& actuator) {
+Expected<Loaded> read_folder(const fs::path& folder, const Kinds& kinds, bool effects,
+                             const LoadOptions& options) {
+    const std::string name = folder.string();
+    Listing listing{kinds, effects, options};
+    if (std::string end = list_into(listing, folder, 0); !end.empty()) return Error{std::move(end)};
+    if (listing.files.size() > limits::kMaxPatterns) {
+        return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
+                     " files, got " + grouped_digits(listing.files.size())};
+    }
+    std::ranges::sort(listing.files, is_before);
+    Gathered all;
+    all.loaded.files = 0;
+    all.others = listing.others;
+    all.loaded.left_out = listing.left_out;
+    std::error_code none;
+    all.loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
+    for (const fs::path& file : listing.files) {
+        if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
+    }
+    if (!gather_all(all, listing)) return Error{kReadingCancelled};
+    if (all.loaded.set.vibrations.empty()) return nothing_read(listing, all.loaded.left_out, name);
+    remark_on_folder(all, listing, name);
+    return std::move(all.loaded);
+}
+
+Expected<EffectsRead> read_effects_file(const fs::path& path, const LoadOptions& options) {
     const auto text = read_text_file(path, kMostEffectBytes);
     if (!text) return text.error();
-    return read_effects(*text, path.string(), actuator);
+    Budget budget;
+    budget.stop = options.stop;
+    return read_effects(*text, path.string(), options.actuator, budget);
 }
 
 // `files`: what the note calls it.
@@ -207,9 +332,8 @@ void add_effects(std::vector<Vibration>& vibrations, const EffectsRead& read, co
 
 }  // namespace
 
-Expected<Loaded> read_waveform_folder(const fs::path& folder,
-                                      const std::optional<ActuatorMap>& actuator) {
-    return read_folder(folder, {".txt", ".wav"}, true, actuator);
+Expected<Loaded> read_waveform_folder(const fs::path& folder, const LoadOptions& options) {
+    return read_folder(folder, {".txt", ".wav"}, true, options);
 }
 
 Expected<Loaded> read_text_folder(const fs::path& folder) {
@@ -254,11 +378,10 @@ std::vector<NamedFiles> with_pairs(std::span<const fs::path> files) {
     return all;
 }
 
-Expected<std::vector<Vibration>> effects_from(const fs::path& path,
-                                              const std::optional<ActuatorMap>& actuator,
+Expected<std::vector<Vibration>> effects_from(const fs::path& path, const LoadOptions& options,
                                               std::vector<FileRemark>& remarks,
                                               const fs::path& second) {
-    const auto read = read_effects_file(path, actuator);
+    const auto read = read_effects_file(path, options);
     if (!read) return read.error();
     std::vector<Vibration> vibrations;
     const std::string file = valid_utf8(path.filename().string());
@@ -266,7 +389,7 @@ Expected<std::vector<Vibration>> effects_from(const fs::path& path,
         add_effects(vibrations, *read, path, file, remarks);
         return vibrations;
     }
-    const auto other = read_effects_file(second, actuator);
+    const auto other = read_effects_file(second, options);
     if (!other) return other.error();
     const std::string other_file = valid_utf8(second.filename().string());
     if (const auto pair = joined_pair(*read, *other)) {

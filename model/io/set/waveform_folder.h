@@ -4,8 +4,11 @@
 // Source    the layout of the files that the paper's authors publish (testVibration_0.txt ..)
 // Output    vibrations in natural order of their files' names: 2 before 10. An effect whose name is
 //           taken is named by its whole file name. Two files of an AHAP pair are one effect
-// Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h)
-// Left out  folders within the folder.
+//           A recording whose name is taken is named likewise, with a remark. What cannot be read
+//           is left out with its reason (Loaded::left_out), and never refuses the rest
+// Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h), folders within the folder too,
+//           kMostEntries files and folders to look at, kMostDepth folders deep
+// Left out  hidden files; sets, and the measured/ folder beside one; links to folders.
 #pragma once
 
 #include <filesystem>
@@ -21,10 +24,13 @@
 
 namespace tact {
 
+inline constexpr std::size_t kMostEntries = 100'000;
+inline constexpr int kMostDepth = 16;
+
 // All .txt and .wav files of a folder, and what reads as an effect; the remarks count the others.
-// Effects meet g and Hz by `actuator`, else by their formats' own maps.
+// An Error where nothing could be read, and where the reading was cancelled.
 Expected<Loaded> read_waveform_folder(const std::filesystem::path& folder,
-                                      const std::optional<ActuatorMap>& actuator = {});
+                                      const LoadOptions& options = {});
 
 // Only the .txt files.
 Expected<Loaded> read_text_folder(const std::filesystem::path& folder);
@@ -43,7 +49,7 @@ Expected<Vibration> vibration_from(const std::filesystem::path& path,
 // the two of an AHAP pair, as one effect where the rule of model/io/effects/ahap_pair.h holds.
 // Remarks get the file's name, the actuator map among them.
 Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
-                                              const std::optional<ActuatorMap>& actuator,
+                                              const LoadOptions& options,
                                               std::vector<FileRemark>& remarks,
                                               const std::filesystem::path& second = {});
 

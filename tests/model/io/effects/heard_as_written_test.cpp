@@ -69,6 +69,40 @@ TEST_CASE("heard: a last tick at the stated end sounds as long as the one before
     }
 }
 
+TEST_CASE("heard: a last pulse of a format without ticks sounds as the one before it") {
+    const std::string two[] = {
+        R"({"timings": [20, 180, 20], "amplitudes": [255, 0, 255]})",
+        R"({"ProjectName": "p", "TrackName": "t", "Duration": 220, "Timings": [20, 180, 20],
+            "Amplitudes": [255, 0, 255], "Repeat": -1, "RequiredAudioFiles": [], "Audios": []})",
+        R"(<vibration-effect><waveform-effect><waveform-entry durationMs="20" amplitude="255"/>
+            <waveform-entry durationMs="180" amplitude="0"/>
+            <waveform-entry durationMs="20" amplitude="255"/></waveform-effect></vibration-effect>)",
+        R"({"version": {"major": 1, "minor": 0, "patch": 0}, "signals": {"continuous": {"envelopes": {
+            "amplitude": [{"time": 0, "amplitude": 0, "emphasis": {"amplitude": 1, "frequency": 0.5}},
+                          {"time": 0.2, "amplitude": 0,
+                           "emphasis": {"amplitude": 1, "frequency": 0.5}}]}}}})",
+        R"({"version": "2023", "profile": "Main", "level": 1, "date": "2026-01-01",
+            "description": "", "timescale": 1000, "avatars": [], "syncs": [], "perceptions": [
+            {"id": 0, "avatar_id": 0, "description": "", "perception_modality": "Vibrotactile",
+             "reference_devices": [], "effect_library": [], "channels": [{"id": 0, "description": "",
+             "gain": 1, "mixing_coefficient": 1, "body_part_mask": 0, "bands": [
+             {"band_type": "Transient", "lower_frequency_limit": 0, "upper_frequency_limit": 1000,
+              "effects": [
+              {"effect_type": "Basis", "position": 0, "phase": 0, "base_signal": "Sine",
+               "keyframes": [{"relative_position": 0, "amplitude_modulation": 1,
+                              "frequency_modulation": 150}]},
+              {"effect_type": "Basis", "position": 200, "phase": 0, "base_signal": "Sine",
+               "keyframes": [{"relative_position": 0, "amplitude_modulation": 1,
+                              "frequency_modulation": 150}]}]}]}]}]})"};
+    for (const std::string& text : two) {
+        CAPTURE(text);
+        const Pattern pattern = effect_of(text).pattern;
+        const double behind = energy_behind(pattern, 0.2);
+        CHECK(behind > 0.0);
+        CHECK(energy_behind(pattern, 0.0) == doctest::Approx(2.0 * behind).epsilon(0.1));
+    }
+}
+
 TEST_CASE("heard: a last tick without strength still says how long a preset of Pulsar is") {
     const Effect effect = effect_of(
         R"({"name": "t", "continuousPattern": {"amplitude": [], "frequency": []}, "discretePattern": [

@@ -88,7 +88,7 @@ TEST_CASE("acceleration file: however it is written, the same motion comes out")
     check_is_the_sine(file.read(table("", " ", 1.0, 0.0, 1.0)));
     check_is_the_sine(file.read(table("Logger 7\n# 3 axes\n\nTime (s),Acc (m/s^2)\n", ",", 1.0, 0.0,
                                       kStandardGravityMPerS2)));
-    check_is_the_sine(file.read(with_decimal_commas(table("t;x\n", ";", 1e-3, 0.0, 1.0))));
+    check_is_the_sine(file.read(with_decimal_commas(table("t (ms);x\n", ";", 1e-3, 0.0, 1.0))));
     check_is_the_sine(
         file.read("\xEF\xBB\xBF" + table("# made, today\nt,x\n", ",", 1.0, 0.0, 1.0)));
 }
@@ -124,7 +124,7 @@ TEST_CASE("acceleration file: three axes are one of the same energy, or one is c
     CHECK(says(*file.read(text), "DFT321"));
     AccelerationOptions second;
     second.axis = 2;
-    CHECK(peak_g(file.read(text, second)->waveform) == 0.0);
+    CHECK(contains(file.fault(text, second), "silence"));
     second.axis = 4;
     CHECK(contains(file.fault(text, second), "expected axis 4, got a file of 3"));
     CHECK(contains(file.fault("t,x,y\n0,1,1\n0.001,2,2\n"), "expected 1 or 3 axes, got 2"));
@@ -141,8 +141,94 @@ TEST_CASE("acceleration file: columns beside the axes are passed over") {
 
 TEST_CASE("acceleration file: times without a unit are seconds, unless no rate would be") {
     const Case file;
-    CHECK(says(*file.read(table("t,x\n", ",", 1e-3, 0.0, 1.0)), "times taken as ms"));
+    CHECK(says(*file.read("t,x\n0,1\n2,2\n4,0\n"), "times taken as ms"));
+    CHECK(says(*file.read("t,x\n0,1\n500,2\n1000,0\n"), "times taken as us"));
+    CHECK(says(*file.read("t,x\n0,1\n1000000,2\n2000000,0\n"), "times taken as ns"));
     CHECK_FALSE(says(*file.read(table("t,x\n", ",", 1.0, 0.0, 1.0)), "times taken"));
+}
+
+TEST_CASE("acceleration file: times that two units would make a recording of are asked for") {
+    const Case file;
+    for (const double step : {0.02, 0.1, 0.5, 20.0, 50.0, 2e4}) {
+        CAPTURE(step);
+        std::string text = "TIME,X\n";
+        for (int n = 0; n < 10; ++n) {
+            text += shortest_digits(685271.0 + step * n) + "," + std::to_string(n % 2) + "\n";
+        }
+        CHECK(contains(file.fault(text), "whose name says their unit"));
+    }
+    CHECK(contains(file.fault("t,x\n0,1\n0.02,2\n0.04,0\n"), "50 Hz in s"));
+    // A name that says it is believed, and held to the limits.
+    CHECK(contains(file.fault("t (s),x\n0,1\n0.02,2\n0.04,0\n"), "expected a rate of 100 Hz"));
+    CHECK(file.read("millis,ax\n0,1\n1,2\n2,0\n"));
+    CHECK(file.read("t in ms,x\n0,1\n0.5,2\n1,0\n"));
+    CHECK(contains(file.fault("t (min),x\n0,1\n1,2\n"), "got \"min\" in the name \"t (min)\""));
+}
+
+TEST_CASE("acceleration file: a unit that a column names is taken, and never overridden") {
+    const Case file;
+    const auto text = [](const std::string& name, double scale) {
+        return table("t;" + name + "\n", ";", 1.0, 0.0, scale);
+    };
+    check_is_the_sine(file.read(text("Beschleunigung in m/s\u00b2", kStandardGravityMPerS2)));
+    check_is_the_sine(file.read(text("x in m/s^2", kStandardGravityMPerS2)));
+    const std::pair<const char*, const char*> unknown[] = {{"x (mg)", "mg"},
+                                                           {"a_mg", "mg"},
+                                                           {"x [gal]", "gal"},
+                                                           {"accel (mm/s2)", "mm/s2"},
+                                                           {"mV", "mv"},
+                                                           {"a_counts", "counts"},
+                                                           {"x in mg", "mg"},
+                                                           {"acc (LSB)", "lsb"},
+                                                           {"ax (ft/s2)", "ft/s2"},
+                                                           {"adc", "adc"},
+                                                           {"x (milli-g)", "milli-g"}};
+    AccelerationOptions g;
+    g.unit = AccelerationUnit::g;
+    for (const auto& [name, unit] : unknown) {
+        CAPTURE(name);
+        const std::string named = std::string("got \"") + unit + "\"";
+        CHECK(contains(file.fault(text(name, 1.0)), named));
+        CHECK(contains(file.fault(text(name, 1.0), g), named));
+    }
+    for (const char* volts : {"V", "voltage", "Volt", "a (V)", "x_V", "Ch A in V"}) {
+        CAPTURE(volts);
+        CHECK(contains(file.fault(text(volts, 1.0)), "sensitivity in V/g"));
+        CHECK(contains(file.fault(text(volts, 1.0), g), "got the unit g beside it"));
+    }
+    check_is_the_sine(file.read(text("x (g)", 1.0), g));
+    CHECK(contains(file.fault("t,x (g),y (m/s2),z (g)\n0,1,1,1\n0.001,2,2,2\n"), "one unit"));
+}
+
+TEST_CASE("acceleration file: an option that the file has no use for is refused") {
+    const Case file;
+    const std::string text = table("t,x (g)\n", ",", 1.0, 0.0, 1.0);
+    AccelerationOptions sensor;
+    sensor.sensitivity_v_per_g = 0.1;
+    CHECK(contains(file.fault(text, sensor), "with a recording in V alone"));
+    CHECK(contains(file.fault(table("t,x\n", ",", 1.0, 0.0, 1.0), sensor), "V alone"));
+    AccelerationOptions offset;
+    offset.offset_v = 1.65;
+    CHECK(contains(file.fault(text, offset), "with a recording in V alone"));
+    AccelerationOptions full;
+    full.full_scale = 2.0;
+    CHECK(contains(file.fault(text, full), "belongs to .wav files"));
+    AccelerationOptions rate;
+    rate.rate_hz = 1e4;
+    WaveBytes wave;
+    wave.samples = {0.5, 0.25};
+    const auto refused = file.read(wave.file(), rate, "a.wav");
+    REQUIRE_FALSE(refused);
+    CHECK(contains(refused.error().message, "expected no rate"));
+}
+
+TEST_CASE("acceleration file: silence, and counts of a converter, are no recording in g") {
+    const Case file;
+    CHECK(contains(file.fault("t,x\n0,0\n0.001,0\n0.002,0\n"), "got silence"));
+    CHECK(contains(file.fault("t,x (g)\n0,1\n0.001,1\n0.002,1\n"), "got silence"));
+    CHECK(contains(file.fault(table("t,x\n", ",", 1.0, 0.0, 16384.0)), "counts of a converter"));
+    CHECK(file.read(table("t,x (g)\n", ",", 1.0, 0.0, 200.0)));
+    CHECK(file.read(table("t,x\n", ",", 1.0, 2048.0, 3.0)));  // an offset is no vibration
 }
 
 TEST_CASE("acceleration file: uneven times are evened, little ones let be") {
@@ -206,7 +292,7 @@ TEST_CASE("acceleration file: commas that may be decimal ones are not guessed at
     CHECK(contains(file.fault("x (g)\n1.234,5\n1.234,6\n", rate), "names one column, got 2"));
     // Whatever tells: names, a decimal point, a sign, a blank, a number of columns.
     CHECK(file.read("t,x\n0,471\n1,473\n", rate));
-    for (const char* rows : {"0,1\n1,2.5\n", "0,1\n1,-2\n", "0, 1\n1, 2\n", "0,1\n1,2e3\n",
+    for (const char* rows : {"0,1\n1,2.5\n", "0,1\n1,-2\n", "0, 1\n1, 2\n", "0,1\n1,2e1\n",
                              "0,1,2\n1,2,3\n", "0;1\n1;2\n"}) {
         CAPTURE(rows);
         CHECK(file.read(rows, rate));
@@ -311,7 +397,7 @@ TEST_CASE("acceleration file: what is no recording is refused by its line") {
     std::string long_one;
     for (int n = 0; n <= 6000; ++n) long_one += "0\n";
     CHECK(contains(file.fault(long_one, rate), "expected at most 60 s"));
-    CHECK(contains(file.fault("1e300\n-1e300\n", rate), "at most 1,000,000 g"));
+    CHECK(contains(file.fault("x (g)\n1e300\n-1e300\n", rate), "at most 1,000,000 g"));
 }
 
 TEST_CASE("acceleration file: WAV of three channels is three axes") {

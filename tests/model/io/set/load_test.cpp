@@ -103,4 +103,29 @@ TEST_CASE("load: several sets become one, of names that differ") {
     CHECK(contains(fault(load_sets(gone)), "gone.txt: there is no such file"));
 }
 
+TEST_CASE("load: of several paths, partly, what can be read is read and the rest named") {
+    const TemporaryFolder folder;
+    const fs::path set = folder.path / "s.json";
+    REQUIRE(write_set_file(set, set_of_one("a")));
+    fs::create_directory(folder.path / "in");
+    folder.write("in/a.txt", "1\n");
+    folder.write("in/bad.wav", "RIFF");
+    const std::vector<fs::path> paths{folder.path / "gone.ahap", set, folder.path / "in", set};
+    LoadOptions partly;
+    partly.partly = true;
+    const auto loaded = load_sets(paths, partly);
+    REQUIRE_MESSAGE(loaded, (loaded ? "" : loaded.error().message));
+    CHECK(loaded->set.name == "set of a");
+    REQUIRE(loaded->set.vibrations.size() == 2);
+    CHECK(loaded->set.vibrations[1].name == "a 2");
+    CHECK(counts_text(*loaded) == "2 files read, 3 not");
+    REQUIRE(loaded->left_out.size() == 3);
+    CHECK(contains(loaded->left_out[0], "gone.ahap: there is no such file"));
+    CHECK(contains(loaded->left_out[1], "bad.wav"));
+    CHECK(contains(loaded->left_out[2], "\"a\" is a name in"));
+    CHECK_FALSE(load_sets(paths));
+    const std::vector<fs::path> none{folder.path / "gone.ahap", folder.path / "gone.wav"};
+    CHECK(contains(fault(load_sets(none, partly)), "and 1 more were not read"));
+}
+
 }  // namespace load_test
