@@ -147,11 +147,29 @@ TEST_CASE("odd files: a folder may hold other things, which are counted and left
     folder.write("b.TXT", text_of(exact_samples()));
     folder.write("notes.pdf", "");
     folder.write(".hidden.txt", "not a number");
-    folder.write("below/c.txt", "not a number");
     const Ran ran = run_program({"predict", folder.path.string(), "--metric", "nc"});
     CHECK(ran.exit_code == 0);
     CHECK(ran.out.starts_with(",a,b\n"));
-    CHECK(ran.err == "tactspace: " + folder.path.string() + ": 2 other files ignored\n");
+    CHECK(ran.err == "tactspace: " + folder.path.string() + ": 1 other file ignored\n");
+}
+
+TEST_CASE("odd files: a file of a folder that cannot be read is named, and an error if strict") {
+    const TemporaryFolder folder;
+    folder.write("a.txt", text_of(exact_samples()));
+    folder.write("below/b.txt", text_of(exact_samples()));
+    folder.write("below/c.txt", "not a number");
+    const std::string place = folder.path.string();
+    const std::string told = "tactspace: 2 files read, 1 not\ntactspace: not read: " + place +
+                             "/below/c.txt:1: expected one finite number, got \"not a number\"\n";
+    const Ran ran = run_program({"predict", place, "--metric", "nc"});
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.out.starts_with(",a,b\n"));
+    CHECK(ran.err.starts_with(told));
+    const Ran strict = run_program({"predict", place, "--metric", "nc", "--strict"});
+    CHECK(strict.exit_code == 1);
+    CHECK(strict.out.empty());
+    CHECK(strict.err ==
+          told + "tactspace: --strict: expected every file to be read, got 2 files read, 1 not\n");
 }
 
 TEST_CASE("odd files: 1,500 short patterns are no trouble, and stand in natural order" *
