@@ -10,9 +10,9 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/set/felt_versions.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_study.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
@@ -38,16 +38,6 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
     Expected<Counted> counted = who_counts(*std::move(study), who);
     if (!counted) return Error{path.string() + ": " + counted.error().message};
     return counted;
-}
-
-// Another pattern under the name of one that was felt.
-bool is_changed(const PatternSet& set, const RatingStudy& study) {
-    const std::vector<std::string> unrated = unrated_patterns(study);
-    std::vector<std::string> felt = names_of(set);
-    std::erase_if(felt, [&unrated](const std::string& name) {
-        return std::ranges::find(unrated, name) != unrated.end();
-    });
-    return !study.fingerprint.empty() && study_fingerprint(set, felt) != study.fingerprint;
 }
 
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
@@ -138,10 +128,18 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (!people) return with_hint(people.error(), set);
         if (common.only != Side::measured && common.rendered_by.empty() &&
             common.rendered_calibration.empty() && common.exported_as.empty()) {
-            loaded->labels.changed_since_felt = is_changed(set, people->study);
+            note_edited(people->study, loaded->meant);
+            loaded->labels.changed_since_felt = !people->study.edited.empty();
+            loaded->labels.edited = people->study.edited;
             if (loaded->labels.changed_since_felt) {
                 std::cerr << "tactspace: the patterns have changed since they were felt\n";
             }
+        } else {
+            people->study.edited.clear();  // known of patterns as they are meant
+        }
+        loaded->labels.gone = people->study.gone;
+        if (!people->study.gone.empty()) {
+            std::cerr << "tactspace: " << words_on_gone(people->study.gone) << "\n";
         }
         const auto unrated = unrated_patterns(people->study);
         if (!unrated.empty()) {

@@ -25,7 +25,8 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     const auto [i, j] = pair_at(vibrations.size(), apart.pair);
     const std::string names = vibrations[i].name + " \u2013 " + vibrations[j].name;
     const bool closer = apart.ratings_rank < apart.metric_rank;
-    const std::string felt = has_nobody(comparison) ? "synthetic ratings say " : "felt ";
+    const std::string by = words_of(mark_of(comparison));
+    const std::string felt = by.empty() ? "felt " : by + " ratings say ";
     ImGui::PushID(static_cast<int>(apart.pair));
     const ImFont* regular = ui.theme.fonts.regular;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -75,12 +76,12 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
         comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
-    const bool synthetic = has_nobody(comparison);
-    std::string corner = of_people("rho ", synthetic) + digits(row.evaluation->rho, 2);
+    const RatingMark mark = mark_of(comparison);
+    std::string corner = of_people("rho ", mark) + digits(row.evaluation->rho, 2);
     const double ceiling = comparison.people->said.ceilings.of_mean;
     if (!std::isnan(ceiling)) corner += ", at most " + digits(ceiling, 2);
-    const std::string y_title = of_people("rated dissimilarity", synthetic);
-    const std::string rated = of_people("rated ", synthetic);
+    const std::string y_title = of_people("rated dissimilarity", mark);
+    const std::string rated = of_people("rated ", mark);
     const std::string x_title = std::string("rank by ") + traits(row.metric).name;
     const auto& vibrations = comparison.request.map->request.set->vibrations;
     ScatterScene scene;

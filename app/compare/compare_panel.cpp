@@ -44,6 +44,22 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
                  "rating with the participant. Names must be those of the patterns.");
 }
 
+// Ratings belong to the patterns that were felt: which of those are others by now, or gone.
+void draw_versions(Ui& ui, const PatternSet& set, const RatedPeople& people) {
+    const std::string edited = words_on_edited(people.edited);
+    const std::string gone = words_on_gone(people.gone);
+    if (!edited.empty()) reading_text(ui.theme.warning, edited + ".");
+    if (!edited.empty()) note_item(ui.rects, "compare:edited", edited);
+    if (!gone.empty()) reading_text(ui.theme.warning, gone + ".");
+    if (!gone.empty()) note_item(ui.rects, "compare:gone", gone);
+    const bool is_recorded =
+        std::ranges::any_of(set.ratings, [](const Ratings& one) { return !one.versions.empty(); });
+    if (is_recorded) return;
+    constexpr const char* kUnrecorded = "Version of the rated patterns: not recorded.";
+    dim_text(ui, kUnrecorded);
+    note_item(ui.rects, "compare:unrecorded", kUnrecorded);
+}
+
 // What is the same for all metrics: who was asked, how far they can be relied on, chance.
 void draw_people(Ui& ui, const Comparison& comparison) {
     const RatedPeople& people = comparison.people->said;
@@ -52,13 +68,14 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     const std::string text = people_text(set, people) + ". K by chance " + digits(chance.mean, 2) +
                              " (" + digits(chance.middle.low, 2) + " to " +
                              digits(chance.middle.high, 2) + ").";
-    std::string ceiling = ceiling_text(people.reliability, people.synthetic);
-    const std::string single = single_ceiling_text(people.ceilings, people.synthetic);
+    std::string ceiling = ceiling_text(people.reliability, people.mark);
+    const std::string single = single_ceiling_text(people.ceilings, people.mark);
     if (!single.empty()) ceiling += " " + single;
     const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(people.synthetic ? ui.theme.warning : ui.theme.dim_text, text);
+    reading_text(people.mark == RatingMark{} ? ui.theme.dim_text : ui.theme.warning, text);
     note_item(ui.rects, "compare:people", text);
+    draw_versions(ui, set, people);
     if (!unrated.empty()) {
         reading_text(ui.theme.warning, unrated + ".");
         note_item(ui.rects, "compare:unrated", unrated);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/compare/people_text.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/set_ratings.h"
 #include "model/text/numbers.h"
@@ -120,10 +121,10 @@ std::string verdict_on_pm(const Comparison& comparison) {
     }
     const std::optional<Metric> best = unbeaten_by_pm(agreements);
     if (!best) return {};
-    const bool synthetic = has_nobody(comparison);
+    const std::string by = words_of(mark_of(comparison));
     return std::string("PM does not beat ") + traits(*best).name +
            " on this set, which takes no model of the nerves" +
-           (synthetic ? "; by synthetic ratings." : ".");
+           (by.empty() ? "." : "; by " + by + " ratings.");
 }
 
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings) {
@@ -148,8 +149,8 @@ std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissi
     return all;
 }
 
-bool has_nobody(const Comparison& comparison) {
-    return comparison.people && comparison.people->said.synthetic;
+RatingMark mark_of(const Comparison& comparison) {
+    return comparison.people ? comparison.people->said.mark : RatingMark{};
 }
 
 std::string comparison_csv(const Comparison& comparison) {

@@ -66,14 +66,14 @@ std::string interval_text(const Evaluation& e) {
     return digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2);
 }
 
-std::string tip_of(const ComparedMetric& row, bool synthetic) {
+std::string tip_of(const ComparedMetric& row, const RatingMark& mark) {
     std::string tip = metric_help(row.metric);
     if (!row.evaluation) return tip;
     const Evaluation& e = *row.evaluation;
-    tip += "\n" + of_people("rho ", synthetic) + digits(e.rho, 2) + ", 95 % " + interval_text(e) +
-           ", p of K " + digits(e.k_p, 4) + ".\n" + of_people("tau-b ", synthetic) +
-           digits(e.tau_b, 3) + ", K over maps that fit as well " + digits(e.k_spread.low, 2) +
-           " to " + digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
+    tip += "\n" + of_people("rho ", mark) + digits(e.rho, 2) + ", 95 % " + interval_text(e) +
+           ", p of K " + digits(e.k_p, 4) + ".\n" + of_people("tau-b ", mark) + digits(e.tau_b, 3) +
+           ", K over maps that fit as well " + digits(e.k_spread.low, 2) + " to " +
+           digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
            ", stress-1 " + digits(e.stress1, 3);
     for (const std::string& remark : e.remarks) tip += "\n" + remark;
     return tip;
@@ -84,7 +84,7 @@ std::string tip_of(const ComparedMetric& row, bool synthetic) {
 enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
-              bool synthetic) {
+              const RatingMark& mark) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -95,7 +95,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
         comparing.panel.shepard_of_people = false;
     }
     note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
-    draw_tooltip(ui, tip_of(row, synthetic).c_str());
+    draw_tooltip(ui, tip_of(row, mark).c_str());
     constexpr const char* kOurs = "ours";
     const float beside = ImGui::CalcTextSize(metric.name).x + ImGui::GetStyle().ItemSpacing.x +
                          text_size(ui.theme.fonts.small, kOurs).x;
@@ -108,7 +108,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
-        const auto best_if = [](bool is_best, Mark mark) { return is_best ? mark : Mark::none; };
+        const auto best_if = [](bool is_best, Mark as) { return is_best ? as : Mark::none; };
         draw_cell(ui, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
         draw_cell(ui, interval_text(e), Mark::none);
         draw_cell(ui, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
@@ -119,7 +119,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
 
-void draw_head(Ui& ui, Columns columns, bool synthetic) {
+void draw_head(Ui& ui, Columns columns, const RatingMark& mark) {
     struct Column {
         const char* name;
         const char* tip;
@@ -167,10 +167,11 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
         ImGui::TableNextColumn();
         // An interval and a p stand to the right of what they belong to.
         const std::string name = column.name;
-        const bool labelled = synthetic && (name == "rho" || name == "K");
+        const std::string of = words_of(mark);
+        const bool labelled = !of.empty() && (name == "rho" || name == "K");
         const bool is_with_pm = &column == &kColumns.back();
         // Columns are narrow: what it is of stands below.
-        const char* below = labelled ? "synthetic" : is_with_pm ? "with PM" : "";
+        const std::string below = labelled ? of : is_with_pm ? "with PM" : "";
         const auto head = [&](const std::string& words, bool is_left) {
             ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
             is_left ? ImGui::TextUnformatted(words.c_str()) : right_aligned(words);
@@ -178,9 +179,10 @@ void draw_head(Ui& ui, Columns columns, bool synthetic) {
         };
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
         head(is_with_pm ? "rho" : name, &column == &kColumns.front());
-        note_item(ui.rects, "compare:head " + name, of_people(name, labelled));
+        note_item(ui.rects, "compare:head " + name,
+                  of_people(name, labelled ? mark : RatingMark{}));
         draw_tooltip(ui, column.tip);
-        if (*below != '\0') {
+        if (!below.empty()) {
             head(below, false);
             draw_tooltip(ui, column.tip);
         }
@@ -214,7 +216,7 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
 
 void draw_metric_table(Ui& ui, Comparing& comparing, const Comparison& comparison,
                        const Rect& area) {
-    const bool synthetic = has_nobody(comparison);
+    const RatingMark mark = mark_of(comparison);
     const float room = area.width() / ui.theme.scale;
     const Columns columns = !comparison.people ? Columns::few
                             : room >= 560.0F   ? Columns::all
@@ -226,9 +228,9 @@ void draw_metric_table(Ui& ui, Comparing& comparing, const Comparison& compariso
     constexpr ImGuiTableFlags kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
     if (ImGui::BeginTable("metrics", comparison.people ? 7 : 2, kFlags)) {
-        draw_head(ui, columns, synthetic);
+        draw_head(ui, columns, mark);
         for (const ComparedMetric& row : comparison.metrics) {
-            draw_row(ui, comparing, row, best, synthetic);
+            draw_row(ui, comparing, row, best, mark);
         }
         ImGui::EndTable();
     }

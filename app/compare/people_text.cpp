@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "model/set/felt_versions.h"
 #include "model/set/set_ratings.h"
 
 namespace tact {
@@ -28,12 +29,19 @@ std::string digits(double value, int decimals) {
     return result;
 }
 
-std::string of_people(const std::string& quantity, bool synthetic) {
-    return synthetic ? "synthetic " + quantity : quantity;
+std::string words_of(const RatingMark& mark) {
+    std::string words = mark.synthetic ? "synthetic" : "";
+    if (mark.stale) words += words.empty() ? "stale" : ", stale";
+    return words;
 }
 
-bool has_synthetic(const std::vector<Ratings>& ratings) {
-    return std::ranges::any_of(ratings, [](const Ratings& one) { return is_synthetic(one); });
+std::string of_people(const std::string& quantity, const RatingMark& mark) {
+    const std::string words = words_of(mark);
+    return words.empty() ? quantity : words + " " + quantity;
+}
+
+RatingMark mark_of(const PatternSet& set) {
+    return {std::ranges::any_of(set.ratings, is_synthetic), !stale_patterns(set).edited.empty()};
 }
 
 std::string people_text(const PatternSet& set, const RatedPeople& people) {
@@ -63,26 +71,26 @@ std::string people_text(const PatternSet& set, const RatedPeople& people) {
            std::to_string(pair_count(patterns)) + " pairs";
 }
 
-std::string ceiling_text(const Reliability& reliability, bool synthetic) {
+std::string ceiling_text(const Reliability& reliability, const RatingMark& mark) {
     if (reliability.voices < 2) return "Noise ceiling unknown: it takes two voices.";
     const std::string voices = std::to_string(reliability.voices);
     const std::string mean = reliability.is_of_one_person
                                  ? "one person's " + voices + " repetitions"
                                  : voices + " participants";
     const std::string one = reliability.is_of_one_person ? "repetition" : "participant";
-    return "Noise ceiling: a metric can reach " + of_people("rho ", synthetic) +
+    return "Noise ceiling: a metric can reach " + of_people("rho ", mark) +
            digits(reliability.ceiling_of_mean, 2) + " with the mean of " + mean + " (reliability " +
            digits(reliability.spearman_brown, 2) + "); one " + one + " reaches " +
            digits(reliability.one_with_others, 2) + " with the mean of the others.";
 }
 
-std::string single_ceiling_text(const Ceilings& ceilings, bool synthetic) {
+std::string single_ceiling_text(const Ceilings& ceilings, const RatingMark& mark) {
     if (ceilings.voices < 2) return {};
     const auto bound = [](const Spread& spread) {
         return digits(spread.mean, 2) + " (median " + digits(spread.median, 2) + ")";
     };
     return std::string("With one ") + (ceilings.is_of_one_person ? "repetition" : "participant") +
-           " the best metric there could be has a mean " + of_people("rho", synthetic) + " of " +
+           " the best metric there could be has a mean " + of_people("rho", mark) + " of " +
            bound(ceilings.with_others) + " to " + bound(ceilings.with_all) +
            ": of each with the mean of the others, and with that of all.";
 }

@@ -1,7 +1,7 @@
 // What is said of those who rated, wherever a number is made from their ratings.
 //
 // Whose they are, how many count and how many do not, and how far a metric can agree with them
-// stand together; that nobody was asked is said beside every number itself.
+// stand together; that nobody was asked, or of other patterns, is said beside every number itself.
 #pragma once
 
 #include <string>
@@ -16,11 +16,12 @@ namespace tact {
 // "0.87", with a true minus; a dash where there is no number.
 std::string digits(double value, int decimals);
 
-// "rho", or "synthetic rho".
-std::string of_people(const std::string& quantity, bool synthetic);
+// "rho", or "synthetic rho", "stale rho", "synthetic, stale rho".
+std::string of_people(const std::string& quantity, const RatingMark& mark);
+std::string words_of(const RatingMark& mark);  // "synthetic, stale"; empty: nothing is to be said
 
-// Whether nobody was asked for some of them.
-bool has_synthetic(const std::vector<Ratings>& ratings);
+// What is to be said of the ratings of a set: patterns are rendered for it.
+RatingMark mark_of(const PatternSet& set);
 
 // "people.csv (2 participants left out): 18 participants, 6 of them synthetic, 72 passes, 9 of 12
 // patterns rated, 36 of 66 pairs", of the set's own ratings.
@@ -28,10 +29,10 @@ std::string people_text(const PatternSet& set, const RatedPeople& people);
 
 // What a metric can reach with the mean of the ratings, and what one person reaches: two ceilings,
 // of which only the first is one for the metrics.
-std::string ceiling_text(const Reliability& reliability, bool synthetic);
+std::string ceiling_text(const Reliability& reliability, const RatingMark& mark);
 
 // What the best metric there could be has with single people, by its two bounds; empty where nobody
 // can tell.
-std::string single_ceiling_text(const Ceilings& ceilings, bool synthetic);
+std::string single_ceiling_text(const Ceilings& ceilings, const RatingMark& mark);
 
 }  // namespace tact

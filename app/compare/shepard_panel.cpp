@@ -49,8 +49,8 @@ std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_m
     if (!comparison->people) return std::nullopt;
     const RatedPeople& said = comparison->people->said;
     const Mapped& people = said.rated.people;
-    return ShownFit{&people.dissimilarity, &people.space, of_people("ratings", said.synthetic),
-                    stale, comparison};
+    return ShownFit{&people.dissimilarity, &people.space, of_people("ratings", said.mark), stale,
+                    comparison};
 }
 
 std::string corner_text(const ShownFit& fit) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/set/felt_versions.h"
+
 namespace tact {
 
 namespace {
@@ -98,6 +100,7 @@ void EditedDocument::open(Document document) {
 bool EditedDocument::commit(const std::string& label, bool joins) {
     if (is_committed()) return false;
     now_.set.map_places.at.clear();  // those of the state before
+    keep_versions(*committed_, now_.set);
     auto after = std::make_shared<const PatternSet>(now_.set);
     const bool moved =
         joins ? history_.join(committed_, after, label) : history_.commit(committed_, after, label);

@@ -162,6 +162,12 @@ void model_changed(Workspace& work) {
 
 void predictions_changed(Workspace& work) { ++work.revision; }
 
+void follow_stale(Workspace& work) {
+    if (work.stale_of == work.document.committed) return;
+    work.stale_of = work.document.committed;
+    work.stale = stale_patterns(*work.stale_of);
+}
+
 void commit_step(Ui& ui, Workspace& work, const std::string& label) {
     const std::string* last = work.document.history.undo_label();
     const bool joins =

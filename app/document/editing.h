@@ -38,6 +38,9 @@ void model_changed(Workspace& work);
 // All that is predicted is asked for anew, though the document stays what it is.
 void predictions_changed(Workspace& work);
 
+// Once a frame: what was edited since it was rated or measured, as of the last undo step.
+void follow_stale(Workspace& work);
+
 // A gesture ended: what changed since the last step becomes one.
 void commit_step(Ui& ui, Workspace& work, const std::string& label);
 

@@ -3,6 +3,7 @@
 #include "app/document/editing.h"
 #include "app/ui/file_question.h"
 #include "model/io/people/ratings_file.h"
+#include "model/set/felt_versions.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 
@@ -26,14 +27,15 @@ void load_ratings(Ui& ui, Workspace& work, Layout& layout,
     const std::string file = paths.front().filename().string();
     Expected<RatingStudy> study = matched(loaded->study, names_of(work.document.set));
     // People rate the intended patterns, not what measures them.
-    if (!study || !unrated_patterns(*study).empty()) {
+    if (!study || !unrated_patterns(*study).empty() || !study->gone.empty()) {
         const PatternSet intended = one_side(work.document.set, Side::intended);
         auto of_intended = matched(loaded->study, names_of(intended));
         if (of_intended) study = std::move(of_intended);
     }
     if (!study) return complain(ui, file + ": " + study.error().message);
-    work.document.edit().ratings =
-        kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
+    auto ratings = kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
+    note_versions(ratings, *study, work.document.set);
+    work.document.edit().ratings = std::move(ratings);
     document_changed(work);
     commit_step(ui, work, "Load ratings");
     layout.bench = BenchTab::compare;
@@ -41,6 +43,7 @@ void load_ratings(Ui& ui, Workspace& work, Layout& layout,
     for (const std::string& remark : loaded->remarks) text += "; " + remark;
     const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
     if (!unrated.empty()) text += "; " + unrated;
+    if (!study->gone.empty()) text += "; " + words_on_gone(study->gone);
     say(ui, text + ".");
 }
 

@@ -14,6 +14,7 @@
 #include "app/document/selection.h"
 #include "app/document/vibration_cache.h"
 #include "app/session/session.h"
+#include "model/set/felt_versions.h"
 #include "model/set/measured_twin.h"
 
 namespace tact {
@@ -39,7 +40,9 @@ struct Workspace {
     Selection selection;
     Side side = Side::both;  // of the set: in the map, the matrix and what follows them
     VibrationCache cache;
-    bool own_heights = false;  // waveforms fill their rows, instead of one scale of g for all
+    StalePatterns stale;             // what of the set is not as it was felt or measured ...
+    EditedDocument::State stale_of;  // ... as of this step
+    bool own_heights = false;        // waveforms fill their rows, instead of one scale of g for all
     Session session;
     std::vector<Vibration> clipboard;    // what was copied here last ...
     std::string clipboard_text;          // ... and as the desktop has it: a set file

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/rendering/labels.h"
 #include "app/report/html.h"
 #include "app/report/html_map.h"
 #include "model/export/loss_words.h"
@@ -113,8 +114,12 @@ std::string export_report(const ExportPage& page) {
     html.lead = sentence(std::string("The patterns") +
                          (page.set.name.empty() ? "" : " of \"" + page.set.name + "\"") + " " +
                          words_on(loss.target) + ". " + summary_of(loss));
-    html.body = set_section(loss) + map_section(page) + pairs_section(loss) +
-                patterns_section(page) + assumed_section(loss);
+    for (const std::string& line :
+         lines_of(Labels{.synthetic_model = page.set.model_origin.synthetic})) {
+        html.body += paragraph(sentence(line), "label");
+    }
+    html.body += set_section(loss) + map_section(page) + pairs_section(loss) +
+                 patterns_section(page) + assumed_section(loss);
     html.foot = "Made by tactspace";
     return html_of(html);
 }

@@ -5,6 +5,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
+#include "app/rendering/labels.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "model/export/loss_words.h"
@@ -91,7 +92,11 @@ void draw_moved_pairs(Ui& ui, const ExportLoss& loss) {
     ImGui::EndTable();
 }
 
-void draw_loss(Ui& ui, const ExportLoss& loss) {
+void draw_loss(Ui& ui, const ExportLoss& loss, const ModelOrigin& origin) {
+    if (const std::string mark = mark_of(origin); !mark.empty()) {
+        coloured_text(ui.theme.warning, "Predicted " + mark + ".");
+        note_item(ui.rects, "loss:mark", mark);
+    }
     const std::string verdict = subset_verdict(loss) + ".";
     wrapped_line(ui, summary_of(loss) + ".", false);
     note_item(ui.rects, "export:summary", summary_of(loss));
@@ -184,7 +189,7 @@ void draw_state(Ui& ui, EffectExport& effects) {
 
 }  // namespace
 
-void draw_loss_pane(Ui& ui, const Workspace&, EffectExport& effects, float height_px) {
+void draw_loss_pane(Ui& ui, const Workspace& work, EffectExport& effects, float height_px) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const Rect area = rect_at(corner, {width, height_px});
@@ -193,7 +198,8 @@ void draw_loss_pane(Ui& ui, const Workspace&, EffectExport& effects, float heigh
         const LiveLoss& live = *effects.answer;
         const bool has_map = live.loss.map && width > kNarrowPx * ui.theme.scale;
         const float map_px = has_map ? kMapShare * width : 0.0F;
-        if (ImGui::BeginChild("loss", {width - map_px, height_px})) draw_loss(ui, live.loss);
+        if (ImGui::BeginChild("loss", {width - map_px, height_px}))
+            draw_loss(ui, live.loss, work.document.set.model_origin);
         ImGui::EndChild();
         if (has_map) draw_map_beside(ui, effects, live, {0.0F, height_px});
         if (stale) draw_stale(*ImGui::GetWindowDrawList(), ui.theme, area, ui.time_s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/model_bench/kept_models.h"
 #include "app/session/program_version.h"
@@ -62,7 +63,9 @@ Expected<SetToFit> rated_set(const PatternSet& set, const std::string& name) {
     if (!study) return study.error();
     rated.people = participant_means(*study).size();
     rated.study = std::make_shared<const RatingStudy>(*std::move(study));
-    if (std::ranges::any_of(set.ratings, is_synthetic)) rated.name += ", synthetic ratings";
+    if (const std::string words = words_of(mark_of(*rated.study)); !words.empty()) {
+        rated.name += ", " + words + " ratings";
+    }
     return rated;
 }
 

@@ -24,8 +24,12 @@ namespace {
 
 std::string size_text(const SetToFit& set) {
     const std::size_t patterns = set.set->vibrations.size();
+    const std::size_t gone = set.study->gone.size();
     return std::to_string(patterns) + " patterns, " + std::to_string(set.people) +
-           (set.people == 1 ? " person" : " people");
+           (set.people == 1 ? " person" : " people") +
+           (gone == 0   ? ""
+            : gone == 1 ? ", 1 rated one is gone"
+                        : ", " + std::to_string(gone) + " rated ones are gone");
 }
 
 void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
@@ -35,6 +39,7 @@ void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
     const std::string size = size_text(set);
     flow_on(ImGui::CalcTextSize(size.c_str()).x, ui.theme.gap_px);
     dim_text(ui, size);
+    note_item(ui.rects, "train:size", size);
     if (removed != nullptr) {
         flow_on(ImGui::CalcTextSize("Remove").x, ui.theme.gap_px);
         *removed = link(ui, "remove", "Remove");
@@ -145,9 +150,11 @@ void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     if (!request.sets.empty()) {
         const TrainingCost& cost = estimate(model_bench, request).cost;
         const double cores = thread_count(0);
-        text = grouped_digits(cost.combinations) + " combinations, " +
-               estimate_text(cost.one_core_s / cores);
-        if (request.leave_out_participants) text += " or more";
+        text = grouped_digits(cost.combinations) + " combinations, ";
+        std::size_t fits = 1;
+        for (const SetToFit& set : request.sets) fits += set.people;
+        if (request.leave_out_participants) text += "each of " + std::to_string(fits) + " fits ";
+        text += estimate_text(cost.one_core_s / cores);
     }
     flow_on(ImGui::CalcTextSize(text.c_str()).x, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();

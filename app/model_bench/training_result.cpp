@@ -50,8 +50,8 @@ void small_text(const Ui& ui, const std::string& text) {
 void draw_headline(Ui& ui, const FoundTraining& found) {
     const Training& training = found.training;
     const std::string headline =
-        of_people(objective_name(training), is_partly_synthetic(found.record)) + " " +
-        digits(training.best.value);
+        of_people(objective_name(training), {.synthetic = is_partly_synthetic(found.record)}) +
+        " " + digits(training.best.value);
     draw_heading(ui, headline.c_str());
     note_item(ui.rects, "train:result", digits(training.best.value));
     ImGui::SameLine(0.0F, ui.theme.gap_px);

@@ -62,7 +62,7 @@ std::shared_ptr<const TraceAnswer> current_trace(const RecordingEditor& editor) 
     return answer && answer->request == editor.asked ? answer : nullptr;
 }
 
-void draw_source(Ui& ui, const Measurement& measurement) {
+void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) {
     dim_text(ui, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
                                        : "Measured waveform");
     const bool has_file = !measurement.path.empty();
@@ -75,7 +75,11 @@ void draw_source(Ui& ui, const Measurement& measurement) {
     ImGui::PopTextWrapPos();
     note_item(ui.rects, "recording", words);
     if (!measurement.measures.empty()) {
-        ImGui::TextWrapped("Measures %s", measurement.measures.c_str());
+        const std::string& name = current_vibration(work)->name;
+        const std::string since = words_on_twin(work.stale, name);
+        const std::string measures = "Measures " + measurement.measures + since;
+        ImGui::TextWrapped("%s", measures.c_str());
+        note_item(ui.rects, "measures", measures);
     }
 }
 
@@ -293,7 +297,7 @@ void draw_recording_editor(Ui& ui, Workspace& work, RecordingEditor& editor) {
     follow_trace(ui, editor);
     const std::shared_ptr<const TraceAnswer> answer = current_trace(editor);
     draw_picture(ui, work, measurement, answer.get());
-    draw_source(ui, measurement);
+    draw_source(ui, work, measurement);
     draw_cut_fields(ui, work, editor);
     draw_trace_fields(ui, work, editor, answer.get());
 }

@@ -132,7 +132,10 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     note_item(ui.rects, "search");
 }
 
-std::string strength_text(const Vibration& vibration) {
+// "0.3 g", "measured"; "stale" and "edited" where it is not what was measured or rated.
+std::string strength_text(const Workspace& work, const Vibration& vibration) {
+    const std::string mark = mark_in_list(work.stale, vibration.name);
+    if (!mark.empty()) return mark;
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr) {
         return std::get<Measurement>(vibration.source).synthetic ? "synthetic" : "measured";
@@ -140,6 +143,15 @@ std::string strength_text(const Vibration& vibration) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g g", pattern->amplitude_g);
     return text;
+}
+
+// What the mark of a row means; empty: it has none.
+std::string words_on_mark(const Workspace& work, const Vibration& vibration) {
+    const std::string& name = vibration.name;
+    if (mark_in_list(work.stale, name).empty()) return {};
+    const auto* twin = std::get_if<Measurement>(&vibration.source);
+    if (twin == nullptr) return "Was rated before it was edited.\n";
+    return "Measures " + twin->measures + words_on_twin(work.stale, name) + ".\n";
 }
 
 // Where the row that is dragged would come.
@@ -224,11 +236,16 @@ float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const Pa
     const float s = theme.scale;
     const float edge = row.max.x - 6.0F * s;
     if (parts.strength_px > 0.0F) {
-        const std::string strength = strength_text(vibration);
+        const std::string strength = strength_text(work, vibration);
         const ImVec2 size = text_size(theme.fonts.small, strength);
-        draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small,
-                  {edge - size.x, row.centre().y - size.y / 2.0F},
-                  parts.is_selected ? theme.text : theme.dim_text, strength);
+        const ImVec2 corner{edge - size.x, row.centre().y - size.y / 2.0F};
+        const bool is_marked = !mark_in_list(work.stale, vibration.name).empty();
+        draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small, corner,
+                  is_marked           ? theme.warning
+                  : parts.is_selected ? theme.text
+                                      : theme.dim_text,
+                  strength);
+        note_rect(ui.rects, "strength:" + vibration.name, corner, corner + size, strength);
     }
     const float end = parts.strength_px > 0.0F ? row.max.x - parts.strength_px : edge;
     const float begin = end - parts.thumbnail_px + 6.0F * s;
@@ -295,7 +312,7 @@ PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::
     // Over the picture alone: beside it, it would cover the names that are being looked through.
     if (ImGui::GetIO().MousePos.x > corner.x + width - parts.strength_px - parts.thumbnail_px) {
         draw_tooltip(ui,
-                     (std::string(kHoldHelp) +
+                     (words_on_mark(work, work.document.set.vibrations[index]) + kHoldHelp +
                       ". Drag a row to move it.\nA lighter body is modulated faster than can be "
                       "drawn here: the lighter, the weaker.")
                          .c_str());

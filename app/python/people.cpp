@@ -31,7 +31,7 @@ py::dict dict_of(const Evaluation& e, const RatedPeople& people) {
                     "reliability"_a = reliability.spearman_brown,
                     "one_with_others"_a = reliability.one_with_others,
                     "ceiling_of_mean"_a = reliability.ceiling_of_mean,
-                    "participants"_a = people.participants, "synthetic"_a = people.synthetic,
+                    "participants"_a = people.participants, "synthetic"_a = people.mark.synthetic,
                     "unrated_patterns"_a = people.unrated, "remarks"_a = e.remarks);
 }
 

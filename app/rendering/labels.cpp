@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/rendering/rendered_set.h"
+#include "model/study/ratings.h"
 
 namespace tact {
 
@@ -41,8 +42,10 @@ std::vector<std::string> lines_of(const Labels& labels) {
     }
     if (labels.changed_since_felt) {
         lines.push_back(
-            "CHANGED: some or all of these patterns are others than those that were felt");
+            "CHANGED: some or all of these patterns are others than those that were felt" +
+            (labels.edited.empty() ? "" : "; " + words_on_edited(labels.edited)));
     }
+    if (!labels.gone.empty()) lines.push_back(words_on_gone(labels.gone));
     return lines;
 }
 
@@ -69,6 +72,8 @@ void add_labels(nlohmann::json& json, const Labels& labels) {
     json["synthetic_patterns"] = labels.synthetic_patterns;
     json["synthetic_model"] = labels.synthetic_model;
     if (labels.changed_since_felt) json["changed_since_felt"] = true;
+    if (!labels.edited.empty()) json["edited_since_felt"] = labels.edited;
+    if (!labels.gone.empty()) json["gone_since_felt"] = labels.gone;
     if (labels.only != Side::both) {
         json["only"] = kSideNames[static_cast<std::size_t>(labels.only)];
     }

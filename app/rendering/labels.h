@@ -22,6 +22,8 @@ struct Labels {
     bool synthetic_patterns = false;                 // measurements that were computed
     bool synthetic_model = false;                    // fitted to ratings that nobody gave
     bool changed_since_felt = false;                 // other patterns than those that were rated
+    std::vector<std::string> edited{};               // which, where that is known
+    std::vector<std::string> gone{};                 // were rated, are not in the set, left out
     std::map<std::string, std::size_t> actuators{};  // maps by which patterns were read, how many
 };
 
@@ -43,7 +45,8 @@ std::string mark_of(const Labels& labels);
 // The same of a model alone: "by a model trained on synthetic ratings".
 std::string mark_of(const ModelOrigin& origin);
 
-// Keys of an object: synthetic_patterns and synthetic_model always; changed_since_felt, only,
+// Keys of an object: synthetic_patterns and synthetic_model always; changed_since_felt,
+// edited_since_felt, gone_since_felt, only,
 // exported_as with exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with
 // calibrated, full_scale_g and level, where they apply; actuators, of patterns that were read from
 // effects of other programs.

@@ -73,7 +73,7 @@ void draw_values(const Ui& ui, const StudyState& studying, const StudyAnswers& a
     scene.labels = answers.results->study.labels;
     const bool synthetic =
         shown ? answers.records[*shown].header.synthetic : answers.results->synthetic;
-    const std::string quantity = of_people("dissimilarity", synthetic);
+    const std::string quantity = of_people("dissimilarity", {.synthetic = synthetic});
     scene.quantity = quantity;
     scene.largest = studying.rule.scaling == RatingScaling::none ? 100.0 : 0.0;
     draw_matrix("study matrix", ui.theme, area, scene);

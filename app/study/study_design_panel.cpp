@@ -148,8 +148,8 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
         const std::size_t rounds = design.groups.empty()
                                        ? sorting_rounds(patterns, patterns / 2).size()
                                        : design.groups.size();
-        std::snprintf(text, sizeof text, "%zu rounds, about %.0f min", rounds,
-                      3.0 * static_cast<double>(rounds));
+        std::snprintf(text, sizeof text, "%zu %s, about %.0f min", rounds,
+                      rounds == 1 ? "round" : "rounds", 3.0 * static_cast<double>(rounds));
     } else {
         std::snprintf(text, sizeof text, "%zu trials, about %.0f min",
                       trial_count(design, patterns),

@@ -1,5 +1,4 @@
 #include "app/study/study_follow.h"
-#include "model/set/set_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,9 @@
 #include "app/ui/file_question.h"
 #include "devices/device/memory_device.h"
 #include "model/io/people/study_csv.h"
+#include "model/set/felt_versions.h"
 #include "model/set/set_ratings.h"
+#include "model/set/set_study.h"
 #include "model/study/synthetic_study.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
@@ -155,9 +156,7 @@ StudyHeader study_header(const Workspace& work, const PlayState& play, const Stu
     StudyHeader header;
     header.program = kProgramVersion;
     header.kind = studying.kind;
-    header.set_name = set.name;
-    header.patterns = study_patterns(set);
-    header.set_fingerprint = study_fingerprint(set, header.patterns);
+    describe_set(header, set);
     header.design = set.study;
     header.participant.code = code;
     header.device = {studying.device->status().name, study_calibration(play), {}};
@@ -229,7 +228,9 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
                                answers->question.folder.filename().string();
     const auto left_out = static_cast<std::size_t>(std::ranges::count_if(
         results.people, [](const ParticipantSummary& person) { return !person.excluded.empty(); }));
-    work.document.edit().ratings = kept_ratings(*study, ratings_source(source, left_out));
+    auto ratings = kept_ratings(*study, ratings_source(source, left_out));
+    note_versions(ratings, *study, work.document.set);
+    work.document.edit().ratings = std::move(ratings);
     document_changed(work);
     commit_step(ui, work, "Use the study as ratings");
     layout.bench = BenchTab::compare;
@@ -237,7 +238,8 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
     close_study(studying);
     const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
     say(ui, "The study's ratings are compared with the metrics." +
-                (unrated.empty() ? "" : " " + unrated + "."));
+                (unrated.empty() ? "" : " " + unrated + ".") +
+                (study->gone.empty() ? "" : " " + words_on_gone(study->gone) + "."));
 }
 
 void export_study_dialog(Ui& ui, const Workspace& work, const StudyState& studying) {

@@ -40,7 +40,7 @@ const char* keys_of(const StudyRun& run) {
         case StudyPage::rest:
             return "Enter  go on      Esc  pause";
         case StudyPage::finished:
-            return "Enter  done      Esc  pause";
+            return "Enter  done";
         case StudyPage::training:
             return "\u2190 \u2192  choose      Space  feel      Enter  start rating      Esc  "
                    "pause";

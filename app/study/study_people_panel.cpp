@@ -82,8 +82,8 @@ std::string agreement_text(const StudyAnswers& answers) {
     if (results.order == StudyOrder::adaptive) text += " Adaptive order, not the full design.";
     const std::string unrated =
         remark_on_unrated(unrated_patterns(results.study), results.study.labels.size());
-    if (!unrated.empty()) text += " " + unrated + ".";
-    return text + " " + ceiling_text(results.agreement, results.synthetic);
+    if (counted > 0 && !unrated.empty()) text += " " + unrated + ".";
+    return text + " " + ceiling_text(results.agreement, {.synthetic = results.synthetic});
 }
 
 // How alike people rate by the numbers of other fields, and whether order or sides shift ratings.
@@ -92,9 +92,9 @@ std::string raters_text(const StudyAnswers& answers) {
     std::string text;
     if (raters.people > 1) {
         const bool synthetic = answers.results->synthetic;
-        text = "Agreement: " + of_people("ICC(2,1) ", synthetic) + digits(raters.single.value, 2) +
-               ", ICC(3,k) " + digits(raters.mean.value, 2) + ", Krippendorff's alpha " +
-               digits(raters.alpha, 2) + ".";
+        text = "Agreement: " + of_people("ICC(2,1) ", {.synthetic = synthetic}) +
+               digits(raters.single.value, 2) + ", ICC(3,k) " + digits(raters.mean.value, 2) +
+               ", Krippendorff's alpha " + digits(raters.alpha, 2) + ".";
     }
     const auto add = [&text](const char* what, const Shift& shift) {
         if (shift.comparisons == 0 || std::isnan(shift.p)) return;
@@ -117,7 +117,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
         text = "The latest participant's map has settled: more would change little.";
     if (settling.change.empty()) text = "Too few answers to tell whether the map has settled.";
     if (!settling.change.empty()) {
-        text += " " + of_people("K ", answers.results->synthetic) +
+        text += " " + of_people("K ", {.synthetic = answers.results->synthetic}) +
                 significant(settling.change.front(), 2) +
                 " since so many trials as there "
                 "are patterns.";

@@ -136,12 +136,14 @@ void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& p
     const std::string state = state_of(person);
     const bool is_odd = !person.excluded.empty() || person.is_outlier;
     ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
-    ImGui::TextUnformatted(state.c_str());
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(shortened(ui.theme.fonts.regular, state, room).c_str());
     ImGui::PopStyleColor();
     draw_tooltip(ui, person.is_outlier
                          ? "Agrees with the others far less than they do among themselves "
                            "(below Tukey's lower fence). Counted all the same."
                          : state.c_str());
+    note_item(ui.rects, "status:" + person.code, state);
 }
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
@@ -222,7 +224,7 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     for (const Column& column : kHeads) {
         ImGui::TableNextColumn();
         const std::string name = column.name;
-        dim_text(ui, of_people(name, answers.results->synthetic && name == "rho"));
+        dim_text(ui, of_people(name, {.synthetic = answers.results->synthetic && name == "rho"}));
         draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();

@@ -135,6 +135,8 @@ void draw_token(Ui& ui, const Workspace& work, const PlayState& play, StudyState
               studying.run->groups[pattern] == kUnsorted
                   ? "unsorted"
                   : std::to_string(studying.run->groups[pattern] + 1));
+    note_rect(ui.rects, "study:felt " + name, place.min, place.max,
+              std::to_string(studying.run->felt_sorting[pattern]));
     const ImVec2 shift =
         is_held ? ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F) : ImVec2{0, 0};
     const Rect at{place.min + shift, place.max + shift};

@@ -54,6 +54,7 @@ void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
     if (pairs.by == TooClose::ratings) {
         const Expected<RatingStudy> study = study_of(set);
         if (!study) return;
+        pairs.mark = mark_of(*study);
         const Dissimilarity people = mean_ratings(*study);
         pairs.threshold = threshold_at(people, pairs.share);
         return keep_closest(pairs, people);

@@ -74,7 +74,7 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
         theme.fonts.small,
         (picking.objective == SubsetObjective::max_sum ? "weakest pair, were it picked by that, "
                                                        : "weakest pair, ") +
-            quantity_of(curve.request),
+            quantity_of(curve.request, curve.mark),
         area.width());
     const PlotLabels labels{"", title, true};
     const float half_px =

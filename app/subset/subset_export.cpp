@@ -1,6 +1,7 @@
 #include "app/subset/subset_export.h"
 
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "app/compare/people_text.h"
@@ -16,6 +17,7 @@
 #include "app/ui/file_question.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
+#include "model/set/felt_versions.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
@@ -105,10 +107,15 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     const bool by_ratings = pick.request.by_ratings;
     const CloserThan than = closer_than(pick, picking);
     const PatternSet& set = *map.request.set;
-    const char* rating = has_synthetic(set.ratings) ? "Synthetic rating" : "Rating";
+    std::string rating = of_people("rating", pick.mark);
+    rating.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rating.front())));
+    const StalePatterns stale = by_ratings ? stale_patterns(set) : StalePatterns{};
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
                         .synthetic_patterns = has_synthetic_patterns(set),
-                        .synthetic_model = set.model_origin.synthetic};
+                        .synthetic_model = set.model_origin.synthetic,
+                        .changed_since_felt = !stale.edited.empty(),
+                        .edited = stale.edited,
+                        .gone = stale.gone};
     Report report{
         .set = set,
         .felt = by_ratings ? set : *map.played,

@@ -21,11 +21,13 @@ constexpr std::size_t kMostOfCurve = 30;
 const PatternSet& set_of(const PickRequest& request) { return *request.map->request.set; }
 
 // How far apart the patterns are by what was asked for.
-Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::stop_token stop) {
+Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::stop_token stop,
+                                            RatingMark& mark) {
     const Prediction& prediction = request.map->prediction;
     if (request.by_ratings) {
         const Expected<RatingStudy> study = study_of(set_of(request));
         if (!study) return study.error();
+        mark = mark_of(*study);
         return mean_ratings(*study);
     }
     if (request.metric == Metric::pm) return prediction.pm;
@@ -43,7 +45,7 @@ Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::sto
 std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
                                 std::atomic<float>& progress) {
     Pick pick{request, nullptr, {}, {}};
-    Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop);
+    Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, pick.mark);
     if (stop.stop_requested()) return std::nullopt;
     if (!matrix) {
         pick.fault = matrix.error().message;
@@ -69,13 +71,15 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
 
 std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_token stop,
                                       std::atomic<float>& progress) {
-    const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop);
+    RatingMark mark;
+    const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, mark);
     if (!matrix) return std::nullopt;
     SubsetOptions options;
     options.time_limit_s = kCurveLimitS;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
-    PickCurve curve{request, weakest_by_count(*matrix, request.problem, kMostOfCurve, options)};
+    PickCurve curve{request, weakest_by_count(*matrix, request.problem, kMostOfCurve, options),
+                    mark};
     if (stop.stop_requested()) return std::nullopt;
     return curve;
 }

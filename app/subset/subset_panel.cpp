@@ -206,8 +206,8 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float lower = ui.theme.fonts.large->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
-    const std::string what =
-        quantity_of(pick.request) + (by_sum ? ", the sum of all pairs" : " of the weakest pair");
+    const std::string what = quantity_of(pick.request, pick.mark) +
+                             (by_sum ? ", the sum of all pairs" : " of the weakest pair");
     dim_text(ui, shortened(ui.theme.fonts.regular, what, ImGui::GetContentRegionAvail().x));
     draw_proof(ui, work, shown_map, picking, pick);
     draw_weakest_pair(ui, work, timeline, shown_map, play, picking, pick, a, b);
@@ -270,9 +270,8 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
 
 }  // namespace
 
-std::string quantity_of(const PickRequest& request) {
-    const auto& ratings = request.map->request.set->ratings;
-    if (request.by_ratings) return of_people("rating", has_synthetic(ratings));
+std::string quantity_of(const PickRequest& request, const RatingMark& mark) {
+    if (request.by_ratings) return of_people("rating", mark);
     return traits(request.metric).name;
 }
 

@@ -14,6 +14,7 @@
 #include "app/map/live_map.h"
 #include "model/evaluation/metric.h"
 #include "model/pattern/pattern_parameter.h"
+#include "model/study/ratings.h"
 #include "model/subset/separation.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
@@ -37,11 +38,13 @@ struct Pick {
     std::shared_ptr<const Dissimilarity> dissimilarity;
     std::string fault;  // why there is none
     SubsetAnswer answer;
+    RatingMark mark{};  // of the ratings, where it is by them
 };
 
 struct PickCurve {
     PickRequest request;
     std::vector<CurvePoint> points;
+    RatingMark mark{};
 };
 
 struct SeparationRequest {
@@ -93,6 +96,7 @@ struct TooClosePairs {
     double threshold = 0.0;             // in the matrix's own unit
     std::size_t count = 0;              // of all such pairs ...
     std::vector<ConfusablePair> pairs;  // ... of which the closest are kept
+    RatingMark mark{};                  // of the ratings, where it is by them
 };
 
 // A change that was to part a pair: whether it did is known once the map is exact.

@@ -21,8 +21,9 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                          SubsetState& picking);
 
 // How far apart the weakest pair is for each count; a click chooses one.
-bool has_curve(const SubsetState& picking);           // or will have
-std::string quantity_of(const PickRequest& request);  // what "far apart" is in: "PM"
+bool has_curve(const SubsetState& picking);  // or will have
+std::string quantity_of(const PickRequest& request,
+                        const RatingMark& mark);  // what "far apart" is in: "PM"
 void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const Rect& area);
 
 // What is left of the pane, or where that is less so many lines, which scroll.

@@ -250,6 +250,7 @@ void follow_marks(App& app) {
     app.work.selection.is_pick_preview =
         app.picking.pick && is_of_preview(app.picking.pick->request);
     follow_unfelt(app.work, app.shown_map);
+    follow_stale(app.work);
 }
 
 // Input, and what has come since the last frame.

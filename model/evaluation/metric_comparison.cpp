@@ -77,8 +77,10 @@ Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationPar
                        ceilings(study, people),
                        order_pairs(mean.condensed).ascending.size(),
                        participant_means(study).size(),
-                       is_partly_synthetic(study),
-                       unrated_patterns(study)};
+                       mark_of(study),
+                       unrated_patterns(study),
+                       study.edited,
+                       study.gone};
 }
 
 MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/common/random.h"
+#include "model/set/felt_versions.h"
 
 namespace tact {
 
@@ -46,6 +47,7 @@ Twin twin(const Vibration& intended, const Waveform& recording, bool synthetic) 
     Measurement measurement;
     measurement.waveform = std::make_shared<const Waveform>(result.alignment.waveform);
     measurement.measures = intended.name;
+    measurement.measures_version = version_of(intended);
     measurement.synthetic = synthetic;
     result.vibration.name = intended.name + (synthetic ? " synthetic" : " measured");
     result.vibration.colour = intended.colour;
@@ -140,6 +142,7 @@ PatternSet one_side(const PatternSet& set, Side side) {
         first_twin.emplace(measurement_of(vibration)->measures, vibration.name);
     }
     for (Ratings& ratings : result.ratings) {
+        ratings.versions.clear();  // of patterns, which are on the other side
         for (std::string& label : ratings.labels) {
             const auto twin = first_twin.find(label);
             if (twin != first_twin.end()) label = twin->second;
@@ -151,6 +154,7 @@ PatternSet one_side(const PatternSet& set, Side side) {
 PatternSet measured_stand_ins(const PatternSet& set) {
     PatternSet result = one_side(set, Side::measured);
     result.ratings = set.ratings;
+    for (Ratings& ratings : result.ratings) ratings.versions.clear();  // of what is stood in for
     std::set<std::string> seen;
     std::erase_if(result.vibrations, [&seen](const Vibration& vibration) {
         return !seen.insert(measurement_of(vibration)->measures).second;

@@ -9,7 +9,7 @@ namespace tact {
 
 bool Measurement::operator==(const Measurement& other) const {
     return path == other.path && scale_g == other.scale_g && measures == other.measures &&
-           synthetic == other.synthetic &&
+           measures_version == other.measures_version && synthetic == other.synthetic &&
            (waveform == other.waveform || *waveform == *other.waveform);
 }
 

@@ -27,6 +27,7 @@ struct Measurement {
     double scale_g = 1.0;                      // g at the file's full scale
     std::string measures;                      // name of the intended pattern, or empty
     bool synthetic = false;                    // computed, not recorded: shown as such everywhere
+    std::string measures_version{};            // of that pattern when it was (felt_versions.h)
 
     bool operator==(const Measurement&) const;  // compares the samples, not the pointers
 };
@@ -62,6 +63,8 @@ struct Ratings {
     std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities; kUnrated: not rated
     std::string unknown_json;
     std::string file{};  // they were read from, without its folder
+    // Of the patterns when they were felt, by label (felt_versions.h); empty: not recorded.
+    std::vector<std::string> versions{};
 
     bool operator==(const Ratings&) const = default;
 };

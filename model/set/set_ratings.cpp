@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/set/felt_versions.h"
+
 namespace tact {
 
 bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
@@ -34,23 +36,41 @@ std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& f
     return kept;
 }
 
+namespace {
+
+// One voice of the set as a study of its own.
+RatingStudy alone(const Ratings& ratings) {
+    RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
+    for (double& value : one.judgements.front().condensed) {
+        if (!std::isfinite(value)) value = std::nan("");
+    }
+    return one;
+}
+
+}  // namespace
+
 Expected<RatingStudy> study_of(const PatternSet& set) {
     if (set.ratings.empty()) return Error{"expected ratings of the patterns, got none"};
     RatingStudy study;
     study.labels = names_of(set);
+    std::string fault;  // of the first voice that does not fit as it is
     for (const Ratings& ratings : set.ratings) {
-        const RatingStudy one{ratings.labels, true, {{ratings.name, ratings.condensed}}};
-        const Expected<RatingStudy> fitting = spread_over(one, study.labels);
-        if (!fitting) {
-            return Error{"ratings \"" + ratings.name + "\": " + fitting.error().message};
+        const RatingStudy one = alone(ratings);
+        if (const auto fits = spread_over(one, study.labels); !fits && fault.empty()) {
+            fault = "ratings \"" + ratings.name + "\": " + fits.error().message;
         }
-        study.judgements.push_back(fitting->judgements.front());
-        for (double& value : study.judgements.back().condensed) {
-            if (!std::isfinite(value)) value = std::nan("");
-        }
+        Expected<RatingStudy> voice = spread_over(without_gone(one, study.labels), study.labels);
+        study.judgements.push_back(std::move(voice->judgements.front()));
         if (is_synthetic(ratings)) study.standings.push_back({ratings.name, true});
     }
-    return matched(study, study.labels);
+    Expected<RatingStudy> fitting = matched(study, study.labels);
+    const std::size_t rated = study.labels.size() - unrated_patterns(study).size();
+    if (!fault.empty() && (!fitting || rated < kLeastRated)) return Error{fault};
+    if (!fitting) return fitting;
+    const StalePatterns stale = stale_patterns(set);
+    fitting->edited = stale.edited;
+    fitting->gone = stale.gone;
+    return fitting;
 }
 
 }  // namespace tact

@@ -26,8 +26,9 @@ std::string ratings_source(const std::string& file, std::size_t left_out);
 // `file`: where the study was read from; may be empty. Who was not asked is marked so.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 
-// The ratings of a set as a study in the order of its patterns. Errors: there are none, they are of
-// other patterns, or of fewer than three.
+// The ratings of a set as a study in the order of its patterns, with what was edited since, and
+// what is gone and left out. Errors: there are none, they are of other patterns, or of fewer than
+// three.
 Expected<RatingStudy> study_of(const PatternSet& set);
 
 }  // namespace tact

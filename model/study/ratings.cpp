@@ -155,35 +155,31 @@ std::vector<bool> rated_ones(const RatingStudy& study) {
     return rated;
 }
 
-}  // namespace
-
-std::string words_on_simulated(const RatingStudy& study) {
-    const Voices voices = voices_of(study);
-    if (voices.simulated == 0) return {};
-    if (voices.simulated == voices.people) return "nobody was asked";
-    return std::to_string(voices.simulated) + " of " + std::to_string(voices.people) +
-           " were simulated";
+// The first five, and how many more.
+std::string first_names(const std::vector<std::string>& names) {
+    constexpr std::size_t kNamed = 5;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kNamed, names.size()); ++k) {
+        text += (k == 0 ? "" : ", ") + in_quotes(names[k]);
+    }
+    if (names.size() > kNamed) text += " and " + std::to_string(names.size() - kNamed) + " more";
+    return text;
 }
 
-bool is_partly_synthetic(const RatingStudy& study) { return voices_of(study).simulated > 0; }
-
-Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names) {
-    if (!study.is_named && study.labels.size() != names.size()) {
-        return Error{"expected ratings of " + std::to_string(names.size()) +
-                     " patterns, as many as the set has, got " +
-                     std::to_string(study.labels.size())};
-    }
-    if (const std::string extra = extra_among(study.labels, names);
-        study.is_named && !extra.empty()) {
-        return Error{"expected names of patterns of the set, got " + extra};
-    }
+// What the study says of these patterns, in their order; unnamed ones go by their place.
+RatingStudy moved_to(const RatingStudy& study, const std::vector<std::string>& names) {
     std::vector<std::size_t> from;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const auto found = std::ranges::find(study.labels, names[k]);
         from.push_back(study.is_named ? static_cast<std::size_t>(found - study.labels.begin()) : k);
     }
     const std::size_t known = study.labels.size();
-    RatingStudy result{names, true, {}, study.standings, study.fingerprint};
+    RatingStudy result{names, true,         {},        study.standings, study.fingerprint,
+                       {},    study.edited, study.gone};
+    for (const std::size_t k : from) {
+        if (study.versions.empty()) break;
+        result.versions.push_back(k < known ? study.versions[k] : std::string());
+    }
     for (const Judgement& judgement : study.judgements) {
         Judgement moved{judgement.participant, {}};
         for (std::size_t i = 0; i < from.size(); ++i) {
@@ -198,11 +194,71 @@ Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<st
     return result;
 }
 
+}  // namespace
+
+std::string words_on_simulated(const RatingStudy& study) {
+    const Voices voices = voices_of(study);
+    if (voices.simulated == 0) return {};
+    if (voices.simulated == voices.people) return "nobody was asked";
+    return std::to_string(voices.simulated) + " of " + std::to_string(voices.people) +
+           " were simulated";
+}
+
+bool is_partly_synthetic(const RatingStudy& study) { return voices_of(study).simulated > 0; }
+
+RatingMark mark_of(const RatingStudy& study) {
+    return {is_partly_synthetic(study), !study.edited.empty()};
+}
+
+std::string words_on_edited(const std::vector<std::string>& edited) {
+    if (edited.empty()) return {};
+    return std::to_string(edited.size()) +
+           (edited.size() == 1 ? " pattern was" : " patterns were") + " edited since " +
+           (edited.size() == 1 ? "it was" : "they were") + " rated: " + first_names(edited);
+}
+
+std::string words_on_gone(const std::vector<std::string>& gone) {
+    if (gone.empty()) return {};
+    return std::to_string(gone.size()) + " rated " +
+           (gone.size() == 1 ? "pattern is" : "patterns are") +
+           " not in the set, and left out: " + first_names(gone);
+}
+
+Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names) {
+    if (!study.is_named && study.labels.size() != names.size()) {
+        return Error{"expected ratings of " + std::to_string(names.size()) +
+                     " patterns, as many as the set has, got " +
+                     std::to_string(study.labels.size())};
+    }
+    if (const std::string extra = extra_among(study.labels, names);
+        study.is_named && !extra.empty()) {
+        return Error{"expected names of patterns of the set, got " + extra};
+    }
+    return moved_to(study, names);
+}
+
+RatingStudy without_gone(const RatingStudy& study, const std::vector<std::string>& names) {
+    if (!study.is_named) return study;
+    std::vector<std::string> left;
+    std::vector<std::string> gone = study.gone;
+    for (const std::string& label : study.labels) {
+        const bool is_there = std::ranges::find(names, label) != names.end();
+        (is_there ? left : gone).push_back(label);
+    }
+    if (left.size() == study.labels.size()) return study;
+    RatingStudy present = moved_to(study, left);
+    present.gone = std::move(gone);
+    present.fingerprint.clear();  // of all of them
+    return present;
+}
+
 Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names) {
-    Expected<RatingStudy> spread = spread_over(study, names);
+    RatingStudy present = without_gone(study, names);
+    if (present.labels.size() < kLeastRated) present = study;  // refused, or as few as the set has
+    Expected<RatingStudy> spread = spread_over(present, names);
     if (!spread) return spread;
     const std::size_t unrated = unrated_patterns(*spread).size();
-    if (unrated > 0 && names.size() - unrated < 3) {
+    if (unrated > 0 && names.size() - unrated < kLeastRated) {
         return Error{"expected ratings of at least three patterns of the set, got those of " +
                      std::to_string(names.size() - unrated)};
     }
@@ -219,17 +275,9 @@ std::vector<std::string> unrated_patterns(const RatingStudy& study) {
 }
 
 std::string remark_on_unrated(const std::vector<std::string>& unrated, std::size_t patterns) {
-    constexpr std::size_t kNamed = 5;
     if (unrated.empty()) return {};
-    std::string text = std::to_string(unrated.size()) + " of " + std::to_string(patterns) +
-                       " patterns were not rated and are left out: ";
-    for (std::size_t k = 0; k < std::min(kNamed, unrated.size()); ++k) {
-        text += (k == 0 ? "" : ", ") + in_quotes(unrated[k]);
-    }
-    if (unrated.size() > kNamed) {
-        text += " and " + std::to_string(unrated.size() - kNamed) + " more";
-    }
-    return text;
+    return std::to_string(unrated.size()) + " of " + std::to_string(patterns) +
+           " patterns were not rated and are left out: " + first_names(unrated);
 }
 
 Dissimilarity mean_ratings(const RatingStudy& study) {

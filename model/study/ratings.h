@@ -44,6 +44,10 @@ struct RatingStudy {
     std::vector<Judgement> judgements;
     std::vector<Standing> standings{};  // of those of whom there is something to be said
     std::string fingerprint{};  // of what was felt (model/set/set_study.h); empty: not known
+    std::vector<std::string>
+        versions{};                     // of each label (model/set/felt_versions.h); empty: as well
+    std::vector<std::string> edited{};  // labels of patterns that are others than were felt
+    std::vector<std::string> gone{};    // were rated; left out, as they are not in the set
 
     bool operator==(const RatingStudy&) const = default;
 };
@@ -54,11 +58,32 @@ std::string words_on_simulated(const RatingStudy& study);
 // Whether nobody was asked for some of the judgements.
 bool is_partly_synthetic(const RatingStudy& study);
 
+// What is not true, or no longer, of numbers that are made of ratings: it goes where they go.
+struct RatingMark {
+    bool synthetic = false;  // nobody was asked, for some of the ratings at least
+    bool stale = false;      // some of the patterns are others than were felt
+
+    bool operator==(const RatingMark&) const = default;
+};
+RatingMark mark_of(const RatingStudy& study);
+
+// A phrase on patterns that were edited or are gone since they were rated, with names: "edited
+// since they were rated: "a", "b"". Empty for none.
+std::string words_on_edited(const std::vector<std::string>& edited);
+std::string words_on_gone(const std::vector<std::string>& gone);
+
+// The study without what is not among the names, which then is `gone`.
+RatingStudy without_gone(const RatingStudy& study, const std::vector<std::string>& names);
+
 // The study of all these patterns in their order, with no ratings of those that it lacks. Errors: a
 // rating of none of the patterns; of unnamed patterns, another number of them.
 Expected<RatingStudy> spread_over(const RatingStudy& study, const std::vector<std::string>& names);
 
-// The same for ratings that are to be used: of three of the patterns at least, or of all.
+// Ratings of fewer patterns tell nothing of a map.
+inline constexpr std::size_t kLeastRated = 3;
+
+// The same for ratings that are to be used: of three of the patterns at least, or of all. Ratings
+// of what is not among the patterns are left out (`gone`) where three others stay.
 Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::string>& names);
 
 // Names of the patterns without any rated pair, in their order.

@@ -63,6 +63,8 @@ struct StudyHeader {
     Participant participant;
     bool consented = false;
     std::string begun;  // UTC, ISO 8601
+    // Of each pattern (model/set/felt_versions.h); empty in files of before.
+    std::vector<std::string> versions{};
 
     bool operator==(const StudyHeader&) const = default;
 };

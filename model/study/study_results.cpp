@@ -255,7 +255,7 @@ Expected<RatingStudy> ratings_of_everyone(std::span<const StudyRecord> records,
     const auto sorted = in_order(records);
     if (!sorted) return sorted.error();
     const StudyHeader& header = records.front().header;
-    RatingStudy study{header.patterns, true, {}, {}, header.set_fingerprint};
+    RatingStudy study{header.patterns, true, {}, {}, header.set_fingerprint, header.versions};
     for (const StudyRecord* record : *sorted) {
         const ParticipantSummary person = summary_of(*record, *founder_of(records), rule);
         if (person.synthetic || !person.excluded.empty()) {

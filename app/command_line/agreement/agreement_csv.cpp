@@ -29,7 +29,7 @@ std::string played_text(const Labels& labels) {
 TextRow labels_of(const SetAgreement& set) {
     return {set.name,
             std::to_string(set.people.participants),
-            yes_no(set.people.synthetic),
+            yes_no(set.people.mark.synthetic),
             std::to_string(set.left_out.size()),
             std::to_string(set.patterns),
             yes_no(set.labels.synthetic_patterns),

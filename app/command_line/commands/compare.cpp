@@ -138,7 +138,7 @@ nlohmann::json json_of(const SetAgreement& set, std::size_t m, Bookkeeping books
                         {"ceiling_person_lower", json_of(set.people.ceilings.with_others)},
                         {"ceiling_person_upper", json_of(set.people.ceilings.with_all)},
                         {"participants", set.people.participants},
-                        {"synthetic", set.people.synthetic},
+                        {"synthetic", set.people.mark.synthetic},
                         {"left_out", json_of(set.left_out)},
                         {"unrated_patterns", set.people.unrated},
                         {"remarks", e.remarks}};

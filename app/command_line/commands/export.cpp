@@ -14,6 +14,7 @@
 #include "app/command_line/output.h"
 #include "app/export/effect_files.h"
 #include "app/export/export_report.h"
+#include "app/rendering/labels.h"
 #include "app/session/path_json.h"
 #include "model/export/export_loss.h"
 #include "model/subset/set_subset.h"
@@ -114,7 +115,8 @@ Expected<Exported> exported_part(const ExportCommand& command, const PatternSet&
     return result;
 }
 
-void print_table(const Exported& exported, const std::filesystem::path& folder) {
+// `is_synthetic`: what it costs is said by a model that was trained on ratings of nobody.
+void print_table(const Exported& exported, const std::filesystem::path& folder, bool is_synthetic) {
     for (std::size_t k = 0; k < exported.remarks.size(); ++k) {
         std::string file = (folder / exported.names[k]).string();
         if (*traits(exported.target.format).beside != '\0') {
@@ -126,7 +128,8 @@ void print_table(const Exported& exported, const std::filesystem::path& folder) 
         }
         if (exported.remarks[k].empty()) std::cout << "    nothing lost\n";
     }
-    if (exported.loss) std::cout << text_of(*exported.loss);
+    if (!exported.loss) return;
+    std::cout << text_of(Labels{.synthetic_model = is_synthetic}) << text_of(*exported.loss);
 }
 
 nlohmann::json target_json(const ExportTarget& target) {
@@ -162,7 +165,10 @@ void print_json(const Exported& exported, const PatternSet& part,
     }
     nlohmann::json answer = target_json(exported.target);
     answer["files"] = list;
-    if (exported.loss) answer["loss"] = json_of(*exported.loss);
+    if (exported.loss) {
+        answer["loss"] = json_of(*exported.loss);
+        add_labels(answer["loss"], {.synthetic_model = part.model_origin.synthetic});
+    }
     std::cout << answer.dump() << "\n";
 }
 
@@ -204,7 +210,7 @@ Expected<Done> run(const ExportCommand& command) {
     if (command.common.json) {
         print_json(*exported, *part, command.out);
     } else {
-        print_table(*exported, command.out);
+        print_table(*exported, command.out, part->model_origin.synthetic);
     }
     return Done{};
 }

@@ -65,7 +65,13 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
     const std::vector<std::string> unrated = unrated_patterns(one.study);
     Mappable result{
         rated_alone(one.set, unrated), {}, "ratings", true, is_partly_synthetic(one.study)};
-    if (result.synthetic) result.mark = kNobodyAsked;
+    result.labels.changed_since_felt = one.labels.changed_since_felt;
+    result.labels.edited = one.labels.edited;
+    result.labels.gone = one.labels.gone;
+    result.mark = mark_of(result.labels);
+    if (result.synthetic) {
+        result.mark = kNobodyAsked + (result.mark.empty() ? "" : "; " + result.mark);
+    }
     // Of an unrated pattern there is nothing to say where it lies.
     const Expected<RatingStudy> study = spread_over(one.study, names_of(one.set));
     const Dissimilarity mean = mean_ratings(*study);

@@ -6,6 +6,7 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/physiology/stage_csv.h"
+#include "app/rendering/labels.h"
 #include "app/session/folders.h"
 #include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
@@ -29,8 +30,17 @@ Expected<Done> run(const StagesCommand& command) {
             std::cerr << "tactspace: wrote " << path.string() << "\n";
         }
     }
+    // Their columns are time series: what is to be said of the model stands beside them.
+    const Labels labels{.synthetic_model = set->model_origin.synthetic};
+    if (const std::string mark = mark_of(labels); !mark.empty()) {
+        const auto path = command.out / "model.txt";
+        if (const auto written = write_atomically(path, mark + "\n"); !written) return written;
+        listed.push_back(path.string());
+    }
     if (command.common.json) {
-        std::cout << nlohmann::json{{"pattern", command.pattern}, {"files", listed}}.dump() << "\n";
+        nlohmann::json json{{"pattern", command.pattern}, {"files", listed}};
+        if (labels.synthetic_model) json["synthetic_model"] = true;
+        std::cout << json.dump() << "\n";
     }
     return Done{};
 }

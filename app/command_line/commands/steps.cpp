@@ -11,6 +11,7 @@
 #include "app/command_line/interrupt.h"
 #include "app/command_line/output.h"
 #include "app/command_line/text_table.h"
+#include "app/rendering/labels.h"
 #include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"
 
@@ -73,6 +74,11 @@ Expected<AnsweredSteps> answered(const StepsCommand& command, const PatternSet& 
     return AnsweredSteps{question, *steps, set_of_steps(set, *from, *to, *steps)};
 }
 
+// How far apart they are is the model's word.
+Labels labels_of(const AnsweredSteps& answer) {
+    return {.synthetic_model = answer.written.model_origin.synthetic};
+}
+
 nlohmann::json json_of(const AnsweredSteps& answer) {
     const EvenSteps& steps = answer.steps;
     nlohmann::json json{{"patterns", names_of(answer.written)},
@@ -86,6 +92,7 @@ nlohmann::json json_of(const AnsweredSteps& answer) {
     if (steps.jump) {
         json["jump"] = {{"share", steps.jump->share}, {"distance", steps.jump->distance}};
     }
+    add_labels(json, labels_of(answer));
     return json;
 }
 
@@ -99,8 +106,8 @@ std::string text_of(const AnsweredSteps& answer) {
                         last ? "" : six_digits(steps.apart[k]),
                         last ? "" : six_digits(steps.pm[k])});
     }
-    return aligned(rows) + "\n" + sentence_on(answer.question, steps) + "\n" +
-           pm_sentence_on(steps) + "\n";
+    return text_of(labels_of(answer)) + aligned(rows) + "\n" + sentence_on(answer.question, steps) +
+           "\n" + pm_sentence_on(steps) + "\n";
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/map/smacof.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/felt_versions.h"
 #include "model/set/set_study.h"
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
@@ -99,9 +100,7 @@ StudyHeader simulated_header(const StudyCommand& command, const PatternSet& set)
     header.program = kProgramVersion;
     header.kind = command.sorting ? StudyKind::sorting : StudyKind::pairwise;
     header.synthetic = true;
-    header.set_name = set.name;
-    header.patterns = study_patterns(set);
-    header.set_fingerprint = study_fingerprint(set, header.patterns);
+    describe_set(header, set);
     header.device = {"none: simulated", "none", {}};
     header.design = set.study;
     return header;

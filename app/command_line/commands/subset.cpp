@@ -18,6 +18,7 @@
 #include "model/io/set/set_file.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/felt_versions.h"
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
@@ -42,19 +43,24 @@ struct Source {
     Dissimilarity dissimilarity;
     Labels labels;
     bool synthetic_ratings = false;
+    std::string mark{};                 // of the file of a matrix
     std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
 };
 
-Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const Names& names,
-                                   bool& synthetic) {
+Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const PatternSet& set,
+                                   Source& source) {
     const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) {
         std::cerr << "tactspace: " << remark << "\n";
     }
-    const Expected<RatingStudy> study = matched(loaded->study, names);
+    Expected<RatingStudy> study = matched(loaded->study, names_of(set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
-    synthetic = is_partly_synthetic(*study);
+    note_edited(*study, set);
+    source.synthetic_ratings = is_partly_synthetic(*study);
+    source.labels.changed_since_felt = !study->edited.empty();
+    source.labels.edited = study->edited;
+    source.labels.gone = study->gone;
     Dissimilarity mean = mean_ratings(*study);
     const auto unrated =
         std::ranges::count_if(mean.condensed, [](double value) { return !std::isfinite(value); });
@@ -89,14 +95,16 @@ Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     if (!sets) return sets.error();
     if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
     const Names names = names_of(sets->meant);
-    bool synthetic_ratings = false;
+    Source source;
+    source.labels = std::move(sets->labels);
     Expected<Dissimilarity> matrix =
-        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names)
-        : !command.ratings.empty() ? of_ratings(command.ratings, names, synthetic_ratings)
+        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names, &source.mark)
+        : !command.ratings.empty() ? of_ratings(command.ratings, sets->meant, source)
                                    : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
-    Source source{std::move(sets->meant), std::move(sets->felt), *std::move(matrix),
-                  std::move(sets->labels), synthetic_ratings};
+    source.set = std::move(sets->meant);
+    source.felt = std::move(sets->felt);
+    source.dissimilarity = *std::move(matrix);
     const bool is_metric = command.matrix.empty() && command.ratings.empty();
     if (is_metric && !command.include_unfelt) {
         source.unfelt = unfelt_in(source.felt, command.common.threads, stop);
@@ -324,6 +332,7 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                   .program = kProgramVersion,
                   .date = utc_today(),
                   .labels = lines_of(source.labels)};
+    if (!source.mark.empty()) report.labels.push_back(source.mark);
     if (result.stability) report.stability = &*result.stability;
     return write_subset(command.report, report);
 }
@@ -363,8 +372,10 @@ Expected<Done> run(const SubsetCommand& command) {
             nlohmann::json json = json_of(*result, command, names);
             add_labels(json, source->labels);
             if (!command.ratings.empty()) json["synthetic"] = source->synthetic_ratings;
+            if (!source->mark.empty()) json["mark"] = source->mark;
             stream << json.dump() << "\n";
         } else {
+            if (!source->mark.empty()) stream << source->mark << "\n";
             stream << text_of(source->labels) << text_on_people(source->synthetic_ratings, {})
                    << text_of(*result, shown_texts(names));
         }

@@ -43,6 +43,7 @@ Json json_of_head(const StudyHeader& header) {
     fields["consent"] = {{"given", header.consented}, {"text", consent_of(header.design)}};
     fields["begun"] = header.begun;
     fields["set"] = {{"name", header.set_name}, {"fingerprint", header.set_fingerprint}};
+    if (!header.versions.empty()) fields["set"]["versions"] = header.versions;
     fields["device"] = json_of(header.device);
     // As text: JSON's numbers are doubles to many readers.
     fields["seed"] = std::to_string(header.seed);
@@ -117,6 +118,13 @@ StudyHeader header_of(JsonObject& object) {
     header.device = device_in(object_field(object, "device"));
     header.seed = seed_field(object);
     header.patterns = patterns_of(object);
+    for (const Json* version : array_field(set, "versions", 0, limits::kMaxStudyPatterns)) {
+        header.versions.push_back(name_at(reading, *version, place_of(set, "versions")));
+    }
+    if (!header.versions.empty() && header.versions.size() != header.patterns.size()) {
+        refuse(reading, place_of(set, "versions"), "a version for each pattern",
+               *field(set, "versions"));
+    }
     JsonObject design = object_field(object, "design");
     Json unknown = Json::object();
     header.design = study_design_of(design, unknown);

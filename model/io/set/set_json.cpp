@@ -48,6 +48,7 @@ Measurement measurement_of(JsonObject& object) {
     measurement.scale_g = number_field(object, "scale_g", 0.0, limits::kScaleG);
     measurement.measures = name_field(object, "measures", "");
     measurement.synthetic = yes_no_field(object, "synthetic", false);
+    measurement.measures_version = text_field(object, "measures_version", "");
     return measurement;
 }
 
@@ -128,6 +129,21 @@ void read_vibrations(JsonObject& object, PatternSet& set, std::vector<std::strin
     refuse_equal_names(*object.reading, names, "/patterns", "/name");
 }
 
+// One for each label, or none at all.
+std::vector<std::string> versions_of(JsonObject& object, std::size_t labels) {
+    std::vector<std::string> versions;
+    JsonReading& reading = *object.reading;
+    for (const Json* version : array_field(object, "versions", 0, limits::kMaxPatterns)) {
+        versions.push_back(name_at(reading, *version, place_of(object, "versions")));
+    }
+    if (!versions.empty() && versions.size() != labels && reading.fault.empty()) {
+        reading.fault = reading.file + ": " + place_of(object, "versions") +
+                        ": expected a version for each of " + grouped_digits(labels) +
+                        " labels, got " + grouped_digits(versions.size());
+    }
+    return versions;
+}
+
 Ratings ratings_of(JsonObject& object) {
     Ratings ratings;
     ratings.name = name_field(object, "name", "");
@@ -152,6 +168,7 @@ Ratings ratings_of(JsonObject& object) {
             values[k]->is_null() ? kUnrated : number_at(reading, *values[k], place, kAnyNumber));
     }
     ratings.file = text_field(object, "file", "");
+    ratings.versions = versions_of(object, labels.size());
     ratings.unknown_json = kept_text(unknown_fields(object));
     return ratings;
 }
@@ -198,6 +215,9 @@ Json json_of(const Measurement& measurement, const fs::path& folder) {
                    {"scale_g", measurement.scale_g}};
     if (!is_text) fields["percent_encoded"] = true;
     if (!measurement.measures.empty()) fields["measures"] = measurement.measures;
+    if (!measurement.measures_version.empty()) {
+        fields["measures_version"] = measurement.measures_version;
+    }
     if (measurement.synthetic) fields["synthetic"] = true;
     return fields;
 }
@@ -236,6 +256,7 @@ Json json_of(const Ratings& ratings) {
     Json fields = {
         {"name", ratings.name}, {"labels", ratings.labels}, {"condensed", ratings.condensed}};
     if (!ratings.file.empty()) fields["file"] = ratings.file;
+    if (!ratings.versions.empty()) fields["versions"] = ratings.versions;
     restore_text(fields, ratings.unknown_json);
     return fields;
 }

@@ -243,4 +243,33 @@ TEST_CASE("study: whoever compares or trains is told that rated patterns were ed
     CHECK(trained.at("sets")[0].at("changed_since_felt") == true);
 }
 
+TEST_CASE("study: ratings of what is gone are left out by all commands, and that is said") {
+    const Study study;
+    REQUIRE(study.simulated().exit_code == 0);
+    const std::string csv = (study.folder.path / "ratings.csv").string();
+    study.collected({"--out", csv});
+    std::string text = kSet;
+    const auto first = text.find("{\"name\": \"v 1\"");
+    text.erase(first, text.find("{\"name\": \"v 2\"") - first);
+    text.replace(text.find("0.3"), 3, "0.2");  // and v 4 is another
+    study.folder.write("five.json", text);
+    for (const std::string& from : {study.people, csv}) {
+        const Json row = Json::parse(
+            output_of({"compare", study.set, "--ratings", from, "--metric", "rmse", "--json"}))[0];
+        CHECK(row.at("gone_since_felt") == Json{"v 1"});
+    }
+    const Ran compared =
+        run_program({"compare", study.set, "--ratings", study.people, "--metric", "rmse"});
+    CHECK(contains(compared.out, "1 pattern was edited since it was rated: \"v 4\""));
+    CHECK(contains(compared.out, "left out: \"v 1\""));
+    const Json picked = Json::parse(
+        output_of({"subset", study.set, "-k", "2", "--ratings", study.people, "--json"}));
+    CHECK(picked.at("edited_since_felt") == Json{"v 4"});
+    CHECK(picked.at("gone_since_felt") == Json{"v 1"});
+    const std::string map = (study.folder.path / "map.csv").string();
+    REQUIRE(run_program({"space", study.set, "--ratings", study.people, "--out", map}).exit_code ==
+            0);
+    CHECK(contains(bytes_of(map), "edited since it was rated"));
+}
+
 }  // namespace study_command_test

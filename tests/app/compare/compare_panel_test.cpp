@@ -116,15 +116,45 @@ TEST_CASE("compare tab: a file that does not fit is refused in words and changes
     CHECK(app.work.document.history.undo_label() == nullptr);
 }
 
-TEST_CASE("compare tab: ratings of a pattern that is gone no longer fit, and it says so") {
+TEST_CASE("compare tab: of a pattern that is gone the ratings are left out, and it says so") {
     CompareBench bench;
     bench.load(square_csv());
     bench.program.press_key(key::kDelete);
     bench.wait_for_comparison();
-    CHECK(contains(bench.program.at("compare:fault").value, "got \"p1\""));
+    CHECK(bench.program.shows("compare:people"));
+    CHECK(contains(bench.program.at("compare:gone").value, "left out: \"p1\""));
+    CHECK_FALSE(bench.program.shows("compare:fault"));
+    CHECK_FALSE(bench.program.shows("compare:edited"));
     undo(bench.program.app.ui, bench.program.app.work);
     bench.wait_for_comparison();
     CHECK(bench.program.shows("compare:people"));
+    CHECK_FALSE(bench.program.shows("compare:gone"));
+}
+
+TEST_CASE("compare tab: ratings of a pattern that was edited since are stale, at every number") {
+    CompareBench bench;
+    bench.load(square_csv());
+    App& app = bench.program.app;
+    bench.wait_for_comparison();
+    CHECK(bench.program.at("compare:head rho").value == "rho");
+    CHECK_FALSE(bench.program.shows("compare:unrecorded"));
+    edit_patterns(app.work, [](Pattern& pattern) { pattern.amplitude_g *= 0.5; });
+    commit_step(app.ui, app.work, "amplitude of p1");
+    bench.wait_for_comparison();
+    CHECK(bench.program.at("compare:head rho").value == "stale rho");
+    CHECK(contains(bench.program.at("compare:edited").value, "rated: \"p1\""));
+    CHECK(bench.program.at("strength:p1").value == "edited");
+    CHECK(bench.program.at("strength:p2").value != "edited");
+    undo(app.ui, app.work);
+    bench.wait_for_comparison();
+    CHECK(bench.program.at("compare:head rho").value == "rho");
+    CHECK(bench.program.at("strength:p1").value != "edited");
+    // Files of before do not say what was felt.
+    for (Ratings& one : app.work.document.edit().ratings) one.versions.clear();
+    document_changed(app.work);
+    commit_step(app.ui, app.work, "as before");
+    bench.wait_for_comparison();
+    CHECK(bench.program.shows("compare:unrecorded"));
 }
 
 TEST_CASE("compare tab: two participants make a noise ceiling; unrated pairs are left out") {

@@ -92,11 +92,11 @@ TEST_CASE(
     agreement.spearman_brown = 0.81;
     agreement.ceiling_of_mean = 0.9;
     agreement.one_with_others = 0.55;
-    CHECK(ceiling_text(agreement, false) ==
+    CHECK(ceiling_text(agreement, {}) ==
           "Noise ceiling: a metric can reach rho 0.90 with the mean of 18 participants "
           "(reliability 0.81); one participant reaches 0.55 with the mean of the others.");
     agreement.is_of_one_person = true;
-    CHECK(contains(ceiling_text(agreement, true),
+    CHECK(contains(ceiling_text(agreement, {.synthetic = true}),
                    "synthetic rho 0.90 with the mean of one "
                    "person's 18 repetitions"));
 }
@@ -111,7 +111,7 @@ TEST_CASE("compare tab: each ceiling says what it bounds, in the text and beside
     CHECK(contains(said, "of each with the mean of the others, and with that of all."));
     bench.program.click("compare:Pairs");
     CHECK(contains(bench.program.at("view:Pairs").value, ", at most "));
-    CHECK(single_ceiling_text({}, false).empty());
+    CHECK(single_ceiling_text({}, {}).empty());
 }
 
 TEST_CASE(

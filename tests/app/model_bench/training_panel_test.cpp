@@ -247,7 +247,13 @@ TEST_CASE("training panel: it says what is missing, and what cannot be fitted to
     CHECK(app.ui.status.is_error);
     CHECK(app.ui.status.text.ends_with("got the same for every pair"));
     CHECK_FALSE(bench.program.shows("train:result"));
+    // One that is gone is left out; of two that stay there is nothing to be learnt.
     app.work.document.edit().ratings[0].labels[0] = "nobody";
+    document_changed(app.work);
+    bench.program.settle();
+    CHECK_FALSE(bench.program.shows("train:fault"));
+    CHECK(contains(bench.program.at("train:size").value, "1 rated one is gone"));
+    app.work.document.edit().ratings[0].labels[1] = "nobody else";
     document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:fault"));

@@ -1,0 +1,273 @@
+// What is false about who was asked reaches every output of every command: whatever the program
+// prints or writes of a set whose ratings and model are of nobody says so.
+#include <cctype>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace marked_outputs_test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kPatterns = R"({"tactspace": 1, "name": "five", "duration_s": 0.1,
+    "patterns": [
+    {"name": "v1", "amplitude_g": 1.6}, {"name": "v2", "carriers": [{"frequency_hz": 150}]},
+    {"name": "v3", "carriers": [{"frequency_hz": 250}]}, {"name": "v4", "amplitude_g": 0.3},
+    {"name": "v5", "carriers": [{"frequency_hz": 40}]}],
+    "study": {"repetitions": 1, "attention_pairs": 1})";
+
+constexpr const char* kRatings = R"(, "ratings": [{"name": "S1", "labels": ["v1", "v2", "v3", "v4"],
+    "condensed": [10, 20, 30, 40, 50, 60], "file": "synthetic, r.csv"}])";
+
+constexpr const char* kModel =
+    R"(, "model": {"nc_weight": 0.6, "trained_on": "Trained on r.csv.", "synthetic": true})";
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+// By the program's own words, so that a command that is new is missed here.
+std::set<std::string> commands() {
+    const std::string help = output_of({"--help"});
+    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    std::set<std::string> names;
+    std::string line;
+    std::getline(lines, line);
+    const std::regex row("^  ([a-z]+) .*");
+    for (std::smatch match; std::getline(lines, line);) {
+        if (std::regex_match(line, match, row)) names.insert(match[1]);
+    }
+    return names;
+}
+
+// Files of these do not speak, or are no result: with the reason.
+bool is_silent(const fs::path& file) {
+    const std::string kind = file.extension().string();
+    if (kind == ".png" || kind == ".py" || kind == ".R") return true;  // compared below; programs
+    if (kind == ".ahap") return true;  // the pattern alone, which no model made
+    // Of one pattern and its path through the model: model.txt beside them says it.
+    return kind == ".csv" && file.parent_path().filename() == "stages";
+}
+
+struct Bench {
+    TemporaryFolder folder;
+    std::string of_nobody = write("of nobody.json", std::string(kRatings) + kModel);
+    std::string rated = write("rated.json", kRatings);   // the model is the published one
+    std::string modelled = write("model.json", kModel);  // without ratings
+    std::string plain = write("plain.json", "");
+    std::string out = (folder.path / "out").string();
+    std::string people = (folder.path / "people").string();
+    std::string matrix = (folder.path / "matrix.csv").string();  // of simulated people
+
+    Bench() {
+        fs::create_directories(out);
+        ran({"study", plain, "--simulate", "3", "--out", people});
+        ran({"study", plain, "--collect", people, "--matrix", matrix});
+    }
+    std::string write(const char* name, const std::string& more) const {
+        return folder.write(name, std::string(kPatterns) + more + "}").string();
+    }
+    static Ran ran(const Words& arguments) {
+        Ran ran = run_program(arguments);
+        std::string words;
+        for (const std::string& word : arguments) words += word + " ";
+        CHECK_MESSAGE(ran.exit_code == 0, words << ran.err);
+        return ran;
+    }
+    // Whatever the command prints as its answer, or writes into `out`, says it.
+    void check_says(const Words& arguments) const {
+        std::string words;
+        for (const std::string& word : arguments) words += word + " ";
+        CAPTURE(words);
+        fs::remove_all(out);
+        fs::create_directories(out);
+        const Ran answer = ran(arguments);
+        if (!answer.out.empty()) CHECK(contains(lower_case(answer.out), "synthetic"));
+        for (const auto& entry : fs::recursive_directory_iterator(out)) {
+            if (!entry.is_regular_file() || is_silent(entry.path())) continue;
+            CAPTURE(entry.path().string());
+            CHECK(contains(lower_case(bytes_of(entry.path())), "synthetic"));
+        }
+    }
+    std::string at(const char* name) const { return (fs::path(out) / name).string(); }
+};
+
+using Checks = std::map<std::string, std::function<void(const Bench&)>>;
+
+// What each command is asked for, or why there is nothing to be marked.
+const Checks& checks() {
+    static const Checks kChecks{
+        {"predict",
+         [](const Bench& b) {
+             b.check_says({"predict", b.modelled});
+             b.check_says({"predict", b.modelled, "--json"});
+             b.check_says(
+                 {"predict", b.modelled, "--out", b.at("m.csv"), "--image", b.at("m.svg")});
+         }},
+        {"space",
+         [](const Bench& b) {
+             b.check_says({"space", b.modelled});
+             b.check_says({"space", b.modelled, "--json"});
+             b.check_says({"space", b.modelled, "--out", b.at("s.csv"), "--image", b.at("s.svg")});
+             for (const Words& from :
+                  {Words{b.rated, "--people"}, Words{b.plain, "--ratings", b.people},
+                   Words{b.plain, "--matrix", b.matrix}}) {
+                 Words words{"space"};
+                 words.insert(words.end(), from.begin(), from.end());
+                 b.check_says(words);
+                 words.push_back("--json");
+                 b.check_says(words);
+                 words.insert(words.end(), {"--out", b.at("s.csv"), "--image", b.at("s.svg")});
+                 b.check_says(words);
+             }
+         }},
+        {"stages",
+         [](const Bench& b) {
+             b.check_says({"stages", b.modelled, "--pattern", "v1", "--out", b.at("stages")});
+             b.check_says(
+                 {"stages", b.modelled, "--pattern", "v1", "--out", b.at("stages"), "--json"});
+             CHECK(fs::exists(b.at("stages/model.txt")));
+         }},
+        {"subset",
+         [](const Bench& b) {
+             for (const Words& from : {Words{b.modelled}, Words{b.plain, "--ratings", b.people},
+                                       Words{b.plain, "--matrix", b.matrix}}) {
+                 Words words{"subset", "-k", "2"};
+                 words.insert(words.end(), from.begin(), from.end());
+                 b.check_says(words);
+                 words.push_back("--json");
+                 b.check_says(words);
+                 words.insert(words.end(), {"--report", b.at("report")});
+                 fs::remove_all(b.out);
+                 Bench::ran(words);
+                 CHECK(contains(lower_case(bytes_of(b.at("report/report.html"))), "synthetic"));
+             }
+             b.check_says({"subset", b.of_nobody, "-k", "2", "--out", b.at("set.json"), "--report",
+                           b.at("report")});
+         }},
+        {"report",
+         [](const Bench& b) {
+             b.check_says({"report", b.modelled, "--out", b.at("r.html")});
+         }},
+        {"separate",
+         [](const Bench& b) {
+             b.check_says({"separate", b.modelled, "--pair", "v1,v4"});
+             b.check_says({"separate", b.modelled, "--pair", "v1,v4", "--json"});
+         }},
+        {"steps",
+         [](const Bench& b) {
+             const Words words{"steps", b.modelled, "--from", "v1",    "--to",
+                               "v4",    "-n",       "3",      "--out", b.at("steps.json")};
+             b.check_says(words);
+             Words json = words;
+             json.push_back("--json");
+             b.check_says(json);
+         }},
+        {"compare",
+         [](const Bench& b) {
+             for (const Words& from : {Words{b.rated}, Words{b.plain, "--ratings", b.people},
+                                       Words{b.plain, "--ratings", b.matrix}, Words{b.of_nobody}}) {
+                 Words words{"compare"};
+                 words.insert(words.end(), from.begin(), from.end());
+                 words.insert(words.end(), {"--metric", "pm", "rmse"});
+                 Words tables = words;
+                 tables.insert(tables.end(), {"--csv", b.at("a.csv"), "--people-csv", b.at("b.csv"),
+                                              "--differences-csv", b.at("c.csv"), "--methods"});
+                 b.check_says(tables);
+                 words.push_back("--json");
+                 b.check_says(words);
+             }
+         }},
+        {"train",
+         [](const Bench& b) {
+             b.check_says({"train", b.rated, "--step", "0.5"});
+             b.check_says({"train", b.plain, "--ratings", b.people, "--step", "0.5", "--json",
+                           "--csv", b.at("t.csv"), "--out", b.at("model.json")});
+         }},
+        {"study",
+         [](const Bench& b) {
+             b.check_says({"study", b.plain, "--simulate", "2", "--out", b.at("two")});
+             for (const Words& more : {Words{}, Words{"--json"}, Words{"--weights", "2"}}) {
+                 Words words{"study",       b.plain,    "--collect",   b.people,   "--out",
+                             b.at("a.csv"), "--matrix", b.at("m.csv"), "--report", b.at("report")};
+                 words.insert(words.end(), more.begin(), more.end());
+                 b.check_says(words);
+             }
+         }},
+        {"export",
+         [](const Bench& b) {
+             b.check_says({"export", b.modelled, "--format", "ahap", "--out", b.at("one")});
+             b.check_says(
+                 {"export", b.modelled, "--format", "ahap", "--out", b.at("two"), "--json"});
+         }},
+        {"measure",
+         [](const Bench& b) {
+             fs::remove_all(b.out);
+             Bench::ran({"measure", b.plain, "--simulate", "--out", b.at("twins.tactspace.json")});
+             CHECK(contains(bytes_of(b.at("twins.tactspace.json")), "\"synthetic\": true"));
+         }},
+        {"snapshot",
+         [](const Bench& b) {
+             for (const char* view : {"space", "matrix", "window", "physiology"}) {
+                 b.check_says({"snapshot", b.modelled, "--view", view, "--out", b.at("v.svg")});
+             }
+         }},
+        {"render", {}},     // waveforms: no model, nobody's ratings
+        {"devices", {}},    // what is plugged in
+        {"play", {}},       // an actuator moves
+        {"calibrate", {}},  // what an actuator did
+        {"findings", {}},   // the bundled sets and the published model alone
+        {"generate", {}},   // patterns from a design space, without a model
+        {"import", {}},     // recordings that were made
+        {"lesson", {}},     // a bundled set's numbers, with the published model
+        {"manual", {}},     // text
+    };
+    return kChecks;
+}
+
+}  // namespace
+
+TEST_CASE("marked outputs: every command is known here, with what it is asked for") {
+    std::set<std::string> known;
+    for (const auto& [name, check] : checks()) known.insert(name);
+    CHECK(commands() == known);
+}
+
+TEST_CASE("marked outputs: all that a command prints or writes says that nobody was asked" *
+          doctest::test_suite("long")) {
+    const Bench bench;
+    for (const auto& [name, check] : checks()) {
+        if (check) check(bench);
+    }
+}
+
+TEST_CASE("marked outputs: a picture of pixels is another one where nobody was asked") {
+    const Bench bench;
+    std::string unmarked = bytes_of(bench.modelled);
+    const std::string mark = ", \"synthetic\": true";
+    unmarked.erase(unmarked.find(mark), mark.size());
+    const std::string asked = bench.folder.write("asked.json", unmarked).string();
+    const auto picture = [&bench](const Words& words, const std::string& set) {
+        Words all = words;
+        all.insert(all.begin() + 1, set);
+        Bench::ran(all);
+        return bytes_of(words.back());
+    };
+    for (const Words& words :
+         {Words{"predict", "--out", bench.at("m.csv"), "--image", bench.at("m.png")},
+          Words{"space", "--out", bench.at("s.csv"), "--image", bench.at("s.png")},
+          Words{"snapshot", "--view", "space", "--out", bench.at("v.png")}}) {
+        CHECK(picture(words, bench.modelled) != picture(words, asked));
+    }
+}
+
+}  // namespace marked_outputs_test
