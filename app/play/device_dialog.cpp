@@ -126,6 +126,19 @@ constexpr Field kLatency{
     .help = "Felt so much later than the device says: the playhead waits for it",
     .normal = 0.0};
 
+constexpr Field kWholeBuffer{
+    .id = "whole_buffer_ms",
+    .label = "Buffer in studies",
+    .format = "%.0f ms",
+    .slider = {50.0, 500.0},
+    .typed = {20.0, 2000.0},
+    .step = 10.0,
+    .snap = 10.0,
+    .help =
+        "Sound rendered ahead in studies and calibrations, where no play may have gaps: more "
+        "where plays are cut short, and each begins that much later",
+    .normal = 1e3 * kBufferS};
+
 constexpr Field kFullScale{
     .id = "full_scale_g",
     .label = "Full scale",
@@ -195,6 +208,10 @@ void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& re
     double offset_ms = 1e3 * choice.latency_offset_s;
     if (draw_field(ui, kLatency, offset_ms).changed) choice.latency_offset_s = 1e-3 * offset_ms;
     choose_device(ui, timeline, play, choice);
+    if (device->is_server || !device->channels.empty()) {
+        double buffer_ms = 1e3 * play.whole_buffer_s;
+        if (draw_field(ui, kWholeBuffer, buffer_ms).changed) play.whole_buffer_s = 1e-3 * buffer_ms;
+    }
     draw_strength(ui, work, timeline, rendered, play);
     if (play.status.dropouts > 0) {
         ImGui::PushTextWrapPos(0.0F);

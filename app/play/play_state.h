@@ -105,6 +105,7 @@ struct PlayState {
     double meter = 0.0;                         // of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
     double live_buffer_s = kLiveBufferS;        // until the program ends
+    double whole_buffer_s = kBufferS;           // where nothing that sounds may have gaps
     bool held = false;                          // a study is under way: its device stays
     bool gapless = false;                       // nothing that sounds may have gaps
     bool focused = true;                        // the window, in the last frame

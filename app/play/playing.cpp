@@ -101,7 +101,7 @@ void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play)
 // The chosen device where it is there and not open yet, as it is chosen.
 void open_chosen(Ui& ui, PlayState& play) {
     DeviceChoice wanted = play.choice;
-    wanted.buffer_s = play.gapless ? kBufferS : play.live_buffer_s;
+    wanted.buffer_s = play.gapless ? play.whole_buffer_s : play.live_buffer_s;
     if (play.opened == wanted) return;
     // Gaps are mended between two plays: opening it anew would be one more.
     DeviceChoice longer = play.opened;

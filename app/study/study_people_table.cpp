@@ -20,9 +20,13 @@ constexpr int kColumns = 8;
 constexpr float kStarLines = 2.2F;
 
 std::string state_of(const ParticipantSummary& person) {
-    if (!person.excluded.empty()) return (person.synthetic ? "synthetic, " : "") + person.excluded;
     std::string text = person.synthetic ? "synthetic" : "counts";
+    if (!person.excluded.empty()) text = (person.synthetic ? "synthetic, " : "") + person.excluded;
     if (person.is_outlier) text += ", outlier";
+    if (person.cut_short > 0) {
+        text += ", " + std::to_string(person.cut_short) +
+                (person.cut_short == 1 ? " play cut short" : " plays cut short");
+    }
     return text;
 }
 

@@ -80,7 +80,9 @@ void end_playing(StudyRun& run, const Play& played) {
     run.feels_again = !is_whole(played);
     run.cut_short = run.feels_again ? run.cut_short + 1 : 0;
     run.cut_short_in_all += run.feels_again ? 1 : 0;
-    if (run.page == StudyPage::training && !run.feels_again) ++run.felt[run.playing_button];
+    if (run.page == StudyPage::training) {
+        ++(run.feels_again ? run.broken_in_training : run.felt[run.playing_button]);
+    }
     if (run.page == StudyPage::trial) note_play(run.given, run.playing_button == 0, played);
     if (run.page != StudyPage::sorting) return;
     note_play(run.felt_in_round, run.playing_button, played);
@@ -114,6 +116,8 @@ PairAnswer pair_answer(const StudyRun& run, const std::string& at, double now_s)
     PairAnswer answer = run.given;
     answer.trial = run.trial;
     answer.similarity = run.similarity.value_or(0.0);
+    const bool is_first = run.record.answers.size() == run.answers_before;
+    answer.broken_in_training = is_first ? run.broken_in_training : 0;
     answer.response_s = tenths(now_s - run.shown_s);
     answer.at = at;
     return answer;

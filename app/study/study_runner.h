@@ -37,6 +37,7 @@ struct StudyRun {
     bool feels_again = false;          // the last play was not whole, and does not count
     int cut_short = 0;                 // plays in a row that were not whole
     int cut_short_in_all = 0;          // of this sitting
+    int broken_in_training = 0;        // of these
     std::optional<double> similarity;  // where the slider was put
 
     int asked_groups = 0;           // of the round of sorting on the screen; 0: free

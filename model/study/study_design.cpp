@@ -48,7 +48,8 @@ double chance_to_pass(int attention_pairs, const AttentionRule& rule) {
 
 std::string words_on_chance(int attention_pairs, const AttentionRule& rule) {
     const double percent = 100.0 * chance_to_pass(attention_pairs, rule);
-    return significant_digits(percent, 2) + " % of those who answer blindly";
+    const std::string digits = percent >= 99.5 ? "100" : significant_digits(percent, 2);
+    return digits + " % of those who answer blindly";
 }
 
 double predicted_minutes(const StudyDesign& design, std::size_t patterns, double duration_s) {

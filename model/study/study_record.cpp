@@ -153,6 +153,15 @@ const StudyRecord* founder_of(std::span<const StudyRecord> records) {
     return first == records.end() ? nullptr : &*first;
 }
 
+int cut_short_plays(const StudyRecord& record) {
+    int count = 0;
+    for (const PairAnswer& answer : record.answers) {
+        count += answer.left.broken + answer.right.broken + answer.broken_in_training;
+    }
+    for (const SortingAnswer& answer : record.sortings) count += answer.report.broken;
+    return count;
+}
+
 std::size_t answers_wanted(const StudyRecord& record) {
     const StudyHeader& header = record.header;
     if (header.kind == StudyKind::pairwise) {

@@ -98,6 +98,7 @@ struct PairAnswer {
     PlaysReport left{};
     PlaysReport right{};
     FeltFirst first = FeltFirst::unknown;
+    int broken_in_training = 0;  // plays of the training before it that were not whole
 
     bool operator==(const PairAnswer&) const = default;
 };
@@ -153,6 +154,10 @@ std::string words_on_changes(const std::vector<std::string>& changes);
 // Who fixed the design of a study: the person who began first; of no people whoever was simulated,
 // of none of those whoever rehearsed. Null of no records.
 const StudyRecord* founder_of(std::span<const StudyRecord> records);
+
+// Plays that were cut short or had gaps, training included: nobody was to blame for them but the
+// sound.
+int cut_short_plays(const StudyRecord& record);
 
 // How many answers make the record complete.
 std::size_t answers_wanted(const StudyRecord& record);

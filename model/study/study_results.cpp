@@ -123,6 +123,7 @@ ParticipantSummary summary_of(const StudyRecord& record, const StudyRecord& foun
     for (const SortingAnswer& answer : record.sortings) seconds += answer.response_s;
     person.minutes = seconds / 60.0;
     person.conduct = conduct_of(record);
+    person.cut_short = cut_short_plays(record);
     person.excluded = reason_to_exclude(person, record, rule);
     if (person.excluded.empty()) person.excluded = fault_of_design(record, founder);
     return person;

@@ -55,6 +55,7 @@ struct ParticipantSummary {
     double rho_with_others = 0.0;   // of those counted; NaN: unknown, or excluded
     bool is_outlier = false;
     double minutes = 0.0;  // spent on answers
+    int cut_short = 0;     // plays that were not whole
 };
 
 struct StudyResults {

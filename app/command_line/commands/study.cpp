@@ -159,6 +159,7 @@ nlohmann::json json_of(const StudyResults& results, const OrderEffects& effects)
                           {"rehearsal", person.rehearsal},
                           {"answers", person.answers},
                           {"not_felt", person.unfelt},
+                          {"cut_short", person.cut_short},
                           {"wanted", person.wanted},
                           {"identical_pairs", person.attention},
                           {"excluded", person.excluded.empty() ? nlohmann::json()

@@ -175,6 +175,7 @@ PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     answer.at = text_field(object, "at", "");
     answer.left = plays_report(object_field(object, "left_plays"));
     answer.right = plays_report(object_field(object, "right_plays"));
+    answer.broken_in_training = whole_field(object, "broken_in_training", 0, kPlays);
     answer.first = static_cast<FeltFirst>(choice_field(object, "felt_first", 0, kFeltFirst));
     return answer;
 }
@@ -257,6 +258,7 @@ std::string answer_line(const StudyHeader& header, std::size_t serial, const Pai
     }
     note_report(fields, "left_plays", answer.left);
     note_report(fields, "right_plays", answer.right);
+    if (answer.broken_in_training > 0) fields["broken_in_training"] = answer.broken_in_training;
     return as_line(fields);
 }
 

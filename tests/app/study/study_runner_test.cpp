@@ -358,6 +358,26 @@ TEST_CASE(
     CHECK(person.run.cut_short_in_all == 3);
     cut();
     CHECK(person.run.cut_short_in_all == 4);
+    CHECK(person.run.broken_in_training == 4);
+}
+
+TEST_CASE("study runner: the file keeps what was cut short, in the training too") {
+    Person person;
+    person.act(What::go_on);
+    person.act(What::go_on);
+    person.act(What::play, 0);
+    person.wait(0.6 * kDurationS);
+    person.act(What::cut_short);
+    person.wait(2.0);
+    for (std::size_t k = 0; k < person.run.training.size(); ++k) person.feel(k);
+    person.act(What::go_on);
+    REQUIRE(person.run.page == StudyPage::trial);
+    person.answer(50.0);
+    person.answer(60.0);
+    REQUIRE(person.run.record.answers.size() == 2);
+    CHECK(person.run.record.answers[0].broken_in_training == 1);
+    CHECK(person.run.record.answers[1].broken_in_training == 0);
+    CHECK(cut_short_plays(person.run.record) == 1);
 }
 
 TEST_CASE("study runner: what its device still plays is not over when its time is") {

@@ -145,6 +145,7 @@ TEST_CASE("attention: the chance to pass blindly is that of all ways to answer")
     }
     CHECK(chance_to_pass(3, {0.0, 100}) == 1.0);
     CHECK(words_on_chance(1, {}) == "20 % of those who answer blindly");
+    CHECK(words_on_chance(0, {}) == "100 % of those who answer blindly");
     CHECK(words_on_chance(3, {}) == "0.78 % of those who answer blindly");
 }
 

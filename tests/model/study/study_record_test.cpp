@@ -18,6 +18,21 @@ TEST_CASE("study record: a play counts when it was whole; what it was is kept ei
     CHECK(answer.right == PlaysReport{0, 0, 4.5});
 }
 
+TEST_CASE("study record: plays that were cut short are counted, of training and of answers") {
+    StudyRecord record;
+    CHECK(cut_short_plays(record) == 0);
+    record.answers.resize(2);
+    record.answers[0].broken_in_training = 2;
+    note_play(record.answers[0], true, {false, 0, 0.0});
+    note_play(record.answers[1], false, {true, 1, 0.0});
+    note_play(record.answers[1], false, {true, 0, 0.0});
+    CHECK(cut_short_plays(record) == 4);
+    record.sortings.resize(1);
+    record.sortings[0].plays = {0};
+    note_play(record.sortings[0], 0, {false, 0, 0.0});
+    CHECK(cut_short_plays(record) == 5);
+}
+
 TEST_CASE("study record: an answer counts if both sides were felt whole, on some device") {
     StudyRecord record;
     record.header.device.name = "pad";

@@ -306,6 +306,16 @@ TEST_CASE("study file: codes become names of files that cannot leave their folde
     CHECK(study_file_name("...") == "");
 }
 
+TEST_CASE("study file: plays of the training that were cut short stand with the first answer") {
+    StudyRecord record{header(), {kAnswer, kOther}, {}, false};
+    CHECK_FALSE(contains(print_study(record), "broken_in_training"));
+    record.answers[0].broken_in_training = 3;
+    record.header.versions = {"1", "2", "3"};
+    const std::string text = print_study(record);
+    CHECK(contains(text, "\"broken_in_training\":3"));
+    CHECK(*parse_study(text, "P1.jsonl") == record);
+}
+
 TEST_CASE("study file: a folder tells by first lines what is asked otherwise than at first") {
     const TemporaryFolder folder;
     StudyHeader now = header();
