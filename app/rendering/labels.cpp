@@ -6,6 +6,7 @@
 
 #include "app/rendering/rendered_set.h"
 #include "model/study/ratings.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -51,7 +52,7 @@ std::vector<std::string> lines_of(const Labels& labels) {
 
 std::string text_of(const Labels& labels) {
     std::string text;
-    for (const std::string& line : lines_of(labels)) text += line + "\n";
+    for (const std::string& line : lines_of(labels)) text += shown_text(line) + "\n";
     return text;
 }
 
