@@ -66,6 +66,7 @@ py::dict read_ratings_file(const std::filesystem::path& path,
     LoadedRatings loaded = value_of(beside_python(
         [&](const std::stop_token&) { return read_ratings(std::span(&path, 1), as); }));
     if (names) loaded.study = value_of(matched(loaded.study, *names));
+    if (!loaded.study.gone.empty()) loaded.remarks.push_back(words_on_gone(loaded.study.gone));
     for (const std::string& remark : loaded.remarks) warn(remark);
     py::list left_out;
     for (const LeftOutParticipant& one : loaded.left_out) {
