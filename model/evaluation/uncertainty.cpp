@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "model/common/distributions.h"
 #include "model/common/mean.h"
 #include "model/common/parallel.h"
 #include "model/common/random.h"
-#include "model/common/student_t.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/dissimilarity/holm.h"
 

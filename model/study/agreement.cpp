@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/common/f_distribution.h"
+#include "model/common/distributions.h"
 #include "model/common/mean.h"
 
 namespace tact {

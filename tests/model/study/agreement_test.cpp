@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "model/common/f_distribution.h"
+#include "model/common/distributions.h"
 #include "model/common/random.h"
 #include "model/study/synthetic_rater.h"
 #include "tests/support/golden.h"

@@ -1,4 +1,4 @@
-#include "model/common/student_t.h"
+#include "model/common/distributions.h"
 
 #include <cmath>
 #include <limits>
