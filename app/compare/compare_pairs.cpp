@@ -8,6 +8,7 @@
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/document/editing.h"
 #include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/scatter_view.h"

@@ -7,6 +7,7 @@
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
+#include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
 #include "app/progress/failure.h"

@@ -18,6 +18,7 @@
 #include "app/python/values.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/map/mds.h"
+#include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/neural_coding.h"
 #include "model/signal/resample.h"

@@ -14,10 +14,6 @@ namespace tact {
 
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return grouped_digits(count) + " " + (count == 1 ? one : many);
-}
-
 std::size_t grouped_patterns(const CloseGroups& close) {
     std::size_t count = 0;
     for (const CloseGroup& group : close.groups) count += group.members.size();

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/document/editing.h"
 #include "app/stages/receptor_readout.h"
 #include "app/stages/stage_pictures.h"
 #include "app/stages/stage_remarks.h"

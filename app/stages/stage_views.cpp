@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/physiology/stage_signals.h"
 #include "app/stages/stage_pictures.h"

@@ -10,6 +10,7 @@
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/star_view.h"
+#include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

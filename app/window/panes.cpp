@@ -16,6 +16,7 @@
 #include "app/document/editing.h"
 #include "app/document/shown_side.h"
 #include "app/lesson/lesson_place.h"
+#include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
 #include "app/map/map_rows.h"
 #include "app/map/matrix_panel.h"

@@ -17,6 +17,8 @@ namespace tact {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 void leave_study(App& app) {
     using What = StudyEvent::What;
     for (const What what : {What::ask, What::leave})

@@ -55,4 +55,8 @@ std::string grouped_digits(std::size_t number) {
     return digits;
 }
 
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return grouped_digits(count) + " " + (count == 1 ? one : many);
+}
+
 }  // namespace tact

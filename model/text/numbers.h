@@ -28,4 +28,7 @@ double multiple_of(double step, double count);
 // Whole number with a comma every three digits, as people read it: 11,025.
 std::string grouped_digits(std::size_t number);
 
+// With the word for one or for many: 1 person, 2,000 people.
+std::string counted(std::size_t count, const char* one, const char* many);
+
 }  // namespace tact

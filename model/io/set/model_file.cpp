@@ -8,6 +8,7 @@
 #include "model/common/fingerprint.h"
 #include "model/io/set/model_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
@@ -97,10 +98,6 @@ std::string rho_text(double rho) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", rho);
     return text;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 std::string words_on(const TrainingRecord& record) {
