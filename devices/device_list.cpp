@@ -121,12 +121,20 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
     place.buffer_s = choice.buffer_s;
     place.latency_offset_s = choice.latency_offset_s;
     place.everywhere = choice.everywhere;
+    place.server_output = device.server_output;
     return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));
 }
 
 std::string advice_without_devices() {
     return "Plug in a voice coil on an amplifier at a sound output, or a game controller, and "
            "refresh.";
+}
+
+std::string cards_fault(const AudioHost& host) {
+    if (!host.is_without_cards()) return {};
+    return "Sound cards were not looked for, as ALSA has no configuration: install "
+           "libasound2-data, "
+           "or correct ALSA_CONFIG_PATH.";
 }
 
 }  // namespace tact

@@ -31,4 +31,7 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
 // What to do where there is no device at all: a sentence or two.
 std::string advice_without_devices();
 
+// Why no sound card could be looked for: a sentence; empty: they were.
+std::string cards_fault(const AudioHost& host);
+
 }  // namespace tact

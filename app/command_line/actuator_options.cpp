@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kDeviceHelp =
     "id or name of the device, or a part of its name that no other has; see tactspace devices. "
-    "Another one is never played on: where a sound server moves the pattern, it is silenced";
+    "Another one is never played on: where an output of a sound server goes, the pattern ends with it";
 
 void add_measured_options(CLI::App& sub, std::filesystem::path& set, std::filesystem::path& out,
                           bool& json) {

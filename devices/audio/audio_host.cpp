@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "devices/audio/alsa_names.h"
 #include "devices/audio/audio_names.h"
 #include "devices/audio/audio_stream.h"
 #include "devices/audio/library_noise.h"
@@ -41,24 +42,58 @@ struct NumberedOutput {
     DeviceInfo info;
 };
 
+// Of a sound server, by ALSA's configuration or by its name; empty: its usual one.
+std::optional<std::string> wanted_output(const std::string& interface, const std::string& name) {
+    if (interface != "ALSA") return {};
+    if (auto written = server_output_behind(name)) return written;
+    return is_sound_server(interface, name) ? std::optional<std::string>("") : std::nullopt;
+}
+
+void lead_to(const ServerOutput& output, DeviceInfo& info) {
+    info.server_output = output.name;
+    info.output_name = output.description;
+    info.channels = channel_names(output.channels);
+    info.rate_hz = output.rate_hz;
+}
+
 // A server takes any number of channels; where it says how many its output has, it is those. It
 // is not asked where there is no `server`.
 DeviceInfo info_of(const PaDeviceInfo& device, const std::string& interface, SoundServer* server) {
     DeviceInfo info;
     info.name = spoken_name(interface, device.name);
     info.interface = interface;
-    info.is_server = is_sound_server(interface, device.name);
-    int channels = device.maxOutputChannels;
-    if (info.is_server) {
-        const bool is_asked = server != nullptr && std::string(device.name) != "pipewire";
-        const auto behind = is_asked ? server->usual_output() : std::nullopt;
-        channels = std::min(channels, behind ? behind->channels : kMostServerChannels);
-        if (behind) info.server_output = behind->name;
-    }
-    info.channels = channel_names(interface, device.name, channels);
+    const std::optional<std::string> wanted = wanted_output(interface, device.name);
+    info.is_server = wanted.has_value();
     info.rate_hz = device.defaultSampleRate;
     info.latency_s = device.defaultLowOutputLatency;
+    if (info.is_server && server != nullptr) {
+        const auto behind =
+            wanted->empty() ? server->usual_output() : server->output_named(*wanted);
+        if (behind) lead_to(*behind, info);
+    }
+    if (!info.server_output.empty()) return info;
+    const int most = info.is_server ? kMostServerChannels : device.maxOutputChannels;
+    info.channels = channel_names(interface, device.name, std::min(most, device.maxOutputChannels));
     return info;
+}
+
+// The outputs of a PulseAudio server, each by itself.
+std::vector<DeviceInfo> server_outputs(SoundServer& server) {
+    const std::vector<ServerOutput> outputs = server.outputs();
+    std::vector<DeviceInfo> infos;
+    for (const ServerOutput& output : outputs) {
+        DeviceInfo info;
+        info.id = "audio/PulseAudio/" + output.name;
+        info.interface = "PulseAudio";
+        info.is_server = true;
+        info.latency_s = kBufferS;
+        lead_to(output, info);
+        const auto alike =
+            std::ranges::count(outputs, output.description, &ServerOutput::description);
+        info.name = alike > 1 ? output.description + " (" + output.name + ")" : output.description;
+        infos.push_back(std::move(info));
+    }
+    return infos;
 }
 
 // ALSA's "default" where it leads to a server that is listed by its own name.
@@ -91,6 +126,7 @@ std::vector<NumberedOutput> numbered_outputs(SoundServer* server) {
 }  // namespace
 
 int output_numbered(const std::string& id) {
+    if (Pa_GetDeviceCount() < 0) return -1;
     for (const NumberedOutput& output : numbered_outputs(nullptr)) {
         if (output.info.id == id) return output.number;
     }
@@ -137,11 +173,15 @@ bool AudioHost::refresh() {
     if (is_initialised_) Pa_Terminate();
     silence_libraries();
     PaJack_SetClientName("tactspace");
-    is_initialised_ = Pa_Initialize() == paNoError;
+    const bool is_safe = has_alsa_configuration();
+    is_initialised_ = is_safe && Pa_Initialize() == paNoError;
+    is_without_cards_ = !is_safe;
     listed_.clear();
-    if (!is_initialised_) return true;
-    for (NumberedOutput& output : numbered_outputs(&server_))
-        listed_.push_back(std::move(output.info));
+    if (is_initialised_) {
+        for (NumberedOutput& output : numbered_outputs(&server_))
+            listed_.push_back(std::move(output.info));
+    }
+    for (DeviceInfo& output : server_outputs(server_)) listed_.push_back(std::move(output));
     return true;
 }
 
@@ -153,9 +193,8 @@ void AudioHost::make_room() {
 }
 
 void AudioHost::poll_streams() {
-    const bool changed = server_.has_changed();
     std::erase_if(open_, [&](const auto& stream) {
-        const StreamState state = stream->poll(server_, changed);
+        const StreamState state = stream->poll();
         if (state == StreamState::stuck) {
             is_stuck_ = true;
             // Whoever is stuck there may still look at it.

@@ -6,6 +6,7 @@
 // Left out  noticing new cards: the list is as of the last refresh, which needs silence.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -41,6 +42,8 @@ class AudioHost {
     bool refresh();    // false: something plays, and all stays as it is
     void make_room();  // closes what was released: a card may take one stream only
     bool is_stuck() const { return is_stuck_; }
+    // From any thread: ALSA has no configuration, so that no sound card can be looked for.
+    bool is_without_cards() const { return is_without_cards_; }
     SoundServer& server() { return server_; }
 
   private:
@@ -55,6 +58,7 @@ class AudioHost {
     std::vector<DeviceInfo> listed_;
     SoundServer server_;
     bool is_initialised_ = false;
+    std::atomic<bool> is_without_cards_ = false;
     bool is_stuck_ = false;  // in PortAudio: it can be used no more
     std::jthread thread_;    // last: ends before what it uses
 };

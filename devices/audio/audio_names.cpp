@@ -55,6 +55,21 @@ std::string audio_id(std::string_view interface, std::string_view name, int whic
     return which > 1 ? id + " " + std::to_string(which) : id;
 }
 
+std::vector<std::string> channel_names(const std::vector<std::string>& positions) {
+    if (positions == std::vector<std::string>{"front-left", "front-right"}) {
+        return {"left", "right"};
+    }
+    std::vector<std::string> names;
+    for (const std::string& position : positions) {
+        std::string name = position == "front-center" ? "centre"
+                           : position == "lfe"        ? "low frequency"
+                                                      : position;
+        std::ranges::replace(name, '-', ' ');
+        names.push_back(name.empty() ? std::to_string(names.size() + 1) : name);
+    }
+    return names;
+}
+
 std::vector<std::string> channel_names(std::string_view interface, std::string_view name,
                                        int count) {
     const bool is_dual_sense = name.find("DualSense") != name.npos && count == 4;

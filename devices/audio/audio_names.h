@@ -18,6 +18,9 @@ std::string spoken_name(std::string_view interface, std::string_view name);
 // Other names for a card that is listed anyway, converters and the like: "surround51", "dmix".
 bool is_alias(std::string_view interface, std::string_view name);
 
+// A position of PulseAudio's as a person calls it: "front left", "centre", "aux0".
+std::vector<std::string> channel_names(const std::vector<std::string>& positions);
+
 // A sound server behind an ALSA name.
 bool is_sound_server(std::string_view interface, std::string_view name);
 

@@ -1,4 +1,4 @@
-// How an output is opened: at which rate and in which pieces, and where a server takes it to.
+// How an output is opened: at which rate, in which pieces, and by nobody else.
 #include <pa_linux_alsa.h>
 #include <portaudio.h>
 
@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "devices/audio/audio_host.h"
+#include "devices/audio/audio_names.h"
 #include "devices/audio/audio_stream.h"
+#include "devices/audio/pulse_output.h"
 #include "devices/device/bounds.h"
 
 namespace tact {
@@ -36,14 +38,17 @@ bool is_alsa(int number) {
     return Pa_GetHostApiInfo(Pa_GetDeviceInfo(number)->hostApi)->type == paALSA;
 }
 
-// Ahead of other work, where the system allows it to this program.
-PaError start_ahead(PaStream* stream, bool is_alsa) {
-    if (!is_alsa) return Pa_StartStream(stream);
-    PaAlsa_EnableRealtimeScheduling(stream, 1);
-    const PaError fault = Pa_StartStream(stream);
-    if (fault == paNoError) return fault;
-    PaAlsa_EnableRealtimeScheduling(stream, 0);
-    return Pa_StartStream(stream);
+bool is_server(int number) {
+    return is_alsa(number) && is_sound_server("ALSA", Pa_GetDeviceInfo(number)->name);
+}
+
+OutputPort port_of(PaStream* stream) {
+    return {[stream] { return Pa_IsStreamActive(stream) == 1; },
+            [stream] { return Pa_GetStreamTime(stream); },
+            [stream] {
+                Pa_AbortStream(stream);
+                Pa_CloseStream(stream);
+            }};
 }
 
 // 48 kHz where the output takes it, as most run at it and need no second resampling.
@@ -64,6 +69,19 @@ std::string open_fault(const std::string& name, PaError fault) {
     }
     return name + " could not be opened: " + Pa_GetErrorText(fault);
 }
+
+// Ahead of other work, where the system allows it to this program.
+Expected<Done> start_ahead(PaStream* stream, bool is_alsa, const std::string& name) {
+    if (is_alsa) PaAlsa_EnableRealtimeScheduling(stream, 1);
+    PaError fault = Pa_StartStream(stream);
+    if (fault != paNoError && is_alsa) {
+        PaAlsa_EnableRealtimeScheduling(stream, 0);
+        fault = Pa_StartStream(stream);
+    }
+    if (fault != paNoError) return Error{open_fault(name, fault)};
+    return Done{};
+}
+
 }  // namespace
 
 Expected<Done> AudioStream::open(AudioHost& host) {
@@ -73,16 +91,66 @@ Expected<Done> AudioStream::open(AudioHost& host) {
             "start tactspace anew"};
     }
     host.make_room();
-    const std::string channel = place_.everywhere ? "" : " " + std::to_string(place_.channel);
-    Expected<ActuatorLock> lock = ActuatorLock::of(place_.id + channel, place_.name);
-    if (!lock) return lock.error();
-    lock_ = *std::move(lock);
+    if (auto alone = claim_channels(); !alone) return alone;
+    if (!place_.server_output.empty()) {
+        Expected<Done> opened = open_at_server(host.server());
+        if (!opened) close();
+        return opened;
+    }
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once(host.server());
     // A server that was started anew, a card that was taken out and put back.
-    if (!opened && stream_ == nullptr && host.refresh()) opened = open_once(host.server());
-    if (!opened) lock_ = {};
+    if (!opened && !port_ && host.refresh()) opened = open_once(host.server());
+    if (!opened) close();
     return opened;
+}
+
+// By what sounds, whatever name it was chosen by: an output of a sound server has several.
+Expected<Done> AudioStream::claim_channels() {
+    const std::string& output = place_.server_output;
+    const std::string id = output.empty() ? place_.id : "server " + output;
+    locks_.clear();
+    for (std::size_t channel = 0; channel < place_.channels; ++channel) {
+        if (!place_.everywhere && channel != place_.channel) continue;
+        Expected<ActuatorLock> lock =
+            ActuatorLock::of(id + " " + std::to_string(channel), place_.name);
+        if (!lock) return locks_.clear(), lock.error();
+        locks_.push_back(*std::move(lock));
+    }
+    return Done{};
+}
+
+// No callback runs: all of it may be made anew.
+void AudioStream::lay_out(double rate_hz, bool clock_tells_gaps) {
+    playback_.layout = {rate_hz, place_.channels, place_.channel, kCeiling, place_.everywhere};
+    playback_.layout.clock_tells_gaps = clock_tells_gaps;
+    playback_.own = {};
+    playback_.wanted = nullptr;
+    playback_.held = nullptr;
+    playback_.quiet_frames = 0;
+    playback_.cut = Cut::none;
+}
+
+// On that output as it was when it was chosen, and on no other one.
+Expected<Done> AudioStream::open_at_server(SoundServer& server) {
+    const std::string on = place_.name + " on \"" + place_.server_output + "\"";
+    const std::optional<ServerOutput> output = server.output_named(place_.server_output);
+    if (!output) {
+        return Error{on +
+                     " is not there: bring it back, or refresh the devices and choose another"};
+    }
+    if (output->channels.size() != place_.channels) {
+        return Error{on + " has " + std::to_string(output->channels.size()) +
+                     " channels now, not " + std::to_string(place_.channels) +
+                     ": refresh the devices and choose its channel again"};
+    }
+    lay_out(output->rate_hz, false);
+    playback_.layout.latency_s = place_.buffer_s;
+    Expected<OutputPort> port = open_pulse_output(*output, place_.buffer_s, playback_);
+    if (!port) return Error{on + " could not be opened: " + port.error().message};
+    port_ = *std::move(port);
+    note_calls();
+    return Done{};
 }
 
 Expected<Done> AudioStream::open_once(SoundServer& server) {
@@ -94,14 +162,9 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
     parameters.sampleFormat = paFloat32;
     parameters.suggestedLatency =
         std::max(place_.buffer_s, Pa_GetDeviceInfo(number)->defaultLowOutputLatency);
-    // No callback runs: all of it may be made anew.
-    playback_.layout = {rate_for(parameters), place_.channels, place_.channel, kCeiling,
-                        place_.everywhere};
-    playback_.own = {};
-    playback_.wanted = nullptr;
-    playback_.held = nullptr;
-    playback_.quiet_frames = 0;
-    playback_.cut = Cut::none;
+    // A card says itself where sound was missing. What lies behind a server's name does not, and
+    // JACK's clock is that of its frames.
+    lay_out(rate_for(parameters), is_server(number) || !is_alsa(number));
     const double periods = std::ceil(parameters.suggestedLatency / kPeriodS);
     if (is_alsa(number)) PaAlsa_SetNumPeriods(static_cast<int>(std::max(4.0, periods)));
     // At a server a stream is there as soon as it is opened.
@@ -113,34 +176,30 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
         Pa_OpenStream(&stream, nullptr, &parameters, playback_.layout.rate_hz,
                       paFramesPerBufferUnspecified, flags, audio_callback, &playback_);
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
-    stream_ = stream;
+    port_ = port_of(stream);
     playback_.layout.latency_s = believable(Pa_GetStreamInfo(stream)->outputLatency);
-    Expected<Done> started = start_stream(server, before, is_alsa(number));
-    if (!started) close();
+    Expected<Done> started = start_ahead(stream, is_alsa(number), place_.name);
+    note_calls();
+    if (started && is_alsa(number)) started = is_direct(server, before);
+    if (!started) {
+        port_->close();
+        port_.reset();
+    }
     return started;
 }
 
-Expected<Done> AudioStream::start_stream(SoundServer& server, const std::set<std::uint32_t>& before,
-                                         bool alsa) {
-    const PaError fault = start_ahead(stream_, alsa);
-    if (fault != paNoError) return Error{open_fault(place_.name, fault)};
-    note_calls();
-    return alsa ? find_behind(server, before) : Expected<Done>(Done{});
-}
-
-// Where a server has taken it to, and whether each channel is one of the output's own: a server
-// mixes what does not match. Nothing sounds before that is known.
-Expected<Done> AudioStream::find_behind(SoundServer& server,
-                                        const std::set<std::uint32_t>& before) {
-    server_stream_.reset();
-    behind_.reset();
+// A name of ALSA's that leads to a sound server under a name that does not tell: the server would
+// mix its channels by their positions, and may move it. Nothing sounds before that is known.
+Expected<Done> AudioStream::is_direct(SoundServer& server,
+                                      const std::set<std::uint32_t>& before) const {
     for (const std::uint32_t stream : server.own_streams()) {
-        if (!before.contains(stream)) server_stream_ = stream;
+        if (before.contains(stream)) continue;
+        const std::optional<ServerOutput> behind = server.output_of(stream);
+        if (!behind) continue;
+        return Error{
+            place_.name + " leads to \"" + behind->name +
+            "\" of the sound server, which may mix and move it: choose that output itself"};
     }
-    if (server_stream_) behind_ = server.output_of(*server_stream_);
-    if (!behind_ || behind_->channels == static_cast<int>(place_.channels)) return Done{};
-    return Error{place_.name + " plays on \"" + behind_->name + "\", which has " +
-                 std::to_string(behind_->channels) + " channels, not " +
-                 std::to_string(place_.channels) + ": it would mix them. Choose as many"};
+    return Done{};
 }
 }  // namespace tact

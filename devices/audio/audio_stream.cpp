@@ -1,7 +1,5 @@
 #include "devices/audio/audio_stream.h"
 
-#include <portaudio.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -61,7 +59,7 @@ void AudioStream::change() {
     const auto is_over = [&] {
         return change->serial <= stopped_.load() || change->serial < superseded_.load();
     };
-    if (!change || is_over() || stream_ == nullptr || !clip_) return;
+    if (!change || is_over() || !port_ || !clip_) return;
     if (clip_->serial != change->serial || !clip_->loop) return;
     const Drive& drive = change->drive;
     auto clip = std::make_unique<Clip>(clip_of(drive, playback_.layout.rate_hz, true));
@@ -125,9 +123,9 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
 
 bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
                        std::optional<double> rest_s) {
-    if (serial <= stopped_.load() || serial < superseded_.load()) return stream_ != nullptr;
-    if (stream_ != nullptr) settle_cut();
-    if (stream_ == nullptr) {
+    if (serial <= stopped_.load() || serial < superseded_.load()) return port_.has_value();
+    if (port_) settle_cut();
+    if (!port_) {
         note_rest(playback_.ledger, steady_s() - polled_at_s_);  // no callback runs
         const Expected<Done> opened = open(host);
         connected_ = static_cast<bool>(opened);
@@ -209,9 +207,8 @@ StreamState AudioStream::lose(const std::string& why) {
     }
     const auto closed = std::make_shared<std::promise<void>>();
     std::future<void> is_closed = closed->get_future();
-    std::thread([stream = std::exchange(stream_, nullptr), closed] {
-        Pa_AbortStream(stream);
-        Pa_CloseStream(stream);
+    std::thread([port = *std::exchange(port_, std::nullopt), closed] {
+        port.close();
         closed->set_value();
     }).detach();
     if (is_closed.wait_for(kClosePatience) != std::future_status::ready) return StreamState::stuck;
@@ -220,33 +217,22 @@ StreamState AudioStream::lose(const std::string& why) {
 }
 
 bool AudioStream::is_sounding() const {
-    if (stream_ == nullptr || !clip_ || playback_.ended.load() >= clip_->serial) return false;
+    if (!port_ || !clip_ || playback_.ended.load() >= clip_->serial) return false;
     return playback_.begun.load() >= clip_->serial || clip_->serial > stopped_.load();
 }
 
-bool AudioStream::was_moved(SoundServer& server) {
-    if (!server_stream_ || !behind_) return false;
-    const std::optional<ServerOutput> now = server.output_of(*server_stream_);
-    return now && now->number != behind_->number;
-}
-
-StreamState AudioStream::poll(SoundServer& server, bool changed) {
-    if (stream_ == nullptr) return StreamState::closed;
+StreamState AudioStream::poll() {
+    if (!port_) return StreamState::closed;
     if (playback_.cut == Cut::done) {
         close();
         return StreamState::closed;
     }
-    if (changed && was_moved(server)) {
-        return lose(
-            " is gone: the sound server has moved the pattern to another output, where it "
-            "was silenced");
-    }
-    if (Pa_IsStreamActive(stream_) != 1 || has_stalled()) {
+    if (!port_->is_active() || has_stalled()) {
         // The callback may have cut it since.
         if (playback_.cut == Cut::done) return close(), StreamState::closed;
         return lose(" is gone: it stopped taking sound, and nothing plays until it is back");
     }
-    clock_offset_s_ = Pa_GetStreamTime(stream_) - steady_s();
+    clock_offset_s_ = port_->time_s() - steady_s();
     free_clips();
     const double quiet_s =
         static_cast<double>(playback_.quiet_frames.load()) / playback_.layout.rate_hz;
@@ -263,16 +249,12 @@ void AudioStream::release() {
 
 // What is left to be played is silence: no need to wait for it.
 void AudioStream::close() {
-    if (stream_ != nullptr) {
-        Pa_AbortStream(stream_);
-        Pa_CloseStream(std::exchange(stream_, nullptr));
-    }
+    if (port_) port_->close();
+    port_.reset();
     playback_.wanted = nullptr;
     clip_.reset();
     retired_.clear();
-    server_stream_.reset();
-    behind_.reset();
-    lock_ = {};
+    locks_.clear();
 }
 
 void AudioStream::tell(const std::string& trouble) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/audio/output_port.h"
 #include "devices/audio/sound_server.h"
 #include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
@@ -38,6 +39,7 @@ class AudioStream {
         double latency_offset_s = 0.0;
         bool everywhere = false;  // on all channels instead
         double buffer_s = kBufferS;
+        std::string server_output{};  // of a sound server: that one and no other
     };
 
     explicit AudioStream(Place place) : place_(std::move(place)) {}
@@ -53,8 +55,7 @@ class AudioStream {
     // True: it is open, and needs to be polled. `rest_s`: after the end of what plays.
     bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
               std::optional<double> rest_s = {});
-    // `changed`: the sound server has moved a stream, perhaps this one.
-    StreamState poll(SoundServer& server, bool changed);
+    StreamState poll();
     // What the play of that serial, a loop, is changed into, the newest alone: of any one thread,
     // then of the host's.
     void keep_change(const Drive& drive);
@@ -87,12 +88,12 @@ class AudioStream {
     Expected<Done> open(AudioHost& host);
     Expected<Done> open_once(SoundServer& server);
     void note_calls();
-    Expected<Done> start_stream(SoundServer& server, const std::set<std::uint32_t>& before,
-                                bool alsa);
-    Expected<Done> find_behind(SoundServer& server, const std::set<std::uint32_t>& before);
+    Expected<Done> open_at_server(SoundServer& server);
+    Expected<Done> is_direct(SoundServer& server, const std::set<std::uint32_t>& before) const;
+    Expected<Done> claim_channels();
+    void lay_out(double rate_hz, bool clock_tells_gaps);
     void settle_cut();
     void start(std::unique_ptr<const Clip> clip, double duration_s);
-    bool was_moved(SoundServer& server);
     void free_clips();
     void tell(const std::string& trouble);
     bool has_stalled();
@@ -111,12 +112,10 @@ class AudioStream {
     std::vector<Asked> plays_;  // the one to be felt now, and what waits for its end
 
     // The host's thread's own.
-    void* stream_ = nullptr;
+    std::optional<OutputPort> port_;
     std::unique_ptr<const Clip> clip_;
     std::vector<Retired> retired_;
-    ActuatorLock lock_;
-    std::optional<std::uint32_t> server_stream_;  // its number at a sound server
-    std::optional<ServerOutput> behind_;          // where that goes
+    std::vector<ActuatorLock> locks_;  // of each channel that sounds
     bool released_ = false;
     std::uint64_t seen_calls_ = 0;
     double polled_at_s_ = 0.0;

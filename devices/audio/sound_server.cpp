@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <utility>
 
 namespace tact {
 
@@ -26,11 +25,28 @@ struct Answer {
     bool is_there = false;
 };
 
+ServerOutput output_of_info(const pa_sink_info& info) {
+    ServerOutput output;
+    output.number = info.index;
+    output.name = info.name;
+    output.description = info.description != nullptr ? info.description : info.name;
+    for (std::uint8_t k = 0; k < info.channel_map.channels; ++k) {
+        const char* position = pa_channel_position_to_string(info.channel_map.map[k]);
+        output.channels.emplace_back(position != nullptr ? position : "");
+    }
+    output.rate_hz = info.sample_spec.rate;
+    return output;
+}
+
 void take_output(pa_context*, const pa_sink_info* info, int end, void* self) {
     auto& answer = *static_cast<Answer<std::optional<ServerOutput>>*>(self);
-    if (info != nullptr) {
-        answer.value = ServerOutput{info->index, info->name, info->sample_spec.channels};
-    }
+    if (info != nullptr) answer.value = output_of_info(*info);
+    if (end != 0) answer.is_there = true;
+}
+
+void take_outputs(pa_context*, const pa_sink_info* info, int end, void* self) {
+    auto& answer = *static_cast<Answer<std::vector<ServerOutput>>*>(self);
+    if (info != nullptr) answer.value.push_back(output_of_info(*info));
     if (end != 0) answer.is_there = true;
 }
 
@@ -54,10 +70,6 @@ void take_stream(pa_context*, const pa_sink_input_info* info, int end, void* sel
     auto& answer = *static_cast<Answer<std::optional<std::uint32_t>>*>(self);
     if (info != nullptr) answer.value = info->sink;
     if (end != 0) answer.is_there = true;
-}
-
-void note_change(pa_context*, pa_subscription_event_type_t, std::uint32_t, void* self) {
-    *static_cast<bool*>(self) = true;
 }
 
 // An operation that is let go of takes its answer along: that may not live any more.
@@ -101,10 +113,6 @@ bool SoundServer::reach() {
     while (pa_context_get_state(context_) != PA_CONTEXT_READY) {
         if (now_s() >= until_s || !turn(until_s - now_s())) return leave(), false;
     }
-    pa_context_set_subscribe_callback(context_, note_change, &changed_);
-    pa_operation* asked =
-        pa_context_subscribe(context_, PA_SUBSCRIPTION_MASK_SINK_INPUT, nullptr, nullptr);
-    if (asked != nullptr) pa_operation_unref(asked);
     return true;
 }
 
@@ -121,10 +129,25 @@ std::optional<ServerOutput> SoundServer::usual_output() {
         while (!name.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
         let_go(asked);
     }
-    if (name.value.empty()) return {};
+    return name.value.empty() ? std::nullopt : output_named(name.value);
+}
+
+std::vector<ServerOutput> SoundServer::outputs() {
+    if (!reach()) return {};
+    Answer<std::vector<ServerOutput>> outputs;
+    const double until_s = now_s() + kPatienceS;
+    pa_operation* asked = pa_context_get_sink_info_list(context_, take_outputs, &outputs);
+    while (!outputs.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
+    let_go(asked);
+    return outputs.value;
+}
+
+std::optional<ServerOutput> SoundServer::output_named(const std::string& name) {
+    if (!reach()) return {};
     Answer<std::optional<ServerOutput>> output;
+    const double until_s = now_s() + kPatienceS;
     pa_operation* asked =
-        pa_context_get_sink_info_by_name(context_, name.value.c_str(), take_output, &output);
+        pa_context_get_sink_info_by_name(context_, name.c_str(), take_output, &output);
     while (!output.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
     let_go(asked);
     return output.value;
@@ -153,12 +176,6 @@ std::optional<ServerOutput> SoundServer::output_of(std::uint32_t stream) {
     while (!output.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
     let_go(asked);
     return output.value;
-}
-
-bool SoundServer::has_changed() {
-    if (context_ == nullptr) return false;
-    if (!turn(0.0)) leave();
-    return std::exchange(changed_, false);
 }
 
 }  // namespace tact

@@ -1,10 +1,8 @@
-// What PortAudio does not tell of a PulseAudio server, or of PipeWire in its place: which of its
-// outputs takes our sound, how many channels that one has, and when the server moves us to another.
-//
-// A server moves a stream when the output it is on goes away; on the next one may hang anything.
+// What a PulseAudio server, or PipeWire in its place, tells of its outputs: their names, which
+// channels each has, in its own order, and which one takes what does not say where it goes.
 //
 // Source    libpulse's asynchronous API, run by hand: it has no thread of its own here
-// Left out  starting a server; outputs of PipeWire that are reached by its own plugin of ALSA.
+// Left out  starting a server; playing: devices/audio/pulse_output.h.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 struct pa_context;
 struct pa_mainloop;
@@ -20,8 +19,10 @@ namespace tact {
 
 struct ServerOutput {
     std::uint32_t number = 0;
-    std::string name;  // "alsa_output.usb-...": as PULSE_SINK takes it
-    int channels = 0;
+    std::string name;                   // "alsa_output.usb-...": as PULSE_SINK takes it
+    std::string description;            // as a person knows it
+    std::vector<std::string> channels;  // their positions: "front-left", "aux0"
+    std::uint32_t rate_hz = 48'000;
 
     bool operator==(const ServerOutput&) const = default;
 };
@@ -37,12 +38,12 @@ class SoundServer {
 
     // Where a stream goes that does not say where.
     std::optional<ServerOutput> usual_output();
+    std::vector<ServerOutput> outputs();
+    std::optional<ServerOutput> output_named(const std::string& name);
     // The streams of this process that make sound there.
     std::set<std::uint32_t> own_streams();
     // Of one of them; none: it or the server is gone, or does not answer.
     std::optional<ServerOutput> output_of(std::uint32_t stream);
-    // Whether anything of a stream has changed since this was asked last. Does not wait.
-    bool has_changed();
 
   private:
     bool reach();
@@ -51,7 +52,6 @@ class SoundServer {
 
     pa_mainloop* loop_ = nullptr;
     pa_context* context_ = nullptr;
-    bool changed_ = false;
 };
 
 }  // namespace tact

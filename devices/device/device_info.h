@@ -20,15 +20,22 @@ struct DeviceInfo {
     std::string interface;              // that it is reached by: "ALSA", "JACK", "Bluetooth"
     std::vector<std::string> channels;  // their names; empty: it has none to choose from
     // A sound server takes any number of channels, and mixes what its output has not. Where it says
-    // which output that is, `channels` are those of it; else a person has to know.
+    // which output that is, `channels` are those of it, in its order, and that output alone is
+    // played on; else a person has to know.
     bool is_server = false;
     std::string server_output{};  // empty: it does not say
+    std::string output_name{};    // of that output, as a person knows it
     double rate_hz = 0.0;
     double latency_s = 0.0;
     std::string trouble;  // why it cannot play now: a sentence a person can act on
 
     bool operator==(const DeviceInfo&) const = default;
 };
+
+// What tells apart where the sound comes out: two devices of one place are two names of one output.
+inline std::string place_of_sound(const DeviceInfo& device) {
+    return device.server_output.empty() ? device.id : "server " + device.server_output;
+}
 
 // What a person has chosen of a device, to be remembered.
 struct DeviceChoice {

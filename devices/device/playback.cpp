@@ -252,7 +252,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     Playback::Own& own = playback.own;
     std::fill_n(interleaved, frames * layout.channels, 0.0F);
     // One gap may show in both.
-    const bool has_gap = has_leapt(playback, heard_s) || broke_off;
+    const bool has_gap = (has_leapt(playback, heard_s) && layout.clock_tells_gaps) || broke_off;
     if (has_gap && is_under_way(playback)) {
         notes_of(playback, own.clip->serial).dropouts.fetch_add(1, std::memory_order_relaxed);
     }

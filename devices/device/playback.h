@@ -15,8 +15,7 @@
 //           on from where it is: with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before
 //           + w after, which is never above the larger one, nor steps by more than the two do and
 //           their difference / 600.
-// Left out  gaps that leave the output's clock as it was: of a period that comes just too late
-//           PulseAudio plays silence and drops it, without a word;
+// Left out  gaps that nobody tells and that leave the output's clock as it was;
 //           starting in the middle of a clip; ramps of a pattern's own start and end
 //           (devices/device/protection.h).
 // Exact     at a settled level each frame is sample * level, rounded once; where nothing was played
@@ -51,6 +50,9 @@ struct StreamLayout {
     double ceiling = kCeiling;
     bool everywhere = false;  // on all channels instead
     double latency_s = 0.0;   // between a frame's rendering and its being heard
+    // A leap of the output's clock is a gap. Not where the library tells of gaps itself: what it
+    // takes its latency for changes by itself, as when a recorder comes to the same output.
+    bool clock_tells_gaps = true;
 };
 
 // How one play went.

@@ -9,6 +9,7 @@
 //     capture lines RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...    a sum of sines, and whole
 //     capture middle RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...   the same, 0.3 s from its ends
 //     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
+//     capture peaks RAW CHANNELS CHANNEL        prints the largest sample of it, and of all others
 //     capture signal NUMBER PID                 sends it, prints when
 //     capture now                               prints when
 //     capture changes RAW STAMPS CHANNELS CHANNEL HZ SINCE...   a loop of this tone was made
@@ -262,6 +263,24 @@ int record_jack(const std::vector<std::string>& words) {
     return 0;
 }
 
+int peaks(const std::vector<std::string>& words) {
+    std::ifstream raw(words[0], std::ios::binary);
+    const auto channels = static_cast<std::size_t>(std::stoi(words[1]));
+    const auto channel = static_cast<std::size_t>(std::stoi(words[2]) - 1);
+    std::vector<float> frame(channels);
+    float of_channel = 0.0F;
+    float of_others = 0.0F;
+    const auto bytes = static_cast<std::streamsize>(channels * sizeof(float));
+    while (raw.read(reinterpret_cast<char*>(frame.data()), bytes)) {
+        for (std::size_t k = 0; k < channels; ++k) {
+            float& most = k == channel ? of_channel : of_others;
+            most = std::max(most, std::abs(frame[k]));
+        }
+    }
+    std::printf("%.7g %.7g\n", static_cast<double>(of_channel), static_cast<double>(of_others));
+    return 0;
+}
+
 int send_signal(const std::vector<std::string>& words) {
     std::printf("%.6f\n", monotonic_s());
     return kill(std::stoi(words[1]), std::stoi(words[0])) == 0 ? 0 : 1;
@@ -283,6 +302,7 @@ int main(int argc, char** argv) {
     if (what == "lines" && rest.size() >= 5) return lines(rest, 1200);
     if (what == "middle" && rest.size() >= 5) return lines(rest, 14'400);
     if (what == "gap" && rest.size() == 3) return gap(rest);
+    if (what == "peaks" && rest.size() == 3) return peaks(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
     if (what == "changes" && rest.size() >= 6) return heard_changes(rest);

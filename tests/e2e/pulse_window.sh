@@ -32,7 +32,6 @@ choose_output() {
     until_true "the output is listed" shows "choose:$output"
     click "choose:$output"
     until_true "it is chosen" is_chosen "$output"
-    choose outputs 4
     choose channel "2, front right"
     click button:close
     until_true "the bar names it" says device ", 2"

@@ -24,6 +24,15 @@ std::string channels_text(const DeviceInfo& device) {
     return device.channels.empty() ? "-" : std::to_string(device.channels.size());
 }
 
+// "1 front left, 2 front right".
+std::string numbered(const std::vector<std::string>& channels) {
+    std::string text;
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        text += (k > 0 ? ", " : "") + std::to_string(k + 1) + " " + channels[k];
+    }
+    return text;
+}
+
 std::string table_of(const std::vector<DeviceInfo>& devices) {
     std::vector<TextRow> rows{{"device", "by", "channels", "rate Hz", "latency ms"}};
     for (const DeviceInfo& device : devices) {
@@ -35,8 +44,8 @@ std::string table_of(const std::vector<DeviceInfo>& devices) {
     std::string text = aligned(rows);
     for (const DeviceInfo& device : devices) {
         if (!device.server_output.empty()) {
-            text += "\n" + device.name + " plays on its output \"" + device.server_output +
-                    "\"; PULSE_SINK=NAME tactspace ... chooses another\n";
+            text += "\n" + device.id + " plays on \"" + device.server_output + "\", " +
+                    device.output_name + ": " + numbered(device.channels) + "\n";
         }
         if (!device.trouble.empty()) text += "\n" + device.name + ": " + device.trouble + "\n";
     }
@@ -51,6 +60,7 @@ nlohmann::json json_of(const DeviceInfo& device) {
             {"channels", device.channels},
             {"is_server", device.is_server},
             {"server_output", device.server_output},
+            {"output_name", device.output_name},
             {"rate_hz", device.rate_hz},
             {"latency_s", device.latency_s},
             {"trouble", device.trouble}};
@@ -61,6 +71,9 @@ nlohmann::json json_of(const DeviceInfo& device) {
 Expected<Done> run(const DevicesCommand& command) {
     AudioHost host;
     const std::vector<DeviceInfo> devices = list_devices(host);
+    if (const std::string fault = cards_fault(host); !fault.empty()) {
+        std::cerr << "tactspace: " << fault << "\n";
+    }
     if (command.json) {
         nlohmann::json list = nlohmann::json::array();
         for (const DeviceInfo& device : devices) list.push_back(json_of(device));

@@ -1,5 +1,6 @@
 // tactspace play: patterns on an actuator, one or all of them.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -29,11 +30,27 @@ struct Chosen {
     DeviceChoice choice;
 };
 
+// What is left are different outputs.
+void drop_second_names(std::vector<DeviceInfo>& devices) {
+    std::vector<DeviceInfo> kept;
+    for (const DeviceInfo& device : devices) {
+        const auto is_same = [&](const DeviceInfo& other) {
+            return place_of_sound(other) == place_of_sound(device);
+        };
+        if (std::ranges::none_of(kept, is_same)) kept.push_back(device);
+    }
+    devices = std::move(kept);
+}
+
 // The device that was asked for; without a word, the only one there is.
 Expected<Chosen> chosen_device(const PlayCommand& command, AudioHost& host) {
-    const std::vector<DeviceInfo> devices = list_devices(host);
+    std::vector<DeviceInfo> devices = list_devices(host);
+    if (command.device.empty()) drop_second_names(devices);
     // Of several none is better than another: the empty name is part of every one.
     const Expected<DeviceInfo> device = find_device(devices, command.device);
+    if (const std::string fault = cards_fault(host); !fault.empty()) {
+        std::cerr << "tactspace: " << fault << "\n";
+    }
     if (!device && command.device.empty() && devices.size() > 1) {
         std::string names;
         for (const DeviceInfo& each : devices) names += "\n  --device \"" + each.id + "\"";
@@ -125,11 +142,19 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
     return {vibration.name, std::move(driven.drive)};
 }
 
+// "3", "3, rear left".
+std::string channel_text(const Chosen& chosen) {
+    const std::string number = std::to_string(chosen.choice.channel);
+    const auto at = static_cast<std::size_t>(chosen.choice.channel - 1);
+    if (at >= chosen.info.channels.size() || chosen.info.channels[at] == number) return number;
+    return number + ", " + chosen.info.channels[at];
+}
+
 void announce(const PlayCommand& command, const Chosen& chosen, bool is_calibrated) {
     const DeviceInfo& device = chosen.info;
     std::cerr << "tactspace: playing on " << device.name;
     if (!device.server_output.empty()) std::cerr << " (" << device.server_output << ")";
-    if (!device.channels.empty()) std::cerr << ", channel " << chosen.choice.channel;
+    if (!device.channels.empty()) std::cerr << ", channel " << channel_text(chosen);
     if (is_calibrated) {
         std::cerr << ", calibrated by " << command.calibration.string() << "\n";
     } else {
