@@ -34,17 +34,26 @@ Expected<Done> open_masking(const PlayState& play, StudyState& studying,
     return Done{};
 }
 
+// By what sounds: one output may have several names.
+std::string actuator_place(const PlayState& play) {
+    for (const DeviceInfo& device : *play.listed) {
+        if (device.id == play.choice.id) return place_of_sound(device);
+    }
+    return play.choice.id;
+}
+
 }  // namespace
 
 Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones) {
     if (!play.listed) return Error{"devices are still being looked for"};
+    const std::string actuator = actuator_place(play);
     const DeviceInfo* wanted = nullptr;
     std::size_t outputs = 0;
     std::size_t others = 0;
     for (const DeviceInfo& device : *play.listed) {
         if (device.kind != DeviceKind::audio) continue;
         ++outputs;
-        others += device.id != play.choice.id ? 1 : 0;
+        others += place_of_sound(device) != actuator ? 1 : 0;
         if (device.id == headphones) wanted = &device;
     }
     if (outputs == 0) return Error{"there is no sound output"};
@@ -54,7 +63,8 @@ Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& he
     if (headphones.empty()) {
         return Error{"no output is chosen for the headphones in the study's design"};
     }
-    if (headphones == play.choice.id) {
+    if (headphones == play.choice.id ||
+        (wanted != nullptr && place_of_sound(*wanted) == actuator)) {
         return Error{"the headphones' output is the actuator's: choose another one"};
     }
     if (wanted == nullptr) {

@@ -84,6 +84,22 @@ TEST_CASE("masking: the actuator's own output is none, not even where it is the 
     CHECK(why_not(with_outputs({}, ""), "audio/test/ears") == "there is no sound output");
 }
 
+TEST_CASE("masking: an output is the actuator's by whichever of its names it was chosen") {
+    DeviceInfo usual = output("pulse");
+    usual.server_output = "amplifier";
+    DeviceInfo amplifier = output("amplifier");
+    amplifier.server_output = "amplifier";
+    DeviceInfo ears = output("ears");
+    ears.server_output = "headset";
+    const std::string refused = "the headphones' output is the actuator's: choose another one";
+    CHECK(why_not(with_outputs({usual, amplifier, ears}, usual.id), amplifier.id) == refused);
+    CHECK(why_not(with_outputs({usual, amplifier, ears}, amplifier.id), usual.id) == refused);
+    CHECK(why_not(with_outputs({usual, amplifier, ears}, usual.id), ears.id).empty());
+    const PlayState one = with_outputs({usual, amplifier}, usual.id);
+    CHECK(why_not(one, amplifier.id) ==
+          "the only sound output is the actuator's: headphones need a second one");
+}
+
 TEST_CASE("masking: a controller as actuator leaves the only sound output to the headphones") {
     DeviceInfo pad;
     pad.id = "hid:pad";
