@@ -31,6 +31,8 @@ void refresh_devices(PlayState& play) {
     if (play.list_job) play.list_job->submit(++play.lists_asked);
 }
 
+void begin_softly(PlayState& play) { play.level = std::min(play.level, kFirstLevel); }
+
 void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoice& choice) {
     if (choice == play.choice) return;
     if (play.held) return say(ui, "A study is under way: its device stays");
@@ -43,9 +45,11 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
         play.choices.insert(play.choices.begin(), play.choice);
     }
     std::erase_if(play.choices, same(choice.id));
-    // What is a weak level on one actuator may be a strong one on the next.
-    const bool is_other = choice.id != play.choice.id || choice.channel != play.choice.channel;
-    if (is_other) play.level = std::min(play.level, kFirstLevel);
+    // What is a weak level on one actuator, or by one calibration, may be a strong one on the next.
+    const bool is_other = choice.id != play.choice.id || choice.channel != play.choice.channel ||
+                          choice.of_channels != play.choice.of_channels ||
+                          choice.calibration != play.choice.calibration;
+    if (is_other) begin_softly(play);
     play.choice = choice;
     play.opened = {};
     play.device.reset();
@@ -70,6 +74,23 @@ std::optional<DeviceInfo> chosen_device(const PlayState& play) {
     return {};
 }
 
+namespace {
+
+// "PulseAudio on Headphones": by which name it was chosen, and what that is now.
+std::string name_with_output(const DeviceInfo& info) {
+    if (info.output_name.empty() || info.name.starts_with(info.output_name)) return info.name;
+    return info.name + " on " + info.output_name;
+}
+
+// ", front left"; empty where it has a number alone.
+std::string channel_name(const DeviceInfo& info, int channel) {
+    const auto at = static_cast<std::size_t>(channel - 1);
+    if (at >= info.channels.size() || info.channels[at] == std::to_string(channel)) return {};
+    return ", " + info.channels[at];
+}
+
+}  // namespace
+
 std::string device_text(const PlayState& play) {
     if (play.choice.id.empty()) {
         const bool is_any = play.listed && !play.listed->empty();
@@ -81,7 +102,9 @@ std::string device_text(const PlayState& play) {
     const std::string name =
         info ? info->name : play.choice.id.substr(play.choice.id.rfind('/') + 1);
     if (info && info->channels.empty()) return name;
-    return name + ", " + std::to_string(play.choice.channel);
+    const std::string number = std::to_string(play.choice.channel);
+    return (info ? name_with_output(*info) : name) + ", " + number +
+           (info ? channel_name(*info, play.choice.channel) : "");
 }
 
 std::string device_trouble(const PlayState& play) {

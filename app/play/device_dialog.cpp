@@ -18,8 +18,9 @@ namespace {
 // "ALSA, 4 channels, 48000 Hz, 8.7 ms": what is known of it.
 std::string facts_of(const DeviceInfo& device) {
     std::string text = device.interface;
-    if (device.is_server) {
-        text += ", a sound server: it may move what plays to another output when its own goes";
+    if (!device.server_output.empty()) text += ", on \"" + device.output_name + "\"";
+    if (device.is_server && device.server_output.empty()) {
+        text += ", a sound server that does not say which output it plays on";
     } else if (!device.channels.empty()) {
         const std::size_t count = device.channels.size();
         text += ", " + std::to_string(count) + (count == 1 ? " channel" : " channels");
@@ -102,7 +103,7 @@ void draw_channel(Ui& ui, const DeviceInfo& device, DeviceChoice& choice) {
     }
     int channel = choice.channel - 1;
     if (draw_combo(ui, "Channel", "##channel", names, channel)) choice.channel = channel + 1;
-    if (!device.is_server) return;
+    if (!device.is_server || !device.server_output.empty()) return;
     constexpr int kCounts[] = {0, 1, 2, 4, 6, 8};
     const std::vector<std::string> counts{"2, or as many as needed", "1", "2", "4", "6", "8"};
     int at = 0;
@@ -190,7 +191,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     note_item(ui.rects, "uncalibrated");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     dim_text(ui, "what is felt in g is not known");
-    draw_check(ui.theme, "Protect the actuator", play.is_protected);
+    if (draw_check(ui.theme, "Protect the actuator", play.is_protected)) begin_softly(play);
     note_item(ui.rects, "check:protect", play.is_protected ? "on" : "off");
     draw_tooltip(ui,
                  "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "

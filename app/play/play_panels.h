@@ -22,10 +22,10 @@ float transport_height(const Ui& ui);
 void draw_transport_bar(Ui& ui, Workspace& work, Timeline& timeline, ShownMap& shown_map,
                         const RenderingState& rendered, PlayState& play, const Rect& area);
 
-// Of the bar: device, level, meter, clip light; without `level` the device alone.
-// Without `level` its controls, without `wide` most of the device's name is left out.
+// Of the bar: device, level, meter, clip light. Without `meter` that and the light, without `wide`
+// most of the device's name is left out; the level stays.
 struct SoundParts {
-    bool level = true;
+    bool meter = true;
     bool wide = true;
 };
 void draw_sound_controls(Ui& ui, Timeline& timeline, PlayState& play, SoundParts parts);

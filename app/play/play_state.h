@@ -44,6 +44,9 @@ struct Sounding {
     bool while_held = false;                // until the mouse lets go of as_played
     bool has_begun = false;                 // on the device: another drive is a change of it
     std::uint64_t first_drive = 0;          // number of the request that it began with
+    bool next_was_asked = false;            // of the device, to begin after this one by itself
+    std::optional<Vibration> next{};        // what it took
+    DrivenBy next_by{};                     // ... and what the drive of that was made by
 };
 
 using Listing = std::vector<DeviceInfo>;
@@ -89,6 +92,7 @@ struct PlayState {
 
     std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
     DeviceChoice opened;             // as which it was opened
+    std::string opened_place;        // ... and where that sounds
     std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
     std::string calibration_read;                    // the file it is from, or that was no good
     OwnedJob<DriveRequest, MadeDrive> drive_job;     // of calibrated ones

@@ -24,6 +24,14 @@ const Vibration* vibration_named(const Workspace& work, const std::string& name)
     return place ? &work.document.set.vibrations[*place] : nullptr;
 }
 
+void show_current(Workspace& work, Timeline& timeline, const Sounding& sounding) {
+    timeline.playhead.playing = true;
+    timeline.playhead.at_s = 0.0;
+    if (!sounding.selects) return;
+    select_only(work, *place_named(work.document.set, sounding.as_played.name));
+    work.selection.scroll_to_current = true;
+}
+
 // The pattern of the queue that is to sound now; one that was removed ends it all.
 void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
@@ -36,12 +44,9 @@ void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) 
     sounding.position_s = 0.0;
     sounding.as_played = *vibration;
     sounding.has_begun = false;
-    timeline.playhead.playing = true;
-    timeline.playhead.at_s = 0.0;
-    if (sounding.selects) {
-        select_only(work, *place_named(work.document.set, vibration->name));
-        work.selection.scroll_to_current = true;
-    }
+    sounding.next_was_asked = false;
+    sounding.next.reset();
+    show_current(work, timeline, sounding);
     play_vibration(ui, timeline, play, *vibration);
 }
 
@@ -59,8 +64,56 @@ void end(Timeline& timeline, PlayState& play) {
     timeline.playhead.playing = false;
 }
 
+// The place in the queue after this one; none: it is the last.
+std::optional<std::size_t> next_place(const Sounding& sounding) {
+    if (sounding.at + 1 < sounding.names.size()) return sounding.at + 1;
+    return sounding.repeats ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+// The next one is given to the device while this one sounds: the pause between them is then the
+// stream's, to the sample, and does not wait for a frame. What takes long to render, and a device
+// that cannot, wait for the frame.
+void ask_for_next(Ui& ui, const Workspace& work, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    if (sounding.next_was_asked || !sounding.is_prepared || sounding.names.size() < 2) return;
+    const std::optional<std::size_t> at = next_place(sounding);
+    const Vibration* next = at ? vibration_named(work, sounding.names[*at]) : nullptr;
+    sounding.next_was_asked = true;
+    if (next == nullptr) return;
+    const DriveRequest request = drive_request(play, *next);
+    if (!is_made_at_once(request)) return;
+    const MadeDrive made = made_drive(request);
+    if (!play.device->play_after(made.drive, play.gap_s)) return;
+    sounding.next = *next;
+    sounding.next_by = request.by;
+    if (!made.remark.empty()) say(ui, made.remark);
+}
+
+// True: what the device had taken begins. It was edited, removed or swapped meanwhile: false, and
+// it does not sound.
+bool take_next(Workspace& work, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    const std::optional<Vibration> taken = std::exchange(sounding.next, std::nullopt);
+    if (!taken) return false;
+    const std::optional<std::size_t> at = next_place(sounding);
+    const Vibration* wanted = at ? vibration_named(work, sounding.names[*at]) : nullptr;
+    if (wanted == nullptr || *wanted != *taken ||
+        drive_request(play, *wanted).by != sounding.next_by) {
+        play.device->stop();
+        return false;
+    }
+    sounding.at = *at;
+    sounding.as_played = *taken;
+    sounding.driven_by = sounding.next_by;
+    sounding.position_s = 0.0;
+    sounding.next_was_asked = false;
+    show_current(work, timeline, sounding);
+    return true;
+}
+
 // What comes after a pattern that has been felt to its end.
 void advance(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    if (take_next(work, timeline, play)) return;
     Sounding& sounding = *play.sounding;
     const bool is_last = sounding.at + 1 >= sounding.names.size();
     if (is_last && !sounding.repeats) return end(timeline, play);
@@ -93,6 +146,7 @@ void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play)
     if (!sounding.is_prepared && !play.status.playing) return;
     if (!play.status.playing || sounding.rests_until_s) return advance(ui, work, timeline, play);
     if (sounding.names.empty()) return;
+    ask_for_next(ui, work, play);
     follow_selection(ui, work, timeline, play);
     sounding.position_s = play.status.position_s;
     timeline.playhead.at_s = play.status.position_s;
@@ -111,12 +165,25 @@ void open_chosen(Ui& ui, PlayState& play) {
     if (!info || !play.audio) return;
     auto device = open_device(play.audio, *info, wanted);
     play.opened = wanted;
+    play.opened_place = place_of_sound(*info);
     if (device) {
         play.device = std::move(*device);
     } else {
         play.device.reset();
         complain(ui, device.error().message);
     }
+}
+
+// The same name may lead to another output now, as it was listed anew: that is another device.
+void follow_place(Timeline& timeline, PlayState& play) {
+    const std::optional<DeviceInfo> info = chosen_device(play);
+    if (!play.device || !info || info->kind != DeviceKind::audio) return;
+    if (play.opened_place.empty() || play.opened_place == place_of_sound(*info)) return;
+    if (play.held || play.gapless) return;  // a study's device stays
+    silence(timeline, play);
+    begin_softly(play);
+    play.opened = {};
+    play.device.reset();
 }
 
 // A computer that does not keep up is given more time, and the person is told what that costs.
@@ -234,6 +301,7 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
         if (auto listed = play.list_job->latest()) play.listed = std::move(listed);
     }
     follow_calibration(ui, work, rendered, play);
+    follow_place(timeline, play);
     open_chosen(ui, play);
     follow_status(ui, timeline, play);
     if (play.sounding) {

@@ -41,6 +41,9 @@ void refresh_devices(PlayState& play);
 void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoice& choice);
 
 // How a device was chosen the last time; as its first channel where it never was.
+// What a level means has changed: nobody is startled.
+void begin_softly(PlayState& play);
+
 DeviceChoice remembered_choice(const PlayState& play, const std::string& id);
 
 // What is known of the chosen device; none: it is not there, or none is chosen.

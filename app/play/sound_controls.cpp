@@ -16,7 +16,7 @@ namespace tact {
 
 namespace {
 
-constexpr float kDeviceWidthPx = 132.0F;
+constexpr float kDeviceWidthPx = 176.0F;
 constexpr float kNarrowDeviceWidthPx = 64.0F;
 constexpr float kLevelWidthPx = 176.0F;
 constexpr float kMeterWidthPx = 64.0F;
@@ -156,18 +156,20 @@ void draw_clip_light(Ui& ui, PlayState& play) {
 
 float sound_controls_width(const Ui& ui, const PlayState& play, SoundParts parts) {
     float width = device_width(ui, parts.wide);
-    if (parts.level && is_device_chosen(play)) {
-        width += (kLevelWidthPx + kMeterWidthPx + 2.0F * kLightPx) * ui.theme.scale +
-                 2.5F * ui.theme.gap_px;
+    if (!is_device_chosen(play)) return width;
+    width += kLevelWidthPx * ui.theme.scale + ui.theme.gap_px;
+    if (parts.meter) {
+        width += (kMeterWidthPx + 2.0F * kLightPx) * ui.theme.scale + 1.5F * ui.theme.gap_px;
     }
     return width;
 }
 
 void draw_sound_controls(Ui& ui, Timeline& timeline, PlayState& play, SoundParts parts) {
     draw_device_button(ui, timeline, play, parts.wide);
-    if (!parts.level || !is_device_chosen(play)) return;
+    if (!is_device_chosen(play)) return;
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_level(ui, play);
+    if (!parts.meter) return;
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_meter(ui, play);
     ImGui::SameLine(0.0F, 0.5F * ui.theme.gap_px);

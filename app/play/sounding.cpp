@@ -31,13 +31,17 @@ void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive,
     complain(ui, begun.error().message);
 }
 
+bool is_made_at_once(const DriveRequest& request) {
+    const auto* pattern = std::get_if<Pattern>(&request.vibration.source);
+    const bool is_long = pattern != nullptr && pattern->duration_s > kLongestAtOnceS;
+    return !request.by.calibration && !is_long;
+}
+
 void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration) {
     DriveRequest request = drive_request(play, vibration);
     request.loops = play.sounding->loops;
     play.sounding->driven_by = request.by;
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    const bool is_long = pattern != nullptr && pattern->duration_s > kLongestAtOnceS;
-    if (!request.by.calibration && !is_long) {
+    if (is_made_at_once(request)) {
         const MadeDrive made = made_drive(request);
         if (!made.remark.empty()) say(ui, made.remark);
         return play_drive(ui, timeline, play, made.drive, play.sounding->loops);

@@ -14,6 +14,9 @@ double level_now(const PlayState& play);
 // Something is to sound (play.sounding). The first drive of it begins, the next ones change it.
 void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop);
 
+// Whether its drive takes a few milliseconds at most: then no job computes it.
+bool is_made_at_once(const DriveRequest& request);
+
 // At once, or when its drive is computed; until then what sounded goes on.
 void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration);
 

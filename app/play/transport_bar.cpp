@@ -109,27 +109,28 @@ struct BarParts {
     bool whole = true;
     bool range = true;
     bool pair_names = true;
-    bool level = true;
+    bool meter = true;
     bool speeds = true;
     bool steps = true;
     bool wide_device = true;
     bool loop = true;
     bool computing = true;
 };
+// The level is not among them, nor what stops: they can be seen at every size of text.
 constexpr std::array<bool BarParts::*, 10> kFirstToGo{&BarParts::computing_in_full,
                                                       &BarParts::whole,
                                                       &BarParts::range,
                                                       &BarParts::pair_names,
-                                                      &BarParts::level,
+                                                      &BarParts::meter,
                                                       &BarParts::speeds,
                                                       &BarParts::steps,
                                                       &BarParts::wide_device,
                                                       &BarParts::loop,
                                                       &BarParts::computing};
 
-constexpr std::array<bool BarParts::*, 5> kButtonsToGo{&BarParts::pair_names, &BarParts::level,
-                                                       &BarParts::speeds, &BarParts::steps,
-                                                       &BarParts::wide_device};
+constexpr std::array<bool BarParts::*, 6> kButtonsToGo{&BarParts::pair_names,  &BarParts::meter,
+                                                       &BarParts::speeds,      &BarParts::steps,
+                                                       &BarParts::wide_device, &BarParts::loop};
 
 constexpr const char* kShowAll = "Show all";
 
@@ -152,7 +153,7 @@ float buttons_width(const Ui& ui, const PlayState& play, const BarParts& parts) 
         for (const Speed& speed : kSpeeds) sum += button_width(speed.text) + 0.5F * gap;
     }
     return sum + ui.theme.padding_px +
-           sound_controls_width(ui, play, {parts.level, parts.wide_device});
+           sound_controls_width(ui, play, {parts.meter, parts.wide_device});
 }
 
 // The time and what comes after it, which comes and goes.
@@ -308,7 +309,7 @@ void draw_transport_bar(Ui& ui, Workspace& work, Timeline& timeline, ShownMap& s
                                              area.width() - 2.0F * ui.theme.padding_px);
         draw_buttons(ui, work, timeline, shown_map, play, parts);
         ImGui::SameLine(0.0F, ui.theme.padding_px);
-        draw_sound_controls(ui, timeline, play, {parts.level, parts.wide_device});
+        draw_sound_controls(ui, timeline, play, {parts.meter, parts.wide_device});
         if (parts.speeds) {
             ImGui::SameLine(0.0F, ui.theme.padding_px);
             draw_speeds(ui, work, timeline, shown_map, play);

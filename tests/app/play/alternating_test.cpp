@@ -1,6 +1,11 @@
 // A|B says which two it plays, and swaps them; digits play what was picked.
 #include <doctest/doctest.h>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/document/editing.h"
 #include "app/subset/subset_follow.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
@@ -9,6 +14,41 @@
 namespace alternating_test {
 
 using namespace tact;
+
+namespace {
+
+// As an output is: the next one may wait for the end of what plays.
+struct QueueingDevice final : Device {
+    bool plays = false;
+    bool has_ended = false;  // told by one status
+    int begun = 0;
+    int stops = 0;
+    std::vector<double> rests_s;
+
+    void end() { has_ended = true; }
+    Expected<Done> play(const Drive& /*drive*/, bool /*loop*/) override {
+        plays = true;
+        has_ended = false;
+        ++begun;
+        return Done{};
+    }
+    bool play_after(const Drive& /*drive*/, double rest_s) override {
+        rests_s.push_back(rest_s);
+        return true;
+    }
+    void change(const Drive& /*drive*/) override {}
+    void set_level(double /*level*/) override {}
+    void stop() override {
+        plays = false;
+        ++stops;
+    }
+    DeviceStatus status() override {
+        const bool ends = std::exchange(has_ended, false);
+        return {.name = "queue", .connected = true, .playing = plays && !ends};
+    }
+};
+
+}  // namespace
 
 TEST_CASE("A|B: the bar names both, and X swaps them") {
     FeltProgram program;
@@ -40,6 +80,33 @@ TEST_CASE("A|B: a swap while they sound changes their letters, not what is felt"
     program.wait(0.7);
     CHECK(program.plays(0));
     CHECK(program.device->begun() == 3);
+}
+
+TEST_CASE("A|B: a device that can keeps the pause, and is given the next one while one sounds") {
+    FeltProgram program;
+    const auto queue = std::make_shared<QueueingDevice>();
+    program.app.play.device = queue;
+    program.app.play.gap_s = 0.3;
+    program.app.work.selection.pinned = "p3";
+    program.app.timeline.playhead.loop = true;
+    program.click("transport:A|B");
+    program.space();
+    CHECK(queue->begun == 1);
+    REQUIRE(queue->rests_s == std::vector<double>{0.3});
+    // The next one goes on by itself: nothing begins it again, and the third waits for it.
+    queue->end();
+    program.settle();
+    CHECK(program.app.play.sounding->at == 1);
+    CHECK(queue->begun == 1);
+    CHECK(queue->rests_s == std::vector<double>{0.3, 0.3});
+    // Edited while it waits: the device does not play what it was.
+    edit_patterns(program.app.work, [](Pattern& pattern) { pattern.amplitude_g *= 0.5; });
+    program.settle();
+    queue->end();
+    program.frame();
+    CHECK(queue->stops > 0);
+    program.wait(0.5);
+    CHECK(queue->begun == 2);
 }
 
 TEST_CASE("A|B: a pattern alone has no partner to be named") {

@@ -116,4 +116,38 @@ TEST_CASE("playing: another device, or another of its channels, begins at a low 
     CHECK(play.level == 0.05);
 }
 
+TEST_CASE("playing: with another calibration, or none, a level begins at 10 % again") {
+    FeltProgram program;
+    PlayState& play = program.app.play;
+    DeviceChoice choice = play.choice;
+    for (const char* file : {"one.json", "two.json", ""}) {
+        play.level = 1.0;
+        choice.calibration = file;
+        choose_device(program.app.ui, program.app.timeline, play, choice);
+        CHECK(play.level == kFirstLevel);
+    }
+}
+
+TEST_CASE("playing: a name that leads to another output now is another device, at a low level") {
+    FeltProgram program;
+    PlayState& play = program.app.play;
+    program.space();
+    REQUIRE(program.device->playing());
+    const auto kept = play.device;  // to be looked at afterwards
+    play.level = 1.0;
+    play.opened_place = "server amplifier";
+    DeviceInfo info;
+    info.id = play.choice.id;
+    info.server_output = "headset";
+    info.output_name = "Headset";
+    info.name = "PulseAudio";
+    info.channels = {"left", "right"};
+    play.listed = std::make_shared<const Listing>(Listing{info});
+    program.settle();
+    CHECK_FALSE(is_sounding(play));
+    CHECK_FALSE(program.device->playing());
+    CHECK(play.level == kFirstLevel);
+    CHECK(device_text(play) == "PulseAudio on Headset, 1, left");
+}
+
 }  // namespace play_devices_test
