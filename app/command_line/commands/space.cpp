@@ -170,9 +170,11 @@ nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
     }
     nlohmann::json json{
         {"labels", names_of(of.set)}, {"coordinates", coordinates}, {"stress1", space.stress1}};
+    const bool labelled = !lines_of(of.labels).empty();
     if (of.of_people) json["synthetic"] = of.synthetic;
-    if (!lines_of(of.labels).empty()) add_labels(json, of.labels);
-    if (!of.mark.empty()) json["mark"] = of.mark;
+    if (labelled) add_labels(json, of.labels);
+    // Beside keys that say the same it would be said twice: it is of a matrix that carries it.
+    if (!of.of_people && !labelled && !of.mark.empty()) json["mark"] = of.mark;
     if (alignment) json["aligned"] = json_of(*alignment);
     return json;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/dissimilarity/correlation.h"
+#include "model/io/set/set_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "tests/support/five_patterns.h"
 #include "tests/support/run_program.h"
@@ -57,6 +58,23 @@ TEST_CASE("space: of a metric, of a matrix with its numbers and of people who sa
     CHECK(run_program({"space", maps.set, "--metric", "nc", "--matrix", matrix}).exit_code == 2);
     CHECK(run_program({"space", maps.set, "--people", "--matrix", matrix}).exit_code == 2);
     CHECK(contains(refusal_of({"space", maps.set, "--people"}), "has no ratings of its own"));
+}
+
+TEST_CASE("space --json: that a model is synthetic is said once, by the key of other commands") {
+    const Maps maps;
+    auto loaded = *tact::read_set_file(maps.set);
+    loaded.set.model.nc_weight = 0.3;
+    loaded.set.model_origin = {"Trained on drawn.", true, false};
+    REQUIRE(tact::write_set_file(maps.set, loaded.set));
+    const Json map = Json::parse(output_of({"space", maps.set, "--json"}));
+    CHECK(map.at("synthetic_model") == true);
+    CHECK_FALSE(map.contains("mark"));
+    // A matrix has its mark in its own file alone.
+    const std::string matrix = maps.made("pm.csv", {"predict", maps.set});
+    const Json of_matrix =
+        Json::parse(output_of({"space", maps.set, "--matrix", matrix, "--json"}));
+    CHECK(contains(of_matrix.at("mark").get<std::string>(), "SYNTHETIC"));
+    CHECK_FALSE(of_matrix.contains("synthetic_model"));
 }
 
 TEST_CASE("space --align-to: a map turned onto itself stays, and another is told by how much") {
