@@ -33,6 +33,12 @@ Json json_of(const ExportLoss& loss, const std::optional<ConfusablePair>& pair) 
     return pair ? pair_json(loss, pair->a, pair->b, pair->dissimilarity) : Json();
 }
 
+Json json_of(const EnvelopeError& error) {
+    return {{"error_db", error.error_db}, {"at_s", error.at_s},
+            {"meant_s", error.meant_s},   {"lasts_s", error.lasts_s},
+            {"accents", error.accents},   {"accents_left", error.accents_left}};
+}
+
 Json subset_json(const ExportLoss& loss) {
     if (!loss.subset) return {{"none", loss.no_subset}};
     const SubsetChange& change = *loss.subset;
@@ -43,6 +49,7 @@ Json subset_json(const ExportLoss& loss) {
     return {{"before", before},
             {"weakest_after", json_of(loss, std::optional(change.weakest))},
             {"still_best", change.is_still_best},
+            {"silenced", json_of(loss, change.silenced)},
             {"exported_alone", {{"best", best}, {"kept", json_of(loss, change.kept)}}}};
 }
 
@@ -110,6 +117,8 @@ Json json_of(const ExportLoss& loss) {
                             {"rms_error_g", one.rms_error_g},
                             {"psnr_db", one.psnr_db ? Json(*one.psnr_db) : Json()},
                             {"moved", one.moved ? Json(*one.moved) : Json()},
+                            {"silenced", one.silenced},
+                            {"envelope", one.error ? json_of(*one.error) : Json()},
                             {"remarks", one.remarks}});
     }
     Json moved = Json::array();

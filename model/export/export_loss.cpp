@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "model/common/portable.h"
 #include "model/export/ranks_among.h"
@@ -133,8 +134,13 @@ std::vector<PatternLoss> losses_of(const PatternSet& set, const ExportedSet& exp
                                    const std::vector<std::optional<double>>& moved) {
     std::vector<PatternLoss> losses;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
-        PatternLoss loss{set.vibrations[k].name, !exported.patterns[k], {}, 0.0, {}, moved[k]};
+        PatternLoss loss{
+            set.vibrations[k].name, !exported.patterns[k], {}, 0.0, {}, moved[k], false, {}};
         if (exported.patterns[k]) loss.remarks = exported.patterns[k]->remarks;
+        if (exported.patterns[k]) loss.error = exported.patterns[k]->error;
+        loss.silenced = is_felt(*sides.meant.codes[k]) && !is_felt(*sides.back.codes[k]);
+        const bool said = !loss.remarks.empty() && loss.remarks.back() == kSilenced;
+        if (loss.silenced && !said) loss.remarks.emplace_back(kSilenced);
         const Waveform& meant = sides.meant.codes[k]->waveform;
         loss.rms_error_g = rms_error_g(meant, sides.back.codes[k]->waveform);
         const double peak = peak_g(meant);
@@ -196,15 +202,21 @@ void pick(ExportLoss& loss, const PatternSet& set, const BothSides& sides,
         loss.no_subset = meant.error().message;
         return;
     }
-    SubsetChange change{problem, *meant, {}, *most_distinct_subset(sides.back.pm, problem, how),
-                        {},      true};
+    const std::vector<std::size_t> silent = unfelt(sides.back.codes);
+    SubsetProblem there = subset_problem(set, 0, options.objective, silent);
+    there.count = problem.count;
+    const auto best = most_distinct_subset(sides.back.pm, there, how);
+    if (!best) {
+        loss.no_subset = "too few patterns can be felt on the target: " + best.error().message;
+        return;
+    }
+    SubsetChange change{problem, *meant, {}, *best, {}, true, {}};
+    std::ranges::copy_if(silent, std::back_inserter(change.silenced),
+                         [&](std::size_t k) { return is_felt(*sides.meant.codes[k]); });
     change.kept = subset_of(sides.back.pm, meant->best.members);
     const Subset after = subset_of(loss.after, meant->best.members);
     change.weakest = {after.weakest.first, after.weakest.second, after.weakest_dissimilarity};
-    const Subset& best = change.best.best;
-    change.is_still_best = change.kept.members == best.members ||
-                           (change.kept.weakest_dissimilarity == best.weakest_dissimilarity &&
-                            change.kept.sum == best.sum);
+    change.is_still_best = is_best_there(change);
     loss.subset = std::move(change);
 }
 
@@ -221,6 +233,17 @@ void draw_maps(ExportLoss& loss, const BothSides& sides, const ExportLossOptions
 }
 
 }  // namespace
+
+bool is_best_there(const SubsetChange& change) {
+    const Subset& best = change.best.best;
+    if (change.kept.members == best.members) return true;
+    const bool one_is_silenced = std::ranges::any_of(change.silenced, [&](std::size_t k) {
+        return std::ranges::binary_search(change.kept.members, k) &&
+               !std::ranges::binary_search(best.members, k);
+    });
+    return !one_is_silenced && change.kept.weakest_dissimilarity == best.weakest_dissimilarity &&
+           change.kept.sum == best.sum;
+}
 
 std::vector<std::size_t> best_for_target(const ExportLoss& loss) {
     if (!loss.subset) return {};

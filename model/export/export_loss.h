@@ -45,6 +45,8 @@ struct PatternLoss {
     // PM between what was meant and what came back, 0 where they are the same; none of a set of
     // one, which has no pairs to hold that against.
     std::optional<double> moved;
+    bool silenced = false;                 // it was felt as it was meant, and nothing of it is now
+    std::optional<EnvelopeError> error{};  // of what is not samples
 
     bool operator==(const PatternLoss&) const = default;
 };
@@ -65,7 +67,10 @@ struct SubsetChange {
     ConfusablePair weakest;     // of these members, after
     SubsetAnswer best;          // of the exported set by itself ...
     Subset kept;                // ... and there the members that were meant
-    bool is_still_best = true;  // none is better there
+    bool is_still_best = true;  // all are felt there, and none is better
+    // What is felt as it was meant and not on the target: left out of what is best there, but for
+    // what is locked.
+    std::vector<std::size_t> silenced{};
 
     bool operator==(const SubsetChange&) const = default;
 };
@@ -105,6 +110,10 @@ struct ExportLossOptions {
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from any thread
 };
+
+// Whether the members that were meant are the best there: all are felt or locked, no weakest pair
+// is farther apart, and of equals no sum is larger.
+bool is_best_there(const SubsetChange& change);
 
 // The best subset for the target: of equals the one that was meant. Empty where there is none.
 std::vector<std::size_t> best_for_target(const ExportLoss& loss);

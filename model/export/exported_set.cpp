@@ -1,6 +1,7 @@
 #include "model/export/exported_set.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "model/common/parallel.h"
 #include "model/export/openxr_back.h"
@@ -45,6 +46,10 @@ WrittenEffect readable(const Pattern& pattern, const WrittenEffect& written,
     return write_effect(TargetFormat::android_xml, pattern, effect);
 }
 
+void add(std::vector<std::string>& remarks, std::vector<std::string> more) {
+    std::ranges::move(more, std::back_inserter(remarks));
+}
+
 Pattern silence_like(const Pattern& pattern) {
     Pattern silence;
     silence.duration_s = pattern.duration_s;
@@ -59,19 +64,21 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
     const EffectTarget effect{name, target.map, date, {}};
     WrittenEffect written = write_effect(target.format, pattern, effect);
     auto back = read_back(readable(pattern, written, effect, target.format), name, target);
-    ExportedPattern result{
-        std::move(written.text), std::move(written.beside), std::move(written.remarks), {}};
-    if (!back) {
-        result.remarks.push_back("nothing of it comes back: " + back.error().message);
-        result.back = silence_like(pattern);
-        return result;
+    ExportedPattern result{std::move(written.text), std::move(written.beside), {}, {}, {}};
+    std::vector<std::string>& remarks = result.remarks;
+    if (back) {
+        for (const std::string& remark : back->remarks) {
+            // Nothing is lost of a pattern that was silent before.
+            if (remark.starts_with("it is silent") && is_silent(pattern)) continue;
+            remarks.push_back("as it is read back: " + remark);
+        }
     }
-    for (std::string& remark : back->remarks) {
-        // A pattern that was silent before has lost nothing.
-        if (remark.starts_with("it is silent") && is_silent(pattern)) continue;
-        result.remarks.push_back("as it is read back: " + std::move(remark));
-    }
-    result.back = std::move(back->pattern);
+    result.back = back ? std::move(back->pattern) : silence_like(pattern);
+    result.error = envelope_error(pattern, std::get<Pattern>(result.back));
+    if (is_lossy(*result.error)) add(remarks, std::move(written.coarse));
+    add(remarks, std::move(written.remarks));
+    add(remarks, words_of(*result.error));
+    if (!back) remarks.push_back("nothing of it comes back: " + back.error().message);
     return result;
 }
 
@@ -88,7 +95,7 @@ ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget&
         write_samples(target.format, waveform_at(vibration, target.sampled.rate_hz), samples);
     auto back = samples_back(target.format, written, samples);
     ExportedPattern result{
-        std::move(written.text), std::move(written.beside), std::move(written.remarks), {}};
+        std::move(written.text), std::move(written.beside), std::move(written.remarks), {}, {}};
     const auto* recording = std::get_if<Measurement>(&vibration.source);
     Measurement measurement = recording != nullptr ? *recording : Measurement{};
     if (!back) {

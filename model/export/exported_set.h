@@ -16,16 +16,20 @@
 #include <variant>
 #include <vector>
 
+#include "model/export/envelope_error.h"
 #include "model/export/export_target.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
 
 struct ExportedPattern {
-    std::string text;                         // of the file
-    std::string beside;                       // of its second file, where the format has one
-    std::vector<std::string> remarks;         // what was lost or changed; sentences without a stop
+    std::string text;    // of the file
+    std::string beside;  // of its second file, where the format has one
+    // What was lost or changed, the most important last; sentences without a stop. None of what
+    // costs less than 0.1 dB and 1 ms (envelope_error.h).
+    std::vector<std::string> remarks;
     std::variant<Pattern, Measurement> back;  // what the file holds, as it is read
+    std::optional<EnvelopeError> error{};     // of what is not samples
 
     bool operator==(const ExportedPattern&) const = default;
 };

@@ -35,16 +35,36 @@ std::string exchange_of(const ExportLoss& loss, const Subset& from, const Subset
     return names_text(loss, come) + " in place of " + names_text(loss, gone);
 }
 
-// How much better the best one is, by what was asked for.
-std::string gain_of(const SubsetChange& change) {
-    const Subset& best = change.best.best;
-    const bool by_weakest = change.problem.objective == SubsetObjective::max_min &&
-                            best.weakest_dissimilarity != change.kept.weakest_dissimilarity;
-    const double from = by_weakest ? change.kept.weakest_dissimilarity : change.kept.sum;
+// How much better the best one is, by what was asked for and on the scale of all other numbers. By
+// the ranks among the exported patterns themselves it is better; where it is not on that scale,
+// there is no number to show.
+std::string gain_of(const ExportLoss& loss, const SubsetChange& change) {
+    const bool by_weakest =
+        change.problem.objective == SubsetObjective::max_min &&
+        change.best.best.weakest_dissimilarity != change.kept.weakest_dissimilarity;
+    const Subset kept = subset_of(loss.after, change.kept.members);
+    const Subset best = subset_of(loss.after, change.best.best.members);
+    const double from = by_weakest ? kept.weakest_dissimilarity : kept.sum;
     const double to = by_weakest ? best.weakest_dissimilarity : best.sum;
-    return std::string(by_weakest ? "its weakest pair" : "the sum of its pairs") + " is at " +
-           loss_number(to) + " in place of " + loss_number(from) +
-           ", by PM of the exported set alone";
+    if (!(to > from)) return ", by PM of the exported set alone";
+    return std::string(": ") + (by_weakest ? "its weakest pair" : "the sum of its pairs") +
+           " is at " + loss_number(to) + " in place of " + loss_number(from);
+}
+
+// Those that were picked and are left out there, as nothing of them is felt.
+std::vector<std::size_t> silenced_of(const SubsetChange& change) {
+    std::vector<std::size_t> picked;
+    for (const std::size_t k : change.silenced) {
+        const bool is_out = !std::ranges::binary_search(change.best.best.members, k);
+        if (is_out && std::ranges::binary_search(change.kept.members, k)) picked.push_back(k);
+    }
+    return picked;
+}
+
+// "; nothing can be felt there of a, b".
+std::string silenced_words(const ExportLoss& loss, const SubsetChange& change) {
+    if (change.silenced.empty()) return {};
+    return "; nothing can be felt there of " + names_text(loss, change.silenced);
 }
 
 }  // namespace
@@ -101,22 +121,28 @@ std::string subset_verdict(const ExportLoss& loss) {
     const std::string count = std::to_string(change.meant.best.members.size());
     const std::string picked = "The " + count + " most distinct, " + proof_word(change.meant) +
                                ": " + names_text(loss, change.meant.best.members);
+    const std::string silent = silenced_words(loss, change);
     if (change.is_still_best) {
-        return picked + ". They are still the best for this target, " + proof_word(change.best);
+        return picked + ". They are still the best for this target, " + proof_word(change.best) +
+               silent;
     }
-    return picked + ". For this target they are not the best: " +
-           exchange_of(loss, change.kept, change.best.best) + ", " + proof_word(change.best) +
-           ": " + gain_of(change);
+    std::string text = picked + ". For this target they are not the best: " +
+                       exchange_of(loss, change.kept, change.best.best) + ", " +
+                       proof_word(change.best);
+    if (silenced_of(change).empty()) text += gain_of(loss, change);
+    return text + silent;
 }
 
 std::string summary_of(const ExportLoss& loss) {
     std::size_t exported = 0;
     std::size_t lossy = 0;
     std::size_t far = 0;
+    std::size_t silenced = 0;
     for (const PatternLoss& one : loss.patterns) {
         if (one.recording) continue;
         ++exported;
         if (!one.remarks.empty()) ++lossy;
+        if (one.silenced) ++silenced;
         if (loss.closest_before && one.moved.value_or(0.0) > loss.closest_before->dissimilarity)
             ++far;
     }
@@ -124,6 +150,7 @@ std::string summary_of(const ExportLoss& loss) {
         " of " + std::to_string(exported) + (exported == 1 ? " pattern " : " patterns ");
     std::string text = (lossy == 0 ? "None" : std::to_string(lossy)) + of +
                        (lossy > 1 ? "lose" : "loses") + (lossy == 0 ? " anything" : " something");
+    if (silenced > 0) text += "; nothing can be felt of " + std::to_string(silenced);
     if (far == 0) return text;
     return text + "; " + std::to_string(far) + (far > 1 ? " are" : " is") +
            " farther from what was meant than the closest pair is apart";

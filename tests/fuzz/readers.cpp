@@ -7,7 +7,7 @@ namespace tact::fuzz {
 
 std::vector<Reader> all_readers() {
     std::vector<Reader> all;
-    for (const auto some : {text_readers(), file_readers(), device_readers()}) {
+    for (const auto some : {text_readers(), file_readers(), device_readers(), export_readers()}) {
         all.insert(all.end(), some.begin(), some.end());
     }
     return all;

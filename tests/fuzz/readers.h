@@ -21,6 +21,7 @@ struct Reader {
 std::span<const Reader> text_readers();    // from memory
 std::span<const Reader> file_readers();    // which open a path
 std::span<const Reader> device_readers();  // of what a device says
+std::span<const Reader> export_readers();  // of what writers make of any pattern
 
 std::vector<Reader> all_readers();
 

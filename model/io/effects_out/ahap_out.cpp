@@ -157,13 +157,7 @@ std::vector<Stretch> sounding(const std::vector<Stretch>& pauses, double duratio
     return all;
 }
 
-struct AhapEnd {
-    double continuous_s = 0.0;
-    double taps_s = 0.0;
-};
-
-AhapEnd add_parts(Json& entries, const Shares& shares, TapLosses& losses) {
-    AhapEnd end;
+void add_parts(Json& entries, const Shares& shares, TapLosses& losses) {
     const bool continuous = peak_value(shares.amplitude) > 0.0 || shares.taps.empty();
     AmplitudeCurve control{{0.0, 1.0}};
     Shares sharp = shares;
@@ -175,7 +169,6 @@ AhapEnd add_parts(Json& entries, const Shares& shares, TapLosses& losses) {
         const double level = flat ? shares.amplitude.front().value : 1.0;
         for (const Stretch& part : sounding(pauses, shares.duration_s)) {
             add_continuous(entries, part, level, base);
-            end.continuous_s = part.end_s;
         }
         if (!flat) {
             control = lifted(shares.amplitude, pauses);
@@ -193,17 +186,14 @@ AhapEnd add_parts(Json& entries, const Shares& shares, TapLosses& losses) {
         sharp.frequency = {{0.0, 0.0}};
     }
     add_taps(entries, sharp, control, base, losses);
-    if (!shares.taps.empty()) end.taps_s = shares.taps.back().time_s;
-    return end;
 }
 
 // One file, with what its controls leave of the transients.
-std::string ahap_text(const Shares& shares, const EffectTarget& target, AhapEnd& end,
+std::string ahap_text(const Shares& shares, const EffectTarget& target,
                       std::vector<std::string>& remarks) {
     Json entries = Json::array();
     TapLosses losses;
-    const AhapEnd own = add_parts(entries, shares, losses);
-    end = {std::max(end.continuous_s, own.continuous_s), std::max(end.taps_s, own.taps_s)};
+    add_parts(entries, shares, losses);
     losses.intensity.remark("weaker beneath the intensity control", "", remarks);
     losses.sharpness.remark("moved by the sharpness control", "", remarks);
     return printed({{"Version", 1.0},
@@ -211,40 +201,25 @@ std::string ahap_text(const Shares& shares, const EffectTarget& target, AhapEnd&
                     {"Pattern", entries}});
 }
 
-void remark_ahap_end(const AhapEnd& end, const Shares& shares, const ActuatorMap& map,
-                     std::vector<std::string>& remarks) {
-    const double burst_s = std::max(map.burst_at_0.duration_s, map.burst_at_1.duration_s);
-    const bool taps_at_end = end.taps_s + burst_s > end.continuous_s && end.taps_s > 0.0;
-    if (end.continuous_s >= shares.duration_s && !taps_at_end) return;
-    remark_end(std::max(end.continuous_s, taps_at_end ? end.taps_s + burst_s : 0.0),
-               shares.duration_s, remarks);
-}
-
 }  // namespace
 
 WrittenEffect write_ahap(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const Shares shares =
-        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
-    AhapEnd end;
-    written.text = ahap_text(shares, target, end, written.remarks);
-    remark_ahap_end(end, shares, target.map, written.remarks);
+    const Shares shares = as_shares(as_curves(pattern, written), target.map, written);
+    written.text = ahap_text(shares, target, written.remarks);
     return written;
 }
 
 WrittenEffect write_ahap_pair(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     // Scaled together, so that both files have their strengths beside each other.
-    const Shares shares =
-        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    const Shares shares = as_shares(as_curves(pattern, written), target.map, written);
     Shares continuous = shares;
     continuous.taps.clear();
     Shares transients = shares;
     transients.amplitude = {{0.0, 0.0}, {shares.duration_s, 0.0}};
-    AhapEnd end;
-    written.text = ahap_text(continuous, target, end, written.remarks);
-    written.beside = ahap_text(transients, target, end, written.remarks);
-    remark_ahap_end(end, shares, target.map, written.remarks);
+    written.text = ahap_text(continuous, target, written.remarks);
+    written.beside = ahap_text(transients, target, written.remarks);
     return written;
 }
 

@@ -1,10 +1,12 @@
-// Envelopes of Android 16: XML, and the builder's calls as Kotlin.
+// Envelopes of Android 16: XML, and the builder's calls as Kotlin. What is flat between jumps and
+// at the frequency that readers take for effects without one is a waveform of whole ms instead: it
+// loses nothing there, where an envelope would have ramps.
 //
 // Source    VibrationEffect.WaveformEnvelopeBuilder (API 36): points of amplitude, Hz and the ms to
 //           get there, from amplitude 0 on. Devices have at least 16 points of at least 20 ms each;
 //           the platform splits segments longer than the device's longest, 1 s at least. What is
 //           outside of the device's band is not played at all: moved into the map's. The XML's
-//           parser is not public, hence the Kotlin.
+//           parser is not public, hence the Kotlin. VibrationEffect.createWaveform (API 26).
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,7 @@ namespace {
 
 constexpr std::size_t kMostControlPoints = 16;
 constexpr double kShortestSegmentS = 0.020;
+constexpr Range kOwnHz{163.0, 167.0};  // 165 Hz is what model/io/effects takes where none is said
 
 struct ControlPoint {
     double amplitude = 0.0;
@@ -32,11 +35,18 @@ struct ControlPoint {
 struct AndroidEnvelope {
     double initial_hz = 0.0;
     std::vector<ControlPoint> points;
+    SteppedAmplitudes steps;  // in its place, where there are any
 };
 
+bool is_at_own_hz(const FrequencyCurve& curve) {
+    return std::ranges::all_of(
+        curve, [](const FrequencyPoint& point) { return kOwnHz.contains(point.frequency_hz); });
+}
+
 AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
-                                 std::vector<std::string>& remarks) {
-    PlainCurves curves = with_pulses(as_curves(pattern, remarks), remarks);
+                                 WrittenEffect& written) {
+    std::vector<std::string>& remarks = written.remarks;
+    PlainCurves curves = with_pulses(as_curves(pattern, written), remarks);
     const double full_g = map.full_scale_g * map.continuous_gain;
     const double peak = full_g > 0.0 ? peak_value(curves.amplitude) / full_g : 0.0;
     const double scale = scale_to_full(peak, remarks);
@@ -44,6 +54,11 @@ AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
         point.value = full_g > 0.0 ? std::min(scale * point.value / full_g, 1.0) : 0.0;
     }
     if (!(full_g > 0.0)) remarks.push_back("the actuator plays nothing continuous: silent");
+    if (is_staircase(curves.amplitude) && is_at_own_hz(curves.frequency)) {
+        remarks.push_back("written as a waveform: the device has its own frequency");
+        written.coarse.push_back("amplitude is in whole ms and in steps of 1/255");
+        return {0.0, {}, stepped(curves.amplitude, curves.duration_s, kShortestSegmentS)};
+    }
     const FrequencyCurve hz = in_band(curves.frequency, map.frequency_hz, remarks);
     KnotRules rules;
     rules.most = kMostControlPoints + 1;  // the first one is where the player begins
@@ -55,8 +70,8 @@ AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
     };
     const FittedKnots fit =
         fitted_knots(curves.amplitude, heights_of(hz), curves.duration_s, rules);
-    remark_fit(fit, rules, curves.duration_s, " Hz", remarks);
-    AndroidEnvelope envelope{fit.knots.front().frequency, {}};
+    remark_fit(fit, rules, written.coarse);
+    AndroidEnvelope envelope{fit.knots.front().frequency, {}, {}};
     for (std::size_t k = 1; k < fit.knots.size(); ++k) {
         const Knot& to = fit.knots[k];
         const double length_s = to.time_s - fit.knots[k - 1].time_s;
@@ -66,6 +81,21 @@ AndroidEnvelope android_envelope(const Pattern& pattern, const ActuatorMap& map,
 }
 
 std::string kotlin_float(double value) { return significant_digits(value, 9) + "f"; }
+
+std::string xml_of(const SteppedAmplitudes& steps) {
+    std::string text = "<vibration-effect>\n    <waveform-effect>\n";
+    for (std::size_t k = 0; k < steps.amplitudes.size(); ++k) {
+        text += "        <waveform-entry durationMs=\"" + std::to_string(steps.timings_ms[k]) +
+                "\" amplitude=\"" + std::to_string(steps.amplitudes[k]) + "\"/>\n";
+    }
+    return text + "    </waveform-effect>\n</vibration-effect>\n";
+}
+
+std::string list_of(const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+    return text;
+}
 
 std::string as_camel_case(const std::string& name) {
     std::string text = identifier(name);
@@ -79,7 +109,11 @@ std::string as_camel_case(const std::string& name) {
 
 WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written.remarks);
+    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written);
+    if (!envelope.steps.amplitudes.empty()) {
+        written.text = xml_of(envelope.steps);
+        return written;
+    }
     written.text = "<vibration-effect>\n    <waveform-envelope-effect initialFrequencyHz=\"" +
                    shortest_digits(envelope.initial_hz) + "\">\n";
     for (const ControlPoint& point : envelope.points) {
@@ -93,10 +127,17 @@ WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& targ
 
 WrittenEffect write_android_kotlin(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written.remarks);
-    written.text = "import android.os.VibrationEffect\n\nval `" + as_camel_case(target.name) +
-                   "`: VibrationEffect = VibrationEffect.WaveformEnvelopeBuilder()\n" +
-                   "    .setInitialFrequencyHz(" + kotlin_float(envelope.initial_hz) + ")\n";
+    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written);
+    const std::string head = "import android.os.VibrationEffect\n\nval `" +
+                             as_camel_case(target.name) + "`: VibrationEffect = VibrationEffect.";
+    if (!envelope.steps.amplitudes.empty()) {
+        written.text = head + "createWaveform(\n    longArrayOf(" +
+                       list_of(envelope.steps.timings_ms) + "),\n    intArrayOf(" +
+                       list_of(envelope.steps.amplitudes) + "),\n    -1\n)\n";
+        return written;
+    }
+    written.text = head + "WaveformEnvelopeBuilder()\n" + "    .setInitialFrequencyHz(" +
+                   kotlin_float(envelope.initial_hz) + ")\n";
     for (const ControlPoint& point : envelope.points) {
         written.text += "    .addControlPoint(" + kotlin_float(point.amplitude) + ", " +
                         kotlin_float(point.frequency_hz) + ", " +

@@ -5,7 +5,6 @@
 
 #include "model/common/portable.h"
 #include "model/design_space/spectral_lines.h"
-#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -13,29 +12,24 @@ namespace {
 
 constexpr double kRoundingDb = 1e-6;
 
-double level_db(const FeltTone& tone) {
+}  // namespace
+
+double felt_level_db(const FeltTone& tone) {
     if (!(tone.amplitude_g > 0.0)) return 0.0;
     const auto above_db =
         detectability_db({{tone.frequency_hz, tone.amplitude_g}}, default_tables());
     return std::max(above_db.value_or(0.0), 0.0);
 }
 
-}  // namespace
-
 double felt_error_db(const FeltTone& asked, const FeltTone& got) {
-    const double asked_db = level_db(asked);
-    const double got_db = level_db(got);
+    const double asked_db = felt_level_db(asked);
+    const double got_db = felt_level_db(got);
     double error_db = std::abs(asked_db - got_db);
     if (asked_db > 0.0 && got_db > 0.0) {
         const double ratio = got.frequency_hz / asked.frequency_hz;
         error_db = std::max(error_db, std::abs(20.0 * portable::log10(ratio)));
     }
     return error_db < kRoundingDb ? 0.0 : error_db;
-}
-
-std::string felt_words(double error_db, const std::string& numbers) {
-    if (error_db == 0.0) return numbers + " off, which nobody feels";
-    return significant_digits(error_db, 2) + " dB off where it is felt (" + numbers + ")";
 }
 
 }  // namespace tact

@@ -1,5 +1,5 @@
 // What a difference of amplitude and frequency is worth to who feels it, in dB: by this points are
-// chosen where a format has too few of them.
+// chosen where a format has too few of them, and by this an export is judged.
 //
 // Strength is the level above the detection threshold at the frequency, and 0 below: an error in
 // what nobody feels costs nothing, near threshold it is relative to what is left of it. Weber's
@@ -11,8 +11,6 @@
 // Left out  masking by what is before and beside it; the tables of a set's own model.
 #pragma once
 
-#include <string>
-
 namespace tact {
 
 struct FeltTone {
@@ -20,10 +18,10 @@ struct FeltTone {
     double frequency_hz = 150.0;
 };
 
+// dB above the detection threshold; 0 at and below it.
+double felt_level_db(const FeltTone& tone);
+
 // 0 for what nobody can tell apart, rounding included.
 double felt_error_db(const FeltTone& asked, const FeltTone& got);
-
-// "2.1 dB off where it is felt (0.03 of full scale)", "0.03 of full scale off, which nobody feels".
-std::string felt_words(double error_db, const std::string& numbers);
 
 }  // namespace tact

@@ -94,8 +94,7 @@ Json haptic_json(const EffectTarget& target, const std::vector<HapticPoint>& poi
 
 WrittenEffect write_haptic(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const Shares shares =
-        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
+    const Shares shares = as_shares(as_curves(pattern, written), target.map, written);
     EmphasisLosses losses;
     const std::vector<HapticPoint> points = points_with(shares, losses);
     for (std::size_t k = 0; k + 1 < shares.taps.size(); ++k) {

@@ -69,11 +69,6 @@ void fill_up(std::vector<Knot>& knots) {
     }
 }
 
-struct HeLosses {
-    double frequency = 0.0;
-    double intensity = 0.0;
-};
-
 Json he_event(const char* type, long long time_ms, Json parameters) {
     Json event{{"Type", type}, {"RelativeTime", time_ms}};
     event["Index"] = 0;
@@ -81,15 +76,13 @@ Json he_event(const char* type, long long time_ms, Json parameters) {
     return event;
 }
 
-Json continuous_event(std::vector<Knot> knots, HeLosses& losses) {
+Json continuous_event(std::vector<Knot> knots) {
     fill_up(knots);
     const long long start_ms = whole_ms(knots.front().time_s);
     const long long base = percent(knots.front().frequency);
     Json curve = Json::array();
     for (const Knot& knot : knots) {
         const long long own = percent(knot.frequency);
-        losses.frequency =
-            std::max(losses.frequency, std::abs(knot.frequency - 0.01 * static_cast<double>(own)));
         curve.push_back({{"Time", whole_ms(knot.time_s) - start_ms},
                          {"Intensity", knot.amplitude},
                          {"Frequency", own - base}});
@@ -102,7 +95,7 @@ Json continuous_event(std::vector<Knot> knots, HeLosses& losses) {
 
 // Events of at most 16 points and 5 s, as many in each as can be, each from the last one's last
 // point on; none for silence.
-std::vector<Json> continuous_events(const std::vector<Knot>& knots, HeLosses& losses) {
+std::vector<Json> continuous_events(const std::vector<Knot>& knots) {
     std::vector<Json> events;
     std::size_t first = 0;
     while (first + 1 < knots.size()) {
@@ -118,18 +111,13 @@ std::vector<Json> continuous_events(const std::vector<Knot>& knots, HeLosses& lo
                                      knots.begin() + static_cast<std::ptrdiff_t>(last + 1));
         const bool sounds =
             std::ranges::any_of(part, [](const Knot& knot) { return knot.amplitude > 0.0; });
-        if (sounds) events.push_back(continuous_event(part, losses));
+        if (sounds) events.push_back(continuous_event(part));
         first = last;
     }
     return events;
 }
 
-Json tap_event(const TapShares& tap, HeLosses& losses) {
-    const auto off = [](double share) {
-        return std::abs(share - 0.01 * static_cast<double>(percent(share)));
-    };
-    losses.frequency = std::max(losses.frequency, off(tap.frequency));
-    losses.intensity = std::max(losses.intensity, off(tap.amplitude));
+Json tap_event(const TapShares& tap) {
     return he_event("transient", whole_ms(tap.time_s),
                     {{"Intensity", percent(tap.amplitude)}, {"Frequency", percent(tap.frequency)}});
 }
@@ -144,20 +132,10 @@ void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
     std::ranges::stable_sort(taps, {}, &TapShares::time_s);
 }
 
-void remark_steps(const HeLosses& losses, const Shares& shares, std::vector<std::string>& remarks) {
-    constexpr double kRoundingPercent = 1e-9;
-    if (losses.frequency > kRoundingPercent) {
-        remarks.push_back("frequency is in steps of 1/100 of the band: at most " +
-                          significant_digits(losses.frequency, 2) + " of it off");
-    }
-    if (losses.intensity > kRoundingPercent) {
-        remarks.push_back("intensity of transients is in steps of 1/100: at most " +
-                          significant_digits(losses.intensity, 2) + " off");
-    }
-    const bool between = std::ranges::any_of(shares.taps, [](const TapShares& tap) {
-        return std::abs(1e3 * tap.time_s - std::round(1e3 * tap.time_s)) > 1e-6;
-    });
-    if (between) remarks.push_back("times of transients are whole ms");
+void remark_steps(const Shares& shares, std::vector<std::string>& coarse) {
+    coarse.push_back("frequency is in steps of 1/100 of the band");
+    if (shares.taps.empty()) return;
+    coarse.push_back("transients are in steps of 1/100 of the intensity and at whole ms");
 }
 
 }  // namespace
@@ -165,10 +143,8 @@ void remark_steps(const HeLosses& losses, const Shares& shares, std::vector<std:
 WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     std::vector<std::string>& remarks = written.remarks;
-    Shares shares = as_shares(as_curves(pattern, remarks), target.map, remarks);
-    HeLosses losses;
+    Shares shares = as_shares(as_curves(pattern, written), target.map, written);
     std::vector<Json> events;
-    double end_s = 0.0;
     if (peak_value(shares.amplitude) > 0.0 || shares.taps.empty()) {
         KnotRules rules;
         rules.most = kMostContinuous * (kMostHePoints - 1) / 2;  // 5 s may cut an event before
@@ -180,22 +156,14 @@ WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
         };
         const FittedKnots fit =
             fitted_knots(shares.amplitude, shares.frequency, shares.duration_s, rules);
-        remark_fit(fit, rules, shares.duration_s, " of the band", remarks);
+        remark_fit(fit, rules, written.coarse);
         const std::vector<Knot> knots = with_short_segments(fit.knots);
-        events = continuous_events(knots, losses);
-        if (events.empty()) events.push_back(continuous_event({knots[0], knots[1]}, losses));
-    }
-    for (const Json& event : events) {
-        end_s = std::max(
-            end_s, 1e-3 * (event["RelativeTime"].get<double>() + event["Duration"].get<double>()));
+        events = continuous_events(knots);
+        if (events.empty()) events.push_back(continuous_event({knots[0], knots[1]}));
     }
     keep_strongest(shares.taps, kMostEvents - events.size(), remarks);
-    for (const TapShares& tap : shares.taps) {
-        events.push_back(tap_event(tap, losses));
-        end_s = std::max(end_s, tap.time_s + burst_duration_s(target.map, tap.frequency));
-    }
-    remark_steps(losses, shares, remarks);
-    remark_end(end_s, std::round(1e3 * shares.duration_s) / 1e3, remarks);
+    for (const TapShares& tap : shares.taps) events.push_back(tap_event(tap));
+    remark_steps(shares, written.coarse);
     std::ranges::stable_sort(
         events, {}, [](const Json& event) { return event["RelativeTime"].get<long long>(); });
     Json list = Json::array();

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "model/io/effects/effect.h"
 #include "model/io/effects_out/shares.h"
@@ -27,35 +28,20 @@ constexpr std::size_t kMostBandsOfLevel1 = 7;
 
 long long ticks(double t_s) { return std::llround(t_s * kTicksPerS); }
 
-struct HjifLosses {
-    double tick_s = 0.0;
-    double hz = 0.0;
-};
-
-long long whole_hz(double hz, HjifLosses& losses) {
-    losses.hz = std::max(losses.hz, std::abs(hz - std::round(hz)));
-    return std::max(std::llround(hz), 1LL);
-}
-
-long long whole_tick(double t_s, HjifLosses& losses) {
-    losses.tick_s =
-        std::max(losses.tick_s, std::abs(t_s - static_cast<double>(ticks(t_s)) / kTicksPerS));
-    return ticks(t_s);
-}
+long long whole_hz(double hz) { return std::max(std::llround(hz), 1LL); }
 
 // Of amplitude and frequency apart from each other, in the order of their positions.
-Json keyframes_json(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency,
-                    HjifLosses& losses) {
+Json keyframes_json(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency) {
     std::vector<std::pair<long long, Json>> frames;
     for (const AmplitudePoint& point : amplitude) {
-        const long long at = whole_tick(point.time_s, losses);
+        const long long at = ticks(point.time_s);
         frames.push_back({at, {{"relative_position", at}, {"amplitude_modulation", point.value}}});
     }
     for (const FrequencyPoint& point : frequency) {
-        const long long at = whole_tick(point.time_s, losses);
-        frames.push_back({at,
-                          {{"relative_position", at},
-                           {"frequency_modulation", whole_hz(point.frequency_hz, losses)}}});
+        const long long at = ticks(point.time_s);
+        frames.push_back(
+            {at,
+             {{"relative_position", at}, {"frequency_modulation", whole_hz(point.frequency_hz)}}});
     }
     std::ranges::stable_sort(frames, {}, [](const auto& frame) { return frame.first; });
     Json result = Json::array();
@@ -72,14 +58,13 @@ Json band_json(const char* type, double low_hz, double high_hz, Json effects) {
         {"effects", std::move(effects)}};
 }
 
-Json wave_band(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency, double phase_rad,
-               HjifLosses& losses) {
+Json wave_band(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency, double phase_rad) {
     const auto [low, high] = std::ranges::minmax(frequency, {}, &FrequencyPoint::frequency_hz);
     Json effect{{"effect_type", "Basis"},
                 {"position", 0},
                 {"phase", phase_rad},
                 {"base_signal", "Sine"},
-                {"keyframes", keyframes_json(amplitude, frequency, losses)}};
+                {"keyframes", keyframes_json(amplitude, frequency)}};
     return band_json("VectorialWave", low.frequency_hz, high.frequency_hz,
                      Json::array({std::move(effect)}));
 }
@@ -95,15 +80,14 @@ double burst_g(const Transient& one, const ActuatorMap& map) {
     return energy > 0.0 ? std::sqrt(energy_g2_s(one) / energy) : 0.0;
 }
 
-Json transient_band(const std::vector<Transient>& all, const ActuatorMap& map, double unit_g,
-                    HjifLosses& losses) {
+Json transient_band(const std::vector<Transient>& all, const ActuatorMap& map, double unit_g) {
     Json effects = Json::array();
     for (const Transient& one : all) {
         const Json frame{{"relative_position", 0},
                          {"amplitude_modulation", burst_g(one, map) / unit_g},
-                         {"frequency_modulation", whole_hz(one.frequency_hz, losses)}};
+                         {"frequency_modulation", whole_hz(one.frequency_hz)}};
         effects.push_back({{"effect_type", "Basis"},
-                           {"position", whole_tick(one.time_s, losses)},
+                           {"position", ticks(one.time_s)},
                            {"phase", 0.0},
                            {"base_signal", "Sine"},
                            {"keyframes", Json::array({frame})}});
@@ -113,16 +97,16 @@ Json transient_band(const std::vector<Transient>& all, const ActuatorMap& map, d
 }
 
 void remark_transients(const std::vector<Transient>& all, const ActuatorMap& map,
-                       std::vector<std::string>& remarks) {
+                       WrittenEffect& written) {
     Changes length;
     std::size_t square = 0;
     for (const Transient& one : all) {
         length.note(1e3 * one.duration_s, 1e3 * burst_duration_s(map, 0.5), 1e-3);
         if (one.shape == TransientShape::square) ++square;
     }
-    length.remark("another length", " ms", remarks);
-    if (square > 0)
-        remarks.push_back(transients_text(square) + ": a sine in place of a square wave");
+    length.remark("another length", " ms", written.coarse);
+    if (square == 0) return;
+    written.remarks.push_back(transients_text(square) + ": a sine in place of a square wave");
 }
 
 // The carriers that sound, in the pattern's order; one of no strength where none does.
@@ -144,11 +128,11 @@ FrequencyCurve curve_of_carrier(const Pattern& pattern, const Carrier& carrier) 
 }
 
 // The envelope that all carriers share, in g for a weight of 1.
-PlainCurves shared_envelope(const Pattern& pattern, std::vector<std::string>& remarks) {
+PlainCurves shared_envelope(const Pattern& pattern, WrittenEffect& written) {
     Pattern alone = pattern;
     alone.carriers = {{150.0, 1.0, 0.0}};
     alone.frequency_curve.clear();
-    return as_curves(alone, remarks);
+    return as_curves(alone, written);
 }
 
 Json document_of_bands(Json bands, double gain, const EffectTarget& target) {
@@ -177,25 +161,87 @@ Json document_of_bands(Json bands, double gain, const EffectTarget& target) {
             {"syncs", Json::array()}};
 }
 
-void remark_whole_numbers(const HjifLosses& losses, std::vector<std::string>& remarks) {
-    if (losses.hz > 1e-9) {
-        remarks.push_back("frequencies are whole Hz: at most " + significant_digits(losses.hz, 2) +
-                          " Hz off");
+// A carrier that its ratio to the first one takes above what readers have is silent there.
+AmplitudeCurve silent_above(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency) {
+    const double most_hz = limits::kCarrierHz.high;
+    std::vector<double> crossings_s;
+    for (std::size_t k = 1; k < frequency.size(); ++k) {
+        const FrequencyPoint& a = frequency[k - 1];
+        const FrequencyPoint& b = frequency[k];
+        if ((a.frequency_hz > most_hz) == (b.frequency_hz > most_hz)) continue;
+        const double share = (most_hz - a.frequency_hz) / (b.frequency_hz - a.frequency_hz);
+        crossings_s.push_back(a.time_s + share * (b.time_s - a.time_s));
     }
-    if (losses.tick_s > 1e-9) {
-        remarks.push_back("times are whole ticks of 25 us: at most " +
-                          significant_digits(1e6 * losses.tick_s, 2) + " us off");
+    std::vector<double> times_s = crossings_s;
+    for (const AmplitudePoint& point : amplitude) times_s.push_back(point.time_s);
+    std::ranges::sort(times_s);
+    times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
+    AmplitudeCurve result;
+    const double last_s = times_s.back();
+    for (std::size_t k = 0; k + 1 < times_s.size(); ++k) {
+        const double from_s = times_s[k];
+        const double to_s = times_s[k + 1];
+        const double middle_hz = sides_at(frequency, 0.5 * (from_s + to_s)).behind;
+        const double gain = middle_hz > most_hz ? 0.0 : 1.0;
+        result.push_back({from_s, gain * sides_at(amplitude, from_s).behind});
+        result.push_back({to_s, gain * sides_at(amplitude, to_s).before});
     }
+    if (result.empty()) result.push_back({last_s, 0.0});
+    // What goes on as it was needs one point.
+    const auto same = std::unique(result.begin(), result.end());
+    result.erase(same, result.end());
+    return result;
+}
+
+// One for each carrier that can be written; of one that cannot, what is left.
+struct CarrierWave {
+    AmplitudeCurve amplitude;
+    FrequencyCurve frequency;
+    double phase_rad = 0.0;
+};
+
+std::optional<CarrierWave> wave_of(const Pattern& pattern, const Carrier& carrier,
+                                   const AmplitudeCurve& envelope,
+                                   std::vector<std::string>& remarks) {
+    CarrierWave wave{envelope, curve_of_carrier(pattern, carrier),
+                     carrier.phase_rad + (carrier.weight < 0.0 ? std::numbers::pi : 0.0)};
+    const double most_hz = limits::kCarrierHz.high;
+    const auto [low, high] = std::ranges::minmax(wave.frequency, {}, &FrequencyPoint::frequency_hz);
+    const double low_hz = low.frequency_hz;
+    const double high_hz = high.frequency_hz;
+    if (!(high_hz > most_hz * (1.0 + 1e-9))) return wave;
+    const std::string hz = significant_digits(high_hz, 4);
+    if (low_hz > most_hz) {
+        remarks.push_back("a carrier of " + hz + " Hz is left out: readers take 1,000 Hz at most");
+        return std::nullopt;
+    }
+    remarks.push_back("a carrier that rises to " + hz +
+                      " Hz is silent above 1,000 Hz: readers take no more");
+    wave.amplitude = silent_above(wave.amplitude, wave.frequency);
+    wave.frequency.clear();
+    const AmplitudeCurve all_hz = heights_of(curve_of_carrier(pattern, carrier));
+    const auto within = [&](double value) { return std::min(value, most_hz); };
+    for (const AmplitudePoint& point : mapped(all_hz, within, 0.5)) {
+        wave.frequency.push_back({point.time_s, point.value});
+    }
+    return wave;
 }
 
 }  // namespace
 
 WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const PlainCurves envelope = shared_envelope(pattern, written.remarks);
-    const std::vector<Carrier> carriers = sounding_carriers(pattern);
+    const PlainCurves envelope = shared_envelope(pattern, written);
+    std::vector<CarrierWave> waves;
     double together = 0.0;
-    for (const Carrier& carrier : carriers) together += std::abs(carrier.weight);
+    for (const Carrier& carrier : sounding_carriers(pattern)) {
+        AmplitudeCurve own = envelope.amplitude;
+        for (AmplitudePoint& point : own) point.value *= std::abs(carrier.weight);
+        auto wave = wave_of(pattern, carrier, own, written.remarks);
+        if (!wave) continue;
+        together += std::abs(carrier.weight);
+        waves.push_back(*std::move(wave));
+    }
     const double full_g = target.map.full_scale_g;
     double peak_g = peak_value(envelope.amplitude) * together;
     for (const Transient& one : envelope.transients) {
@@ -203,26 +249,19 @@ WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target) {
     }
     const double unit_g = peak_g > 0.0 ? peak_g : full_g;
     const double scale = scale_to_full(unit_g / full_g, written.remarks);
-    HjifLosses losses;
     Json bands = Json::array();
-    for (const Carrier& carrier : carriers) {
-        AmplitudeCurve amplitude = envelope.amplitude;
-        for (AmplitudePoint& point : amplitude) {
-            point.value *= std::abs(carrier.weight) / unit_g;
-        }
-        const double phase_rad =
-            carrier.phase_rad + (carrier.weight < 0.0 ? std::numbers::pi : 0.0);
-        bands.push_back(
-            wave_band(amplitude, curve_of_carrier(pattern, carrier), phase_rad, losses));
+    if (waves.empty()) {
+        waves.push_back({{{0.0, 0.0}, {pattern.duration_s, 0.0}}, {{0.0, 150.0}}, 0.0});
+    }
+    for (CarrierWave& wave : waves) {
+        for (AmplitudePoint& point : wave.amplitude) point.value /= unit_g;
+        bands.push_back(wave_band(wave.amplitude, wave.frequency, wave.phase_rad));
     }
     if (!envelope.transients.empty()) {
-        bands.push_back(transient_band(envelope.transients, target.map, unit_g, losses));
-        remark_transients(envelope.transients, target.map, written.remarks);
-        const double length_s = burst_duration_s(target.map, 0.5);
-        const double end_s = envelope.transients.back().time_s + length_s;
-        remark_end(std::max(end_s, pattern.duration_s), pattern.duration_s, written.remarks);
+        bands.push_back(transient_band(envelope.transients, target.map, unit_g));
+        remark_transients(envelope.transients, target.map, written);
     }
-    remark_whole_numbers(losses, written.remarks);
+    written.coarse.emplace_back("frequencies are whole Hz, times whole ticks of 25 us");
     written.text = printed(document_of_bands(std::move(bands), scale * unit_g / full_g, target));
     return written;
 }

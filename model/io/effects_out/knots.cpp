@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "model/io/effects/sketch.h"
 #include "model/text/numbers.h"
@@ -31,14 +32,6 @@ Knot knot_between(const Knot& a, const Knot& b, double t_s) {
     const double share = length_s > 0.0 ? (t_s - a.time_s) / length_s : 0.0;
     return {t_s, a.amplitude + share * (b.amplitude - a.amplitude),
             a.frequency + share * (b.frequency - a.frequency)};
-}
-
-// The lines at a time; held behind the last one.
-Knot knot_at(const std::vector<Knot>& knots, double t_s) {
-    const auto next = std::ranges::upper_bound(knots, t_s, {}, &Knot::time_s);
-    if (next == knots.begin()) return knots.front();
-    if (next == knots.end()) return knots.back();
-    return knot_between(*(next - 1), *next, t_s);
 }
 
 struct Off {
@@ -81,6 +74,29 @@ std::vector<Knot> candidates_of(const AmplitudeCurve& amplitude, const Amplitude
     std::ranges::stable_sort(all, {}, &Knot::time_s);
     if (rules.from_silence) all.front().amplitude = 0.0;
     return all;
+}
+
+// The loudest that is over before a player that begins in silence can be as loud; none where what
+// sounds when it can be is half as loud or more.
+std::optional<Knot> missed_pulse(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                                 const std::vector<double>& times, const KnotRules& rules) {
+    if (!rules.from_silence) return std::nullopt;
+    Knot loudest{rules.least_gap_s, 0.0, 0.0};
+    for (const double t_s : times) {
+        if (t_s >= rules.least_gap_s) break;
+        const Sides a = sides_at(amplitude, t_s);
+        const double here = t_s > 0.0 ? std::max(a.before, a.behind) : a.behind;
+        if (here <= loudest.amplitude) continue;
+        const Sides f = sides_at(frequency, t_s);
+        loudest.amplitude = here;
+        loudest.frequency = a.behind >= here ? f.behind : f.before;
+    }
+    const double then =
+        times.back() > rules.least_gap_s ? sides_at(amplitude, rules.least_gap_s).behind : 0.0;
+    if (!(loudest.amplitude > 0.0) || 2.0 * then >= loudest.amplitude) return std::nullopt;
+    if (rules.frequency_step > 0.0)
+        loudest.frequency = whole_ticks_s(loudest.frequency, rules.frequency_step);
+    return loudest;
 }
 
 double felt_db(const Knot& asked, const Knot& got, const KnotRules& rules) {
@@ -130,48 +146,34 @@ bool add_worst(std::vector<Knot>& kept, std::vector<Candidate>& candidates,
     return true;
 }
 
+// As the first knot behind the beginning, where there is one to be kept.
+void keep_pulse(std::vector<Knot>& kept, std::vector<Candidate>& candidates,
+                const std::optional<Knot>& pulse, const KnotRules& rules) {
+    if (!pulse) return;
+    if (kept.back().time_s - pulse->time_s < rules.least_gap_s - 1e-9) {
+        // There is no room behind it: what is left of a pattern so short is its end.
+        kept.back().amplitude = pulse->amplitude;
+        kept.back().frequency = pulse->frequency;
+        return;
+    }
+    kept.insert(kept.begin() + 1, *pulse);
+    measure_between(candidates, kept[0], kept[1], rules);
+    measure_between(candidates, kept[1], kept[2], rules);
+}
+
 // Where a ramp is in the place of a jump; the beginning is one where the player is silent before.
-std::vector<double> times_of_jumps(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
-                                   const std::vector<double>& times, const KnotRules& rules) {
-    std::vector<double> jumps;
+std::size_t count_of_jumps(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+                           const std::vector<double>& times, const KnotRules& rules) {
+    std::size_t jumps = 0;
     for (const double t_s : times) {
         const Sides a = sides_at(amplitude, t_s);
         const Sides f = sides_at(frequency, t_s);
         const bool within = t_s > 0.0 && t_s < times.back();
         const bool jump = within && (a.before != a.behind || f.before != f.behind);
         const bool at_once = t_s == 0.0 && rules.from_silence && a.behind > 0.0;
-        if (jump || at_once) jumps.push_back(t_s);
+        if (jump || at_once) ++jumps;
     }
     return jumps;
-}
-
-void measure(FittedKnots& fit, const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
-             const std::vector<double>& times, const KnotRules& rules) {
-    const std::vector<double> jumps = times_of_jumps(amplitude, frequency, times, rules);
-    fit.ramps = jumps.size();
-    const auto note = [&](double t_s, bool behind) {
-        const Sides a = sides_at(amplitude, t_s);
-        const Sides f = sides_at(frequency, t_s);
-        const Knot asked{t_s, behind ? a.behind : a.before, behind ? f.behind : f.before};
-        const Off off = off_by(asked, knot_at(fit.knots, t_s));
-        fit.amplitude_error = std::max(fit.amplitude_error, off.amplitude);
-        fit.frequency_error = std::max(fit.frequency_error, off.frequency);
-        const double error_db = felt_db(asked, knot_at(fit.knots, t_s), rules);
-        fit.felt_error_db = std::max(fit.felt_error_db, error_db);
-    };
-    for (const double t_s : times) {
-        const bool on_ramp = std::ranges::any_of(jumps, [&](double jump_s) {
-            return std::abs(t_s - jump_s) < rules.least_gap_s - 0.5 * rules.tick_s;
-        });
-        if (!on_ramp) note(t_s, t_s == 0.0);
-    }
-    // Whether each ramp is there, or was thinned away.
-    for (const double jump_s : jumps) {
-        const double from_s = jump_s - rules.least_gap_s;
-        const double to_s = jump_s + rules.least_gap_s;
-        if (from_s >= 0.0) note(from_s, true);
-        if (to_s <= times.back()) note(to_s, false);
-    }
 }
 
 }  // namespace
@@ -190,40 +192,23 @@ FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& 
     std::vector<Candidate> candidates;
     for (const Knot& knot : possible) candidates.push_back({knot});
     measure_between(candidates, fit.knots.front(), fit.knots.back(), rules);
+    keep_pulse(fit.knots, candidates, missed_pulse(amplitude, frequency, times, rules), rules);
     while (fit.knots.size() < rules.most && add_worst(fit.knots, candidates, rules)) {
     }
-    measure(fit, amplitude, frequency, times, rules);
+    fit.ramps = count_of_jumps(amplitude, frequency, times, rules);
     return fit;
 }
 
-void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
-                const std::string& frequency_unit, std::vector<std::string>& remarks) {
-    constexpr double kRoundingOff = 1e-9;
-    const double end_s = fit.knots.back().time_s;
-    if (std::abs(end_s - duration_s) > kRoundingOff) {
-        remarks.push_back("lasts " + significant_digits(1e3 * end_s, 6) + " ms in place of " +
-                          significant_digits(1e3 * duration_s, 6) + " ms");
-    }
+void remark_fit(const FittedKnots& fit, const KnotRules& rules, std::vector<std::string>& coarse) {
     const std::string gap = significant_digits(1e3 * rules.least_gap_s, 3) + " ms";
     if (fit.ramps > 0) {
-        remarks.push_back(fit.ramps == 1 ? "a jump becomes a ramp of " + gap
-                                         : grouped_digits(fit.ramps) + " jumps become ramps of " +
-                                               gap + " or more");
+        coarse.push_back(fit.ramps == 1 ? "a jump becomes a ramp of " + gap
+                                        : grouped_digits(fit.ramps) + " jumps become ramps of " +
+                                              gap + " or more");
     }
-    const bool amplitude = fit.amplitude_error > kRoundingOff;
-    const bool frequency = fit.frequency_error > kRoundingOff * rules.frequency_unit;
-    if (!amplitude && !frequency) return;
-    std::string text = grouped_digits(fit.points) +
-                       (fit.knots.size() < fit.points ? " points thinned to " : " points become ") +
-                       grouped_digits(fit.knots.size()) + ", at least " + gap + " apart";
-    std::string numbers;
-    if (amplitude) numbers = significant_digits(fit.amplitude_error, 2) + " of full scale";
-    if (frequency) {
-        numbers += (numbers.empty() ? "" : ", ") + significant_digits(fit.frequency_error, 2) +
-                   frequency_unit;
-    }
-    text += ", at most " + felt_words(fit.felt_error_db, numbers);
-    remarks.push_back(text);
+    if (fit.knots.size() >= fit.points) return;
+    coarse.push_back(grouped_digits(fit.points) + " points thinned to " +
+                     grouped_digits(fit.knots.size()) + ", at least " + gap + " apart");
 }
 
 }  // namespace tact

@@ -4,9 +4,11 @@
 // there is room for it: Ramer, Douglas and Peucker's way, with a least distance between points. Of
 // what nobody feels, the numbers decide.
 //
+// A player that begins in silence gets there within the first gap: what is loudest in it and over
+// before is played at its end.
+//
 // Source    model/signal/thinning.h, for two heights at once; felt_error.h
-// Output    how far off the result is, measured at the points of the curves themselves, but for
-//           those within a gap of a jump: a ramp is in its place, and that is counted
+// Left out  how far off the result is: model/export/envelope_error.h
 #pragma once
 
 #include <functional>
@@ -41,18 +43,13 @@ struct FittedKnots {
     std::vector<Knot> knots;  // from 0 s to the end
     std::size_t points = 0;   // of the curves, together
     std::size_t ramps = 0;    // in the place of a jump, a beginning at once among them
-    double amplitude_error = 0.0;
-    double frequency_error = 0.0;
-    double felt_error_db = 0.0;
 };
 
 // Of curves from 0 s to `duration_s`, which becomes a whole number of ticks and a gap at least.
 FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
                          double duration_s, const KnotRules& rules);
 
-// "2 jumps become ramps of 20 ms", "37 points thinned to 16, at least 20 ms apart, at most 2.1 dB
-// off where it is felt (0.03 of full scale)"; nothing where nothing is lost.
-void remark_fit(const FittedKnots& fit, const KnotRules& rules, double duration_s,
-                const std::string& frequency_unit, std::vector<std::string>& remarks);
+// "2 jumps become ramps of 20 ms", "37 points thinned to 16, at least 20 ms apart".
+void remark_fit(const FittedKnots& fit, const KnotRules& rules, std::vector<std::string>& coarse);
 
 }  // namespace tact

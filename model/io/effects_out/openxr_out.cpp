@@ -75,14 +75,14 @@ WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     ActuatorMap map = target.map;
     map.frequency_law = FrequencyLaw::linear;
-    Shares shares = as_shares(as_curves(pattern, written.remarks), map, written.remarks);
+    Shares shares = as_shares(as_curves(pattern, written), map, written);
     if (shares.frequency.front().time_s > 0.0) {
         shares.frequency.insert(shares.frequency.begin(), {0.0, shares.frequency.front().value});
     }
     if (shares.frequency.size() == 1) {
         shares.frequency.push_back({shares.duration_s, shares.frequency.front().value});
     }
-    thin_shares(shares, kMostXrPoints, map, written.remarks);
+    thin_shares(shares, kMostXrPoints, map, written.coarse);
     remark_merged_taps(shares.taps, written.remarks);
     const std::string name = identifier(target.name);
     written.text = point_array(name + "_amplitude", shares.amplitude) +

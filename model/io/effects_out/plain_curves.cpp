@@ -1,7 +1,9 @@
 #include "model/io/effects_out/plain_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "model/common/portable.h"
@@ -15,9 +17,10 @@ namespace tact {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kStepS = 0.010;
-constexpr double kFastestHz = 25.0;       // of an envelope that points every 10 ms can follow
-constexpr double kBendTolerance = 0.005;  // of the largest amplitude
+constexpr double kStepS = 0.010;       // where nothing is known of what bends
+constexpr double kLeastStepS = 0.002;  // within it a straight line is at most 1 ms off
+constexpr double kBendToleranceDb = 0.05;
+constexpr double kFastestHz = 25.0;  // of an envelope that is felt as one
 constexpr double kSameTimeS = 1e-9;
 
 // How strong the carriers are together, slow beats and all.
@@ -114,9 +117,10 @@ bool is_flat(const AmplitudeCurve& curve) {
         curve, [&](const AmplitudePoint& point) { return point.value == curve.front().value; });
 }
 
-// Where the amplitude bends or jumps, and every 10 ms where it is not straight between.
+// Where the amplitude jumps or has a corner, an extremum or a zero, and every 10 ms where it is not
+// straight between.
 std::vector<double> times_of_envelope(const Pattern& pattern, const std::vector<Note>& all,
-                                      bool bent) {
+                                      bool sampled) {
     std::vector<double> times{0.0, pattern.duration_s};
     for (const AmplitudePoint& point : pattern.amplitude_curve) times.push_back(point.time_s);
     for (const Note& note : all) {
@@ -130,11 +134,10 @@ std::vector<double> times_of_envelope(const Pattern& pattern, const std::vector<
             times.push_back(note.onset_s + note.length_s * attack_s / (attack_s + release_s));
         }
     }
-    for (int k = 1; bent && k * kStepS < pattern.duration_s; ++k) times.push_back(k * kStepS);
-    const bool touches_0 = pattern.modulation.kind == ModulationKind::product;
-    if (touches_0 && is_modulated(pattern.modulation) && is_slow(pattern.modulation)) {
-        const double half_s = 0.5 / pattern.modulation.frequency_hz;
-        for (int k = 1; k * half_s < pattern.duration_s; ++k) times.push_back(k * half_s);
+    for (int k = 1; sampled && k * kStepS < pattern.duration_s; ++k) times.push_back(k * kStepS);
+    if (is_modulated(pattern.modulation) && is_slow(pattern.modulation)) {
+        const double quarter_s = 0.25 / pattern.modulation.frequency_hz;
+        for (int k = 1; k * quarter_s < pattern.duration_s; ++k) times.push_back(k * quarter_s);
     }
     std::erase_if(times, [&](double t_s) { return !(t_s >= 0.0 && t_s <= pattern.duration_s); });
     std::ranges::sort(times);
@@ -144,35 +147,47 @@ std::vector<double> times_of_envelope(const Pattern& pattern, const std::vector<
     return times;
 }
 
-std::string points_text(std::size_t points) {
-    return grouped_digits(points) + (points == 1 ? " point" : " points");
+// Points between two, where a straight line is felt to be off.
+void add_bends(std::vector<double>& times, double from_s, double to_s,
+               const std::function<FeltTone(double)>& tone_at) {
+    if (to_s - from_s < 2.0 * kLeastStepS) return;
+    constexpr double kInside = 1e-6;  // of the stretch: at its ends it may jump
+    const double length_s = to_s - from_s;
+    const double first_g = tone_at(from_s + kInside * length_s).amplitude_g;
+    const double last_g = tone_at(to_s - kInside * length_s).amplitude_g;
+    const bool straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double share) {
+        const FeltTone tone = tone_at(from_s + share * length_s);
+        const FeltTone line{first_g + share * (last_g - first_g), tone.frequency_hz};
+        return felt_error_db(tone, line) <= kBendToleranceDb;
+    });
+    if (straight) return;
+    const double middle_s = 0.5 * (from_s + to_s);
+    add_bends(times, from_s, middle_s, tone_at);
+    times.push_back(middle_s);
+    add_bends(times, middle_s, to_s, tone_at);
 }
 
-// As few points as stay within the tolerance, and at most those of a pattern: then those that are
-// felt first.
-void thin_envelope(PlainCurves& curves, bool bent, std::vector<std::string>& remarks) {
-    AmplitudeCurve& curve = curves.amplitude;
-    if (!bent && curve.size() <= limits::kMaxCurvePoints) return;
-    const double peak = peak_value(curve);
-    const double tolerance = bent ? kBendTolerance * peak : 0.0;
-    const AmplitudeCurve all = curve;
-    const double error = thin(curve, all.size(), tolerance);
-    if (!(error > 0.0) && curve.size() <= limits::kMaxCurvePoints) return;
-    const auto percent = [&](double g) {
-        return significant_digits(100.0 * g / peak, 2) + " % of its largest";
-    };
-    std::string off = percent(error) + " off";
-    if (curve.size() > limits::kMaxCurvePoints) {
-        curve = all;
-        const Thinning line =
-            thin_by(curve, limits::kMaxCurvePoints, 0.0, [&](std::size_t k, double line_g) {
-                const double hz = sides_at(curves.frequency, all[k].time_s).behind;
-                return felt_error_db({all[k].value, hz}, {line_g, hz});
-            });
-        off = felt_words(line.largest_weight, percent(line.largest_error));
+std::vector<double> with_bends(const std::vector<double>& times,
+                               const std::function<FeltTone(double)>& tone_at) {
+    std::vector<double> all{times.front()};
+    for (std::size_t k = 1; k < times.size(); ++k) {
+        add_bends(all, times[k - 1], times[k], tone_at);
+        all.push_back(times[k]);
     }
-    remarks.push_back("its envelope is drawn with " + points_text(curve.size()) + ", at most " +
-                      off);
+    return all;
+}
+
+// At most as many points as a pattern may have, those that are felt first.
+void thin_envelope(PlainCurves& curves, std::vector<std::string>& coarse) {
+    AmplitudeCurve& curve = curves.amplitude;
+    if (curve.size() <= limits::kMaxCurvePoints) return;
+    const AmplitudeCurve all = curve;
+    thin_by(curve, limits::kMaxCurvePoints, 0.0, [&](std::size_t k, double line_g) {
+        const double hz = sides_at(curves.frequency, all[k].time_s).behind;
+        return felt_error_db({all[k].value, hz}, {line_g, hz});
+    });
+    coarse.push_back("its envelope of " + grouped_digits(all.size()) + " points is drawn with " +
+                     grouped_digits(curve.size()));
 }
 
 void remark_modulation(const Pattern& pattern, std::vector<std::string>& remarks) {
@@ -181,7 +196,7 @@ void remark_modulation(const Pattern& pattern, std::vector<std::string>& remarks
     remarks.push_back(is_slow(pattern.modulation)
                           ? "modulation of " + hz + " is drawn into the amplitude"
                           : "modulation of " + hz +
-                                " is too fast for points of 10 ms: written as its mean strength");
+                                " is too fast for an envelope: written as its mean strength");
 }
 
 // The frequency of the strongest carrier over time.
@@ -238,21 +253,30 @@ std::vector<Point> with_stretch(const std::vector<Point>& curve, double from_s, 
 
 }  // namespace
 
-PlainCurves as_curves(const Pattern& pattern, std::vector<std::string>& remarks) {
+PlainCurves as_curves(const Pattern& pattern, WrittenEffect& written) {
     PlainCurves curves;
     curves.duration_s = pattern.duration_s;
     const CarrierSum sum = carrier_sum(pattern);
     const std::vector<Note> all = notes(pattern.rhythm, pattern.duration_s);
     const bool ramps = pattern.attack_s > 0.0 || pattern.release_s > 0.0;
     const bool swings = is_modulated(pattern.modulation) && is_slow(pattern.modulation);
-    const bool bent = swings || has_beat(sum) || (ramps && !is_flat(pattern.amplitude_curve));
-    curves.frequency = strongest_of(pattern, sum, remarks);
-    remark_modulation(pattern, remarks);
+    const bool sampled = has_beat(sum) || (ramps && !is_flat(pattern.amplitude_curve));
+    curves.frequency = strongest_of(pattern, sum, written.remarks);
+    remark_modulation(pattern, written.remarks);
     AmplitudeCurve factor = pattern.amplitude_curve;
     if (factor.empty()) factor.push_back({0.0, 1.0});
-    for (const double t_s : times_of_envelope(pattern, all, bent)) {
-        const double level_g =
-            pattern.amplitude_g * strength_at(sum, t_s) * strength_at(pattern.modulation, t_s);
+    const auto strength_g = [&](double t_s) {
+        return pattern.amplitude_g * strength_at(sum, t_s) * strength_at(pattern.modulation, t_s);
+    };
+    const auto tone_at = [&](double t_s) {
+        const double g = strength_g(t_s) * sides_at(factor, t_s).behind;
+        return FeltTone{g * gate_at(pattern, all, t_s, true),
+                        sides_at(curves.frequency, t_s).behind};
+    };
+    std::vector<double> times = times_of_envelope(pattern, all, sampled);
+    if (sampled || swings) times = with_bends(times, tone_at);
+    for (const double t_s : times) {
+        const double level_g = strength_g(t_s);
         const Sides sides = sides_at(factor, t_s);
         const double before = level_g * sides.before * gate_at(pattern, all, t_s, false);
         const double behind = level_g * sides.behind * gate_at(pattern, all, t_s, true);
@@ -261,7 +285,7 @@ PlainCurves as_curves(const Pattern& pattern, std::vector<std::string>& remarks)
             curves.amplitude.push_back({t_s, behind});
         }
     }
-    thin_envelope(curves, bent, remarks);
+    thin_envelope(curves, written.coarse);
     curves.transients = pattern.transients;
     std::erase_if(curves.transients, [](const Transient& one) { return !(one.amplitude_g > 0.0); });
     std::ranges::stable_sort(curves.transients, {}, &Transient::time_s);

@@ -3,8 +3,9 @@
 // Several carriers become the strongest one (the first of equals), as loud as all of them together:
 // |sum_j w_j exp(i phase_j(t))|, where of each two carriers the beat is kept up to 25 Hz and
 // averaged beyond it. A modulation becomes its magnitude, |sin| of a product, up to 25 maxima a
-// second; a faster one its mean strength. Where any of these bends, it is sampled every 10 ms and
-// thinned within 0.5 % of its largest; all else (curves, rhythm, attack and release) is exact.
+// second; a faster one its mean strength. Where any of these bends, points stand at its extrema and
+// zeros and wherever else a straight line would be felt to be off, 2 ms apart at least; all else
+// (curves, rhythm, attack and release) is exact.
 //
 // Source    ours
 // Valid     patterns without fault (model/pattern/drawn_fault.h)
@@ -14,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "model/io/effects_out/write_effect.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {
@@ -27,8 +29,8 @@ struct PlainCurves {
     bool operator==(const PlainCurves&) const = default;
 };
 
-// What was merged, drawn or left out is added to `remarks`, a sentence without its stop each.
-PlainCurves as_curves(const Pattern& pattern, std::vector<std::string>& remarks);
+// What was merged, drawn or left out is added to the remarks, what was thinned to the coarse ones.
+PlainCurves as_curves(const Pattern& pattern, WrittenEffect& written);
 
 // The same, with each transient as a pulse: as loud and as high where it is louder than what is
 // beneath it. For formats that have none.

@@ -8,7 +8,6 @@
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
 #include "model/pattern/drawn_curve.h"
-#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -25,7 +24,7 @@ Json preset_points(const AmplitudeCurve& curve) {
 
 // A preset's length is where events begin to end: its last tick sounds on.
 void remark_last_tick(const Shares& shares, const ActuatorMap& map,
-                      std::vector<std::string>& remarks) {
+                      std::vector<std::string>& coarse) {
     double end_s = shares.duration_s;
     for (const TapShares& tap : shares.taps) {
         for (const Transient& burst :
@@ -34,17 +33,15 @@ void remark_last_tick(const Shares& shares, const ActuatorMap& map,
         }
     }
     if (!(end_s > shares.duration_s + 1e-9)) return;
-    remarks.push_back("ends at " + significant_digits(end_s, 4) + " s in place of " +
-                      significant_digits(shares.duration_s, 4) + " s: its last tick is whole");
+    coarse.emplace_back("its last tick is whole, and ends behind the preset's length");
 }
 
 }  // namespace
 
 WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const Shares shares =
-        as_shares(as_curves(pattern, written.remarks), target.map, written.remarks);
-    remark_last_tick(shares, target.map, written.remarks);
+    const Shares shares = as_shares(as_curves(pattern, written), target.map, written);
+    remark_last_tick(shares, target.map, written.coarse);
     Json taps = Json::array();
     for (const TapShares& tap : shares.taps) {
         taps.push_back({{"time", 1e3 * tap.time_s},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/io/effects_out/felt_error.h"
 #include "model/io/effects_out/writers.h"
 #include "model/io/recordings/waveform_csv.h"
 #include "model/text/numbers.h"
@@ -17,6 +18,12 @@ int bits_of(WaveEncoding encoding) { return encoding == WaveEncoding::int16 ? 16
 
 // So many steps are there from 0 to the largest number.
 double largest_whole(WaveEncoding encoding) { return std::ldexp(1.0, bits_of(encoding) - 1) - 1.0; }
+
+// Whether half a step may be a hundredth, 0.1 dB, of what is just felt where the skin feels best.
+bool is_felt_step(double step_g) {
+    constexpr double kFinestHz = 200.0;
+    return felt_level_db({0.5 * step_g / 0.01, kFinestHz}) > 0.0;
+}
 
 Waveform turned_down(Waveform waveform, double most_g, std::vector<std::string>& remarks) {
     const double peak = peak_g(waveform);
@@ -57,6 +64,7 @@ WrittenEffect write_samples(TargetFormat format, const Waveform& waveform,
     written.beside = std::move(text->sidecar);
     if (as.encoding == WaveEncoding::float32) return written;
     const double step_g = as.full_scale_g / (largest_whole(as.encoding) + 1.0);
+    if (!is_felt_step(step_g)) return written;
     written.remarks.push_back("accelerations are in steps of " + significant_digits(step_g, 2) +
                               " g");
     return written;

@@ -59,11 +59,11 @@ void note_changes(TapChanges& changes, const Transient& asked, const FullBurst& 
     if (asked.shape != got.shape) ++changes.shapes;
 }
 
-void remark_changes(const TapChanges& changes, std::vector<std::string>& remarks) {
-    changes.frequency.remark("another frequency", " Hz", remarks);
-    changes.length.remark("another length", " ms", remarks);
+void remark_changes(const TapChanges& changes, WrittenEffect& written) {
+    changes.frequency.remark("another frequency", " Hz", written.coarse);
+    changes.length.remark("another length", " ms", written.coarse);
     if (changes.shapes > 0) {
-        remarks.push_back(transients_text(changes.shapes) + ": sine and square exchanged");
+        written.remarks.push_back(transients_text(changes.shapes) + ": sine and square exchanged");
     }
 }
 
@@ -134,8 +134,8 @@ double energy_g2_s(const Transient& transient) {
     return of_shape * transient.amplitude_g * transient.amplitude_g * transient.duration_s;
 }
 
-Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
-                 std::vector<std::string>& remarks) {
+Shares as_shares(const PlainCurves& curves, const ActuatorMap& map, WrittenEffect& written) {
+    std::vector<std::string>& remarks = written.remarks;
     const double full_g = map.full_scale_g * map.continuous_gain;
     double loudest = full_g > 0.0 ? peak_value(curves.amplitude) / full_g : 0.0;
     if (!(full_g > 0.0) && peak_value(curves.amplitude) > 0.0) {
@@ -162,31 +162,29 @@ Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
     };
     shares.amplitude = mapped(curves.amplitude, to_share, 1e-3);
     shares.frequency = band_shares(map, in_band(curves.frequency, map.frequency_hz, remarks));
-    remark_changes(changes, remarks);
+    remark_changes(changes, written);
     return shares;
 }
 
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
-                 std::vector<std::string>& remarks) {
+                 std::vector<std::string>& coarse) {
     const Shares all = shares;
     const auto tone = [&](double intensity, double share) {
         return FeltTone{continuous_g(map, intensity), frequency_hz(map, share)};
     };
-    const auto thin_one = [&](AmplitudeCurve& curve, const std::string& what, const char* unit,
+    const auto thin_one = [&](AmplitudeCurve& curve, const std::string& what,
                               const ThinningWeight& weight) {
         if (curve.size() <= most) return;
         const std::size_t before = curve.size();
-        const Thinning line = thin_by(curve, most, 0.0, weight);
-        const std::string numbers = significant_digits(line.largest_error, 2) + unit;
-        remarks.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
-                          grouped_digits(curve.size()) + ", at most " +
-                          felt_words(line.largest_weight, numbers));
+        thin_by(curve, most, 0.0, weight);
+        coarse.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
+                         grouped_digits(curve.size()));
     };
-    thin_one(shares.amplitude, "amplitude", " of full scale", [&](std::size_t k, double line) {
+    thin_one(shares.amplitude, "amplitude", [&](std::size_t k, double line) {
         const double share = sides_at(all.frequency, all.amplitude[k].time_s).behind;
         return felt_error_db(tone(all.amplitude[k].value, share), tone(line, share));
     });
-    thin_one(shares.frequency, "frequency", " of the band", [&](std::size_t k, double line) {
+    thin_one(shares.frequency, "frequency", [&](std::size_t k, double line) {
         const Sides sides = sides_at(all.amplitude, all.frequency[k].time_s);
         const double intensity = std::max(sides.before, sides.behind);
         return felt_error_db(tone(intensity, all.frequency[k].value), tone(intensity, line));

@@ -48,13 +48,11 @@ FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::str
 // sine's flanks, so only ratios between transients of one shape are exact.
 double energy_g2_s(const Transient& transient);
 
-Shares as_shares(const PlainCurves& curves, const ActuatorMap& map,
-                 std::vector<std::string>& remarks);
+Shares as_shares(const PlainCurves& curves, const ActuatorMap& map, WrittenEffect& written);
 
-// At most so many points in each curve, those that are felt first, and a remark on how far off that
-// is.
+// At most so many points in each curve, those that are felt first.
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
-                 std::vector<std::string>& remarks);
+                 std::vector<std::string>& coarse);
 
 // "1 transient", "3 transients".
 std::string transients_text(std::size_t count);

@@ -1,15 +1,18 @@
 // Android's timings and amplitudes as JSON, and Hapticlabs' .hla, which has the same two.
 //
-// Source    VibrationEffect.createWaveform, and Meta's converter and its tests: steps of 10 ms, the
-//           last one shorter, amplitudes truncated to 1 to 255. Hapticlabs' documentation of .hla.
-// Output    no frequency: the device has its own; each transient as a pulse
+// Source    VibrationEffect.createWaveform: whole ms, 0 to 255. Meta's converter and its tests, for
+//           slopes: steps of one length, the last one shorter, amplitudes truncated to 1 to 255.
+//           Hapticlabs' documentation of .hla.
+// Output    no frequency: the device has its own; each transient as a pulse; flat stretches are
+//           kept to the ms, slopes are in steps of 1, 2, 5 or 10 ms, the shortest of which there
+//           are not too many
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "model/io/effects/effect.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
 #include "model/text/numbers.h"
@@ -19,20 +22,28 @@ namespace tact {
 
 namespace {
 
-constexpr double kAndroidStepS = 0.010;
+constexpr std::array kSlopeStepsMs{1, 2, 5, 10};
+constexpr std::size_t kMostSteps = 240;  // whose curve of two points each has room in a pattern
 constexpr double kSameStepS = 1e-9;
 
-// Positions of the points of a stretch without a jump.
+// Positions of the points of a stretch.
 struct Run {
     std::size_t first = 0;
     std::size_t last = 0;
+    bool flat = false;
 };
 
+// Stretches without a jump, each flat or without a flat piece.
 std::vector<Run> runs_of(const AmplitudeCurve& curve) {
-    std::vector<Run> runs{{0, 0}};
+    std::vector<Run> runs;
     for (std::size_t k = 1; k < curve.size(); ++k) {
-        if (curve[k].time_s == curve[k - 1].time_s) runs.push_back({k, k});
-        runs.back().last = k;
+        if (curve[k].time_s == curve[k - 1].time_s) continue;
+        const bool flat = curve[k].value == curve[k - 1].value;
+        if (!runs.empty() && runs.back().last == k - 1 && runs.back().flat == flat) {
+            runs.back().last = k;
+        } else {
+            runs.push_back({k - 1, k, flat});
+        }
     }
     return runs;
 }
@@ -57,25 +68,22 @@ int step_amplitude(const AmplitudeCurve& curve, const Run& run, double t_s, doub
     return std::clamp(static_cast<int>(value * 255.0F), 1, 255);
 }
 
-bool is_silent_between(const AmplitudeCurve& curve, double from_s, double to_s) {
-    if (sides_at(curve, from_s).behind > 0.0 || sides_at(curve, to_s).before > 0.0) return false;
-    return std::ranges::none_of(curve, [&](const AmplitudePoint& point) {
-        return point.time_s > from_s + kSameStepS && point.time_s < to_s - kSameStepS &&
-               point.value > 0.0;
-    });
+void add_step(SteppedAmplitudes& steps, int length_ms, int amplitude) {
+    if (length_ms <= 0) return;
+    if (!steps.amplitudes.empty() && steps.amplitudes.back() == amplitude) {
+        steps.timings_ms.back() += length_ms;
+        return;
+    }
+    steps.timings_ms.push_back(length_ms);
+    steps.amplitudes.push_back(amplitude);
 }
 
-SteppedAmplitudes merged_steps(const SteppedAmplitudes& steps) {
-    SteppedAmplitudes merged;
-    for (std::size_t k = 0; k < steps.amplitudes.size(); ++k) {
-        if (!merged.amplitudes.empty() && merged.amplitudes.back() == steps.amplitudes[k]) {
-            merged.timings_ms.back() += steps.timings_ms[k];
-        } else {
-            merged.amplitudes.push_back(steps.amplitudes[k]);
-            merged.timings_ms.push_back(steps.timings_ms[k]);
-        }
-    }
-    return merged;
+int ms_at(double t_s) { return static_cast<int>(std::lround(1e3 * t_s)); }
+
+// Silence alone is 0.
+int flat_amplitude(double value) {
+    if (!(value > 0.0)) return 0;
+    return std::clamp(static_cast<int>(std::lround(255.0 * value)), 1, 255);
 }
 
 void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks) {
@@ -87,44 +95,63 @@ void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& r
     remarks.push_back(hz + " Hz left out: the device has its own frequency");
 }
 
+// Where the greatest amplitude is 1, readers cannot know 0 to 255 from shares of 1.
+void lift_faintest(SteppedAmplitudes& steps, std::vector<std::string>& coarse) {
+    if (std::ranges::max(steps.amplitudes) != 1) return;
+    for (int& amplitude : steps.amplitudes) amplitude *= 2;
+    coarse.emplace_back("the greatest amplitude is 2 of 255: 1 would be read as a share of 1");
+}
+
+// With the shortest steps of slopes of which there are not too many.
 SteppedAmplitudes android_steps(const Pattern& pattern, const ActuatorMap& map,
-                                std::vector<std::string>& remarks) {
-    const PlainCurves curves = with_pulses(as_curves(pattern, remarks), remarks);
-    const double duration_s = curves.duration_s;
-    const Shares shares = as_shares(curves, map, remarks);
-    remark_left_out_hz(curves.frequency, remarks);
-    remarks.push_back("amplitude is in steps of 10 ms and of 1/255");
-    const SteppedAmplitudes steps = stepped(shares.amplitude, duration_s, kAndroidStepS);
-    const int total_ms = std::accumulate(steps.timings_ms.begin(), steps.timings_ms.end(), 0);
-    remark_end(1e-3 * total_ms, duration_s, remarks);
-    return steps;
+                                WrittenEffect& written) {
+    const PlainCurves curves = with_pulses(as_curves(pattern, written), written.remarks);
+    const Shares shares = as_shares(curves, map, written);
+    remark_left_out_hz(curves.frequency, written.remarks);
+    for (const int step_ms : kSlopeStepsMs) {
+        SteppedAmplitudes steps = stepped(shares.amplitude, curves.duration_s, 1e-3 * step_ms);
+        if (steps.amplitudes.size() > kMostSteps && step_ms < kSlopeStepsMs.back()) continue;
+        lift_faintest(steps, written.coarse);
+        written.coarse.push_back("amplitude is in whole ms, slopes in steps of " +
+                                 std::to_string(step_ms) + " ms, and in steps of 1/255");
+        return steps;
+    }
+    return {};
 }
 
 }  // namespace
 
+bool is_staircase(const AmplitudeCurve& curve) {
+    return std::ranges::all_of(runs_of(curve), &Run::flat);
+}
+
 SteppedAmplitudes stepped(const AmplitudeCurve& intensity, double duration_s, double step_s) {
     SteppedAmplitudes result;
-    const std::vector<Run> runs = runs_of(intensity);
-    std::size_t run = 0;
-    for (int k = 0; k * step_s < duration_s - kSameStepS; ++k) {
-        const double from_s = k * step_s;
-        const double to_s = std::min(from_s + step_s, duration_s);
-        while (run + 1 < runs.size() &&
-               intensity[runs[run + 1].first].time_s <= from_s + kSameStepS) {
-            ++run;
+    for (const Run& run : runs_of(intensity)) {
+        const double start_s = intensity[run.first].time_s;
+        const double end_s = intensity[run.last].time_s;
+        const int end_ms = ms_at(end_s);
+        int at_ms = ms_at(start_s);
+        if (run.flat) {
+            add_step(result, end_ms - at_ms, flat_amplitude(intensity[run.first].value));
+            continue;
         }
-        result.timings_ms.push_back(
-            static_cast<int>(std::max(std::lround(1e3 * (to_s - from_s)), 1L)));
-        result.amplitudes.push_back(is_silent_between(intensity, from_s, to_s)
-                                        ? 0
-                                        : step_amplitude(intensity, runs[run], from_s, step_s));
+        for (int k = 0; at_ms < end_ms; ++k) {
+            const double from_s = start_s + k * step_s;
+            const int to_ms = std::min(ms_at(from_s + step_s), end_ms);
+            add_step(result, to_ms - at_ms, step_amplitude(intensity, run, from_s, step_s));
+            at_ms = std::max(at_ms, to_ms);
+        }
     }
+    const int total_ms = std::accumulate(result.timings_ms.begin(), result.timings_ms.end(), 0);
+    // Less than half a ms is a whole one: players refuse an effect without length.
+    if (total_ms == 0) add_step(result, std::max(ms_at(duration_s), 1), 0);
     return result;
 }
 
 WrittenEffect write_android_timings(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const SteppedAmplitudes steps = android_steps(pattern, target.map, written.remarks);
+    const SteppedAmplitudes steps = android_steps(pattern, target.map, written);
     written.text =
         Json{{"timings", steps.timings_ms}, {"amplitudes", steps.amplitudes}, {"repeat", -1}}
             .dump() +
@@ -134,8 +161,7 @@ WrittenEffect write_android_timings(const Pattern& pattern, const EffectTarget& 
 
 WrittenEffect write_hla(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const SteppedAmplitudes steps =
-        merged_steps(android_steps(pattern, target.map, written.remarks));
+    const SteppedAmplitudes steps = android_steps(pattern, target.map, written);
     const int total_ms = std::accumulate(steps.timings_ms.begin(), steps.timings_ms.end(), 0);
     written.text = Json{{"ProjectName", "tactspace"},
                         {"TrackName", valid_utf8(target.name)},

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects_out/writers.h"
-#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -81,14 +79,6 @@ WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
 }
 
 std::string printed(const Json& document) { return document.dump(2) + "\n"; }
-
-void remark_end(double written_s, double duration_s, std::vector<std::string>& remarks) {
-    constexpr double kRoundingEndS = 1e-9;
-    if (std::abs(written_s - duration_s) <= kRoundingEndS) return;
-    remarks.push_back("ends at " + significant_digits(written_s, 4) + " s in place of " +
-                      significant_digits(duration_s, 4) +
-                      " s: the format has no length of its own");
-}
 
 std::string identifier(const std::string& name) {
     std::string result;

@@ -3,6 +3,7 @@
 // Pure: what is written depends on the arguments alone. Reading the text with the same actuator map
 // (model/io/effects/read_effects.h) gives what is left of the pattern. WAV and CSV hold samples, in
 // g: they need no map, and hold recordings, too.
+// How far off that is, in dB, is measured behind all writers: model/export/envelope_error.h.
 //
 // Source    each format's at the head of its source file
 // Valid     patterns without fault (model/pattern/drawn_fault.h)
@@ -72,10 +73,12 @@ struct EffectTarget {
     SampledAs sampled{};
 };
 
+// Sentences are without their stop.
 struct WrittenEffect {
     std::string text;
-    std::vector<std::string> remarks;  // what was lost or changed; sentences without their stop
-    std::string beside{};              // the second file, of formats that have one
+    std::vector<std::string> remarks;   // what was lost or changed
+    std::string beside{};               // the second file, of formats that have one
+    std::vector<std::string> coarse{};  // what was rounded, thinned or ramped: said where it costs
 
     bool operator==(const WrittenEffect&) const = default;
 };
@@ -87,9 +90,10 @@ WrittenEffect write_effect(TargetFormat format, const Pattern& pattern, const Ef
 WrittenEffect write_samples(TargetFormat format, const Waveform& waveform,
                             const EffectTarget& target);
 
-// Steps of one amplitude each, 0 to 255, as Meta's converter takes them of a curve of 0 to 1: each
-// stretch between jumps from its first value to its last, truncated in single precision; 0 only
-// where a step is silent all through, as a motor that stops and starts is heard.
+// Steps of one amplitude each, 0 to 255, of a curve of 0 to 1. What is flat is one step, rounded to
+// a whole ms and to 1/255, silence 0. A slope from its first value to its last is in steps of
+// `step_s`, as Meta's converter takes them: truncated in single precision, never 0, as a motor that
+// stops and starts is heard. Neighbours of one amplitude are one step.
 struct SteppedAmplitudes {
     std::vector<int> timings_ms;
     std::vector<int> amplitudes;

@@ -18,11 +18,11 @@ WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target);
 
+// Whether it is flat between its jumps: then the steps of stepped() hold it.
+bool is_staircase(const AmplitudeCurve& curve);
+
 // As text that ends with a line break.
 std::string printed(const Json& document);
-
-// Where a format has no length of its own, and what it holds ends at another time than the pattern.
-void remark_end(double written_s, double duration_s, std::vector<std::string>& remarks);
 
 // Letters, digits and underscores, not a digit first: a name in source text.
 std::string identifier(const std::string& name);

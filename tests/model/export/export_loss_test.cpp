@@ -124,6 +124,47 @@ TEST_CASE("export loss: the verdict turns where the target makes two of the subs
           merged.subset->best.best.weakest_dissimilarity);
 }
 
+TEST_CASE("export loss: with the weakest pair as far apart, the larger sum is the better one") {
+    SubsetChange change;
+    change.kept = {{0, 1, 2}, {0, 1}, 3.0, 12.0};
+    change.best.best = {{0, 1, 3}, {0, 1}, 3.0, 12.5};
+    CHECK_FALSE(is_best_there(change));
+    change.best.best.sum = 12.0;
+    CHECK(is_best_there(change));
+    change.best.best.weakest_dissimilarity = 3.5;
+    CHECK_FALSE(is_best_there(change));
+}
+
+TEST_CASE("export loss: what the target silences is named, and neither kept nor recommended") {
+    PatternSet set;
+    set.vibrations = {tone("low", 0.5, 80.0), tone("high", 0.5, 420.0),
+                      tone("pulses", 0.5, 80.0, "x-"), tone("slow", 0.5, 80.0, "x--")};
+    // A device that plays no transients.
+    Pattern taps = std::get<Pattern>(tone("taps", 0.0, 80.0).source);
+    taps.transients = {{0.02, 0.8, 120.0, 0.02}};
+    Vibration tapping;
+    tapping.name = "taps";
+    tapping.source = taps;
+    set.vibrations.push_back(tapping);
+    ExportTarget target = own_target(TargetFormat::haptic);
+    target.map.transient_gain = 0.0;
+    ExportLossOptions options;
+    options.subset_count = 3;
+    const ExportLoss loss = loss_of(set, target, options);
+    CHECK(loss.patterns[4].silenced);
+    CHECK(loss.patterns[4].remarks.back() == "nothing of this can be felt on the target");
+    CHECK_FALSE(loss.patterns[0].silenced);
+    REQUIRE(loss.subset);
+    CHECK(loss.subset->silenced == std::vector<std::size_t>{4});
+    CHECK_FALSE(std::ranges::binary_search(best_for_target(loss), std::size_t{4}));
+    CHECK(std::ranges::binary_search(loss.subset->meant.best.members, std::size_t{4}));
+    CHECK_FALSE(loss.subset->is_still_best);
+    options.subset_count = 5;
+    const ExportLoss none = loss_of(set, target, options);
+    CHECK_FALSE(none.subset);
+    CHECK(none.no_subset.starts_with("too few patterns can be felt on the target: 5 to pick"));
+}
+
 TEST_CASE("export loss: what is best for the target is what the exported set by itself says") {
     const PatternSet set = six_tones();
     const ExportTarget target = one_frequency(150.0);

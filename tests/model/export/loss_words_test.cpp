@@ -14,6 +14,7 @@ ExportLoss three_patterns() {
     loss.patterns = {{"a", false, {"thinned"}, 0.1, 20.04, 9.0},
                      {"b", false, {}, 0.0, {}, 0.0},
                      {"c", true, {}, 0.0, {}, 0.0}};
+    loss.after = {3, {2.0, 3.0, 1.25}};
     loss.closest_before = ConfusablePair{0, 1, 4.5};
     loss.closest_after = ConfusablePair{1, 2, 1.25};
     SubsetChange change;
@@ -35,7 +36,10 @@ TEST_CASE("loss in words: the verdict names what would be better, and by how muc
     ExportLoss loss = three_patterns();
     CHECK(subset_verdict(loss) ==
           "The 2 most distinct, proven: a, b. For this target they are not the best: c in place of "
-          "b, proven: its weakest pair is at 3 in place of 2, by PM of the exported set alone");
+          "b, proven: its weakest pair is at 3 in place of 2");
+    // The numbers are on the scale of the table: where that has no gain, none is shown.
+    loss.after.condensed = {2.0, 2.0, 1.25};
+    CHECK(subset_verdict(loss).ends_with("b, proven, by PM of the exported set alone"));
     loss.subset->is_still_best = true;
     loss.subset->best.proof = SubsetProof::open;
     CHECK(subset_verdict(loss) ==
@@ -44,6 +48,17 @@ TEST_CASE("loss in words: the verdict names what would be better, and by how muc
     loss.subset.reset();
     loss.no_subset = "too few";
     CHECK(subset_verdict(loss) == "No subset: too few");
+}
+
+TEST_CASE("loss in words: the verdict names what the target silences") {
+    ExportLoss loss = three_patterns();
+    loss.subset->silenced = {1};
+    CHECK(subset_verdict(loss) ==
+          "The 2 most distinct, proven: a, b. For this target they are not the best: c in place of "
+          "b, proven; nothing can be felt there of b");
+    loss.patterns[1].silenced = true;
+    CHECK(
+        summary_of(loss).starts_with("1 of 2 patterns loses something; nothing can be felt of 1"));
 }
 
 TEST_CASE("loss in words: a better sum alone is not called a better weakest pair") {
