@@ -1,6 +1,7 @@
 #include "app/command_line/mpi.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -40,7 +41,7 @@ constexpr int kAsk = 1;
 constexpr int kValues = 2;
 constexpr int kLeave = 3;
 constexpr int kTile = 4;  // and up, by thread: what each asked for
-constexpr long kNoTile = -1;
+constexpr std::int64_t kNoTile = -1;
 
 // MPI's own waiting keeps a core busy; tiles take longer than this.
 constexpr std::chrono::microseconds kPause{100};
@@ -66,8 +67,8 @@ std::optional<std::size_t> ask_for_tile(std::size_t of_thread) {
     for (;; std::this_thread::sleep_for(kPause)) {
         const std::scoped_lock lock(mpi_mutex);
         if (!incoming(0, kTile + thread)) continue;
-        long tile = kNoTile;
-        MPI_Recv(&tile, 1, MPI_LONG, 0, kTile + thread, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        std::int64_t tile = kNoTile;
+        MPI_Recv(&tile, 1, MPI_INT64_T, 0, kTile + thread, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
         if (tile == kNoTile) return std::nullopt;
         return static_cast<std::size_t>(tile);
     }
@@ -86,8 +87,8 @@ void answer(const MPI_Status& status, const TileDesk& desk) {
     int thread = 0;
     MPI_Recv(&thread, 1, MPI_INT, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     const auto next = desk.next(0);
-    const long tile = next ? static_cast<long>(*next) : kNoTile;
-    MPI_Send(&tile, 1, MPI_LONG, status.MPI_SOURCE, kTile + thread, MPI_COMM_WORLD);
+    const std::int64_t tile = next ? static_cast<std::int64_t>(*next) : kNoTile;
+    MPI_Send(&tile, 1, MPI_INT64_T, status.MPI_SOURCE, kTile + thread, MPI_COMM_WORLD);
 }
 
 void take_values(const MPI_Status& status, const TileDesk& desk) {

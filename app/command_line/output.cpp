@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -68,13 +69,14 @@ class AtomicBuffer final : public std::streambuf {
 
 std::string time_text(double seconds) {
     char text[32];
-    const long whole = std::lround(seconds);
+    const std::int64_t whole = std::llround(seconds);
     if (whole < 60) {
-        std::snprintf(text, sizeof text, "%ld s", whole);
+        std::snprintf(text, sizeof text, "%" PRId64 " s", whole);
     } else if (whole < 3600) {
-        std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+        std::snprintf(text, sizeof text, "%" PRId64 " min %02" PRId64 " s", whole / 60, whole % 60);
     } else {
-        std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole / 60 % 60);
+        std::snprintf(text, sizeof text, "%" PRId64 " h %02" PRId64 " min", whole / 3600,
+                      whole / 60 % 60);
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #include "app/progress/time_left.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace tact {
 
@@ -11,7 +12,7 @@ constexpr double kLeastShare = 0.01;
 constexpr double kLeastLeftS = 3.0;
 
 std::string rounded_up(double value, double step, const char* unit) {
-    const auto whole = static_cast<long>(std::ceil(value / step - 1e-9) * step);
+    const auto whole = static_cast<std::int64_t>(std::ceil(value / step - 1e-9) * step);
     return "about " + std::to_string(whole) + " " + unit;
 }
 

@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <cstdint>
 
 #include <algorithm>
 
@@ -136,8 +137,8 @@ py::tuple space(const py::object& matrix, int dimensions, int threads) {
     return py::make_tuple(array_of(made.points), made.stress1);
 }
 
-py::dict subset(const py::object& matrix, int k, const std::vector<long>& keep,
-                const std::vector<long>& drop, const std::string& objective, int threads,
+py::dict subset(const py::object& matrix, int k, const std::vector<std::int64_t>& keep,
+                const std::vector<std::int64_t>& drop, const std::string& objective, int threads,
                 double time_limit_s) {
     const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
     constexpr const char* kObjectives[] = {"max-min", "max-sum"};

@@ -1,6 +1,7 @@
 #include "app/python/values.h"
 
 #include <pybind11/stl.h>
+#include <cstdint>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -248,10 +249,10 @@ Dissimilarity dissimilarities_of(const py::object& matrix, const std::string& na
     return {n, {values.data(), values.data() + count}};
 }
 
-std::vector<std::size_t> places_of(const std::vector<long>& places, const std::string& name,
+std::vector<std::size_t> places_of(const std::vector<std::int64_t>& places, const std::string& name,
                                    std::size_t count) {
     std::vector<std::size_t> result;
-    for (const long place : places) {
+    for (const std::int64_t place : places) {
         if (place < 0 || static_cast<std::size_t>(place) >= count) {
             throw py::value_error(name + ": expected places 0 to " + std::to_string(count - 1) +
                                   ", got " + std::to_string(place));

@@ -10,6 +10,7 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <cstdint>
 
 #include <Eigen/Core>
 #include <span>
@@ -52,7 +53,7 @@ std::vector<Waveform> at_model_rate(std::vector<Waveform> waves);
 Dissimilarity dissimilarities_of(const pybind11::object& matrix, const std::string& name);
 
 // Places of objects, below `count`.
-std::vector<std::size_t> places_of(const std::vector<long>& places, const std::string& name,
+std::vector<std::size_t> places_of(const std::vector<std::int64_t>& places, const std::string& name,
                                    std::size_t count);
 
 // None: the defaults.

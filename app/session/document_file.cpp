@@ -1,6 +1,5 @@
 #include "app/session/document_file.h"
 
-#include <cstdio>
 #include <span>
 #include <utility>
 
@@ -15,10 +14,7 @@ namespace {
 std::filesystem::path lock_file_of(const Session& session, const std::filesystem::path& file) {
     std::error_code none;
     const std::string name = std::filesystem::weakly_canonical(file, none).string();
-    char text[24];
-    std::snprintf(text, sizeof text, "%016llx",
-                  static_cast<unsigned long long>(mixed(0, std::span<const char>(name))));
-    return session.folder / "open" / (std::string(text) + ".lock");
+    return session.folder / "open" / (fingerprint_text(name) + ".lock");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "model/pattern/rhythm_edit.h"
 
@@ -63,7 +64,7 @@ Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bo
     NotePart part = NotePart::whole;
     if (grip.kind == GripKind::note_start) part = NotePart::start;
     if (grip.kind == GripKind::note_end) part = NotePart::end;
-    const long steps = std::lround(by_s / grid.unit_s);
+    const auto steps = static_cast<std::ptrdiff_t>(std::llround(by_s / grid.unit_s));
     const Rhythm moved{with_note_moved(grid.text, grip.index % count, part, steps), grid.unit_s};
     return free ? coarsened(moved, kQuarters) : moved;
 }

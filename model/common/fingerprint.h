@@ -5,10 +5,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace tact {
 
@@ -31,6 +35,17 @@ std::uint64_t mixed(std::uint64_t so_far, std::span<const Value> values) {
         so_far = mixed(so_far, word);
     }
     return mixed(so_far, std::uint64_t{bytes.size()});
+}
+
+// As it is written into files: 16 hexadecimal digits.
+inline std::string fingerprint_text(std::uint64_t number) {
+    char digits[24];
+    std::snprintf(digits, sizeof digits, "%016" PRIx64, number);
+    return digits;
+}
+
+inline std::string fingerprint_text(std::string_view text) {
+    return fingerprint_text(mixed(0, std::span<const char>(text.data(), text.size())));
 }
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -29,7 +30,7 @@ std::string text_of(const fs::path& file) {
 
 // The first whole number above 0 of a text; 0 if there is none.
 double number_of(std::string_view text) {
-    long long number = 0;
+    std::int64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc{} && number > 0 ? static_cast<double>(number) : 0.0;
 }

@@ -22,6 +22,8 @@
 
 #include "model/dtw/dtw_kernel.h"
 
+#include <cstdint>
+
 #if defined(__AVX2__)
 #include <immintrin.h>
 #endif
@@ -42,7 +44,7 @@ constexpr std::size_t kRegisters = 5;
 #endif
 
 using Doubles __attribute__((vector_size(8 * kLanes))) = double;
-using Bits __attribute__((vector_size(8 * kLanes))) = unsigned long;
+using Bits __attribute__((vector_size(8 * kLanes))) = std::uint64_t;
 // As they lie in memory: at any address of a double.
 using Unaligned __attribute__((vector_size(8 * kLanes), aligned(8), may_alias)) = double;
 
@@ -62,7 +64,8 @@ inline Doubles sum(Doubles x, Doubles y) { return x + y; }
 
 // |x - y|: without the sign bit.
 inline Doubles apart(Doubles x, Doubles y) {
-    return reinterpret_cast<Doubles>(reinterpret_cast<Bits>(difference(x, y)) & ~(1ul << 63));
+    return reinterpret_cast<Doubles>(reinterpret_cast<Bits>(difference(x, y)) &
+                                     ~(std::uint64_t{1} << 63));
 }
 
 // Numbers that are not negative are in the order of their bits. Where integers have a minimum, it

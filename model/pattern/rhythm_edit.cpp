@@ -23,18 +23,19 @@ std::string without_note(std::string text, std::size_t k) {
     return text.replace(all[k].first, steps, steps, '-');
 }
 
-std::string with_note_moved(std::string text, std::size_t k, NotePart part, long steps) {
+std::string with_note_moved(std::string text, std::size_t k, NotePart part, std::ptrdiff_t steps) {
     const std::vector<NoteSteps> all = note_steps(text);
     assert(k < all.size());
-    const auto first = static_cast<long>(all[k].first);
-    const auto last = static_cast<long>(all[k].last);
-    const long low = k == 0 ? 0 : static_cast<long>(all[k - 1].last) + 1;
-    const auto end = static_cast<long>(k + 1 < all.size() ? all[k + 1].first : text.size());
+    const auto first = static_cast<std::ptrdiff_t>(all[k].first);
+    const auto last = static_cast<std::ptrdiff_t>(all[k].last);
+    const std::ptrdiff_t low = k == 0 ? 0 : static_cast<std::ptrdiff_t>(all[k - 1].last) + 1;
+    const auto end =
+        static_cast<std::ptrdiff_t>(k + 1 < all.size() ? all[k + 1].first : text.size());
     const bool starts = part != NotePart::end;
     const bool ends = part != NotePart::start;
-    const long back = starts ? low - first : first - last;
-    const long ahead = ends ? end - 1 - last : last - first;
-    const long by = std::clamp(steps, back, ahead);
+    const std::ptrdiff_t back = starts ? low - first : first - last;
+    const std::ptrdiff_t ahead = ends ? end - 1 - last : last - first;
+    const std::ptrdiff_t by = std::clamp(steps, back, ahead);
     return with_note(without_note(std::move(text), k),
                      static_cast<std::size_t>(first + (starts ? by : 0)),
                      static_cast<std::size_t>(last + (ends ? by : 0)));

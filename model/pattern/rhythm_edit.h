@@ -29,7 +29,7 @@ enum class NotePart { start, whole, end };
 
 // The text with a part of its k-th note moved by so many steps, or as many as there is room for: a
 // note keeps one step at least. Asserts that there is such a note.
-std::string with_note_moved(std::string text, std::size_t k, NotePart part, long steps);
+std::string with_note_moved(std::string text, std::size_t k, NotePart part, std::ptrdiff_t steps);
 
 // The text with rests for its k-th note. Asserts that there is such a note.
 std::string without_note(std::string text, std::size_t k);

@@ -1,7 +1,6 @@
 #include "model/set/set_study.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "model/common/fingerprint.h"
 
@@ -16,9 +15,7 @@ std::string study_fingerprint(const PatternSet& set, const std::vector<std::stri
             sum = mixed(sum, std::span<const double>(waveform.samples_g));
         }
     }
-    char text[24];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(sum));
-    return text;
+    return fingerprint_text(sum);
 }
 
 std::vector<std::string> study_patterns(const PatternSet& set) {

@@ -11,7 +11,7 @@ namespace {
 
 // A multiply-and-xor over words: equal bytes give equal values, unequal ones practically never.
 std::uint64_t hashed(std::uint64_t seed, const void* bytes, std::size_t count) {
-    constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15ULL;
+    constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15U;
     const auto* at = static_cast<const unsigned char*>(bytes);
     const auto mix = [&seed](std::uint64_t word) {
         seed = (seed ^ word) * kFactor;

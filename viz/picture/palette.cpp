@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <map>
 
 namespace tact {
@@ -10,7 +11,7 @@ namespace {
 
 struct Counted {
     std::array<int, 3> rgb{};
-    long count = 0;
+    std::int64_t count = 0;
 };
 
 // A run of `all`.
@@ -18,7 +19,7 @@ struct Box {
     std::size_t from = 0;
     std::size_t to = 0;
     int axis = 0;
-    long weight = 0;  // extent along the axis, by how many pixels are in it
+    std::int64_t weight = 0;  // extent along the axis, by how many pixels are in it
 };
 
 std::uint32_t key_of(Rgb c) {
@@ -27,7 +28,7 @@ std::uint32_t key_of(Rgb c) {
 
 Box box_of(const std::vector<Counted>& all, std::size_t from, std::size_t to) {
     Box box{from, to, 0, 0};
-    long pixels = 0;
+    std::int64_t pixels = 0;
     for (std::size_t k = from; k < to; ++k) pixels += all[k].count;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         int low = 255;
@@ -37,7 +38,7 @@ Box box_of(const std::vector<Counted>& all, std::size_t from, std::size_t to) {
             high = std::max(high, all[k].rgb[axis]);
         }
         // Colours of few pixels count, too: thin lines and text are few.
-        const long weight = static_cast<long>(high - low) * (1 + pixels / 64);
+        const std::int64_t weight = static_cast<std::int64_t>(high - low) * (1 + pixels / 64);
         if (weight <= box.weight) continue;
         box.weight = weight;
         box.axis = static_cast<int>(axis);
@@ -47,17 +48,17 @@ Box box_of(const std::vector<Counted>& all, std::size_t from, std::size_t to) {
 
 // Where half of the pixels lie on either side, and a colour at least.
 std::size_t middle_of(const std::vector<Counted>& all, const Box& box) {
-    long pixels = 0;
+    std::int64_t pixels = 0;
     for (std::size_t k = box.from; k < box.to; ++k) pixels += all[k].count;
-    long below = 0;
+    std::int64_t below = 0;
     std::size_t at = box.from;
     while (at + 1 < box.to && 2 * below < pixels) below += all[at++].count;
     return std::max(at, box.from + 1);
 }
 
 Rgb mean_of(const std::vector<Counted>& all, const Box& box) {
-    std::array<long, 3> sum{};
-    long pixels = 0;
+    std::array<std::int64_t, 3> sum{};
+    std::int64_t pixels = 0;
     for (std::size_t k = box.from; k < box.to; ++k) {
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += all[k].rgb[axis] * all[k].count;
         pixels += all[k].count;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "model/io/effects/effect.h"
 #include "model/io/effects_out/knots.h"
@@ -29,7 +30,7 @@ constexpr Range kOwnHz{163.0, 167.0};  // 165 Hz is what model/io/effects takes 
 struct ControlPoint {
     double amplitude = 0.0;
     double frequency_hz = 0.0;
-    long long duration_ms = 0;
+    std::int64_t duration_ms = 0;
 };
 
 struct AndroidEnvelope {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects_out/knots.h"
@@ -27,8 +28,8 @@ constexpr std::size_t kMostHePoints = 16;
 constexpr std::size_t kLeastHePoints = 4;
 constexpr double kLongestEventMs = 5000.0;
 
-long long whole_ms(double t_s) { return std::llround(1e3 * t_s); }
-long long percent(double share) { return std::llround(100.0 * share); }
+std::int64_t whole_ms(double t_s) { return std::llround(1e3 * t_s); }
+std::int64_t percent(double share) { return std::llround(100.0 * share); }
 
 Knot middle_of(const Knot& a, const Knot& b, double t_s) {
     const double share = (t_s - a.time_s) / (b.time_s - a.time_s);
@@ -59,7 +60,7 @@ void fill_up(std::vector<Knot>& knots) {
         }
         const Knot& from = knots[longest - 1];
         const Knot& to = knots[longest];
-        const long long ms = (whole_ms(from.time_s) + whole_ms(to.time_s)) / 2;
+        const std::int64_t ms = (whole_ms(from.time_s) + whole_ms(to.time_s)) / 2;
         if (ms == whole_ms(from.time_s)) {
             knots.push_back(knots.back());
             continue;
@@ -69,7 +70,7 @@ void fill_up(std::vector<Knot>& knots) {
     }
 }
 
-Json he_event(const char* type, long long time_ms, Json parameters) {
+Json he_event(const char* type, std::int64_t time_ms, Json parameters) {
     Json event{{"Type", type}, {"RelativeTime", time_ms}};
     event["Index"] = 0;
     event["Parameters"] = std::move(parameters);
@@ -78,11 +79,11 @@ Json he_event(const char* type, long long time_ms, Json parameters) {
 
 Json continuous_event(std::vector<Knot> knots) {
     fill_up(knots);
-    const long long start_ms = whole_ms(knots.front().time_s);
-    const long long base = percent(knots.front().frequency);
+    const std::int64_t start_ms = whole_ms(knots.front().time_s);
+    const std::int64_t base = percent(knots.front().frequency);
     Json curve = Json::array();
     for (const Knot& knot : knots) {
-        const long long own = percent(knot.frequency);
+        const std::int64_t own = percent(knot.frequency);
         curve.push_back({{"Time", whole_ms(knot.time_s) - start_ms},
                          {"Intensity", knot.amplitude},
                          {"Frequency", own - base}});
@@ -165,7 +166,7 @@ WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target) {
     for (const TapShares& tap : shares.taps) events.push_back(tap_event(tap));
     remark_steps(shares, written.coarse);
     std::ranges::stable_sort(
-        events, {}, [](const Json& event) { return event["RelativeTime"].get<long long>(); });
+        events, {}, [](const Json& event) { return event["RelativeTime"].get<std::int64_t>(); });
     Json list = Json::array();
     for (Json& event : events) list.push_back({{"Event", std::move(event)}});
     const Json part{{"AbsoluteTime", 0}, {"Pattern", std::move(list)}};

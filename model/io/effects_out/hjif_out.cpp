@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -26,19 +27,19 @@ namespace {
 constexpr double kTicksPerS = 40'000.0;
 constexpr std::size_t kMostBandsOfLevel1 = 7;
 
-long long ticks(double t_s) { return std::llround(t_s * kTicksPerS); }
+std::int64_t ticks(double t_s) { return std::llround(t_s * kTicksPerS); }
 
-long long whole_hz(double hz) { return std::max(std::llround(hz), 1LL); }
+std::int64_t whole_hz(double hz) { return std::max<std::int64_t>(std::llround(hz), 1); }
 
 // Of amplitude and frequency apart from each other, in the order of their positions.
 Json keyframes_json(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency) {
-    std::vector<std::pair<long long, Json>> frames;
+    std::vector<std::pair<std::int64_t, Json>> frames;
     for (const AmplitudePoint& point : amplitude) {
-        const long long at = ticks(point.time_s);
+        const std::int64_t at = ticks(point.time_s);
         frames.push_back({at, {{"relative_position", at}, {"amplitude_modulation", point.value}}});
     }
     for (const FrequencyPoint& point : frequency) {
-        const long long at = ticks(point.time_s);
+        const std::int64_t at = ticks(point.time_s);
         frames.push_back(
             {at,
              {{"relative_position", at}, {"frequency_modulation", whole_hz(point.frequency_hz)}}});
@@ -53,8 +54,8 @@ Json band_json(const char* type, double low_hz, double high_hz, Json effects) {
     const double low = std::max(std::floor(low_hz), 0.0);
     return {
         {"band_type", type},
-        {"lower_frequency_limit", static_cast<long long>(low)},
-        {"upper_frequency_limit", static_cast<long long>(std::max(std::ceil(high_hz), low + 1))},
+        {"lower_frequency_limit", static_cast<std::int64_t>(low)},
+        {"upper_frequency_limit", static_cast<std::int64_t>(std::max(std::ceil(high_hz), low + 1))},
         {"effects", std::move(effects)}};
 }
 
@@ -155,7 +156,7 @@ Json document_of_bands(Json bands, double gain, const EffectTarget& target) {
             {"level", level},
             {"date", target.date},
             {"description", "written by tactspace"},
-            {"timescale", static_cast<long long>(kTicksPerS)},
+            {"timescale", static_cast<std::int64_t>(kTicksPerS)},
             {"perceptions", Json::array({perception})},
             {"avatars", Json::array()},
             {"syncs", Json::array()}};

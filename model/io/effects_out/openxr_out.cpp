@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostXrPoints = 500;
 
-long long whole_ns(double t_s) { return std::llround(t_s * 1e9); }
+std::int64_t whole_ns(double t_s) { return std::llround(t_s * 1e9); }
 
 std::string c_float(double value) {
     std::string text = significant_digits(value, 9);
@@ -28,7 +29,7 @@ std::string c_float(double value) {
 
 std::string point_array(const std::string& name, const AmplitudeCurve& curve) {
     std::string text = "static const XrHapticParametricPointEXT " + name + "[] = {\n";
-    long long last_ns = -1;
+    std::int64_t last_ns = -1;
     for (const AmplitudePoint& point : curve) {
         last_ns = std::max(whole_ns(point.time_s), last_ns + 1);
         text += "    {" + std::to_string(last_ns) + ", " + c_float(point.value) + "},\n";

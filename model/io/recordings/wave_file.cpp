@@ -46,13 +46,6 @@ struct OpenWave {
 
 fs::path sidecar_of(const fs::path& path) { return fs::path(path) += ".json"; }
 
-std::string fingerprint_of(std::string_view bytes) {
-    char text[24];
-    std::snprintf(text, sizeof text, "%016llx",
-                  static_cast<unsigned long long>(mixed(0, std::span<const char>(bytes))));
-    return text;
-}
-
 // The options with what the sidecar says where they say nothing, and a remark on it or none.
 struct Told {
     RecordingOptions options;
@@ -76,7 +69,7 @@ Expected<Told> with_sidecar(RecordingOptions options, const WaveText& text, cons
     Told told{options, {}};
     if (!options.scale_g && scale_g > 0.0) {
         told.options.scale_g = scale_g;
-        if (!of.empty() && of != fingerprint_of(wave.memory.bytes)) {
+        if (!of.empty() && of != fingerprint_text(wave.memory.bytes)) {
             told.remark = "its .json was written for other samples, their full scale of " +
                           shortest_digits(scale_g) + " g may not be that of these";
         }
@@ -317,7 +310,7 @@ Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& option
         return Error{name + ": cannot be encoded: " + sf_strerror(sound.get())};
     }
     sound.reset();  // completes the header
-    const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_of(memory.bytes)}};
+    const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_text(memory.bytes)}};
     return WaveText{std::move(memory.bytes), sidecar.dump() + "\n"};
 }
 

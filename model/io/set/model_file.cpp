@@ -147,9 +147,7 @@ std::string fingerprint_of(const TrainingSet& set) {
     for (const Judgement& judgement : set.study.judgements) {
         number = mixed(number, std::span<const double>(judgement.condensed));
     }
-    char text[24];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
-    return text;
+    return fingerprint_text(number);
 }
 
 TrainingRecord record_of(const Training& training, std::span<const TrainingSet> sets,
