@@ -9,7 +9,8 @@ namespace {
 
 constexpr const char* kDeviceHelp =
     "id or name of the device, or a part of its name that no other has; see tactspace devices. "
-    "Another one is never played on: where an output of a sound server goes, the pattern ends with it";
+    "Another one is never played on: where an output of a sound server goes, the pattern ends with "
+    "it";
 
 void add_measured_options(CLI::App& sub, std::filesystem::path& set, std::filesystem::path& out,
                           bool& json) {
@@ -91,10 +92,11 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
                     "--no-protection or a calibration that has an rms limit. Patterns in "
                     "turn count as one, less the rests between them, against 60 s or more")
         ->check(within(0.1, 86'400.0));
-    play.add_option("--buffer", options.buffer_ms,
-                    "of sound rendered ahead, ms; default: 100. Less follows --level sooner and has "
-                    "gaps on a busy computer; up to 10 a stop by Ctrl+C is a fade of 5 ms, with "
-                    "more it is a cut")
+    play.add_option(
+            "--buffer", options.buffer_ms,
+            "of sound rendered ahead, ms; default: 100. Less follows --level sooner and has "
+            "gaps on a busy computer; up to 10 a stop by Ctrl+C is a fade of 5 ms, with "
+            "more it is a cut")
         ->check(within(5.0, 2000.0));
     play.add_flag("--loop", options.loop, "until Ctrl+C");
     play.callback([&options, &chosen] {

@@ -29,7 +29,7 @@ struct CommonOptions {
     double rendered_level = 1.0;                   // at which it plays them
     std::filesystem::path rendered_calibration{};  // in its place, of a voice coil; empty: none
     Side only = Side::both;                        // of the merged set
-    bool strict = false;  // a file of a folder that cannot be read is an Error
+    bool strict = false;          // a file of a folder that cannot be read is an Error
     std::filesystem::path model;  // a file of parameters (model_file.h) instead of the set's own
 };
 

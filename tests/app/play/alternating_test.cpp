@@ -44,7 +44,11 @@ struct QueueingDevice final : Device {
     }
     DeviceStatus status() override {
         const bool ends = std::exchange(has_ended, false);
-        return {.name = "queue", .connected = true, .playing = plays && !ends};
+        DeviceStatus status;
+        status.name = "queue";
+        status.connected = true;
+        status.playing = plays && !ends;
+        return status;
     }
 };
 
