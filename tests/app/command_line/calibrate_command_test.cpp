@@ -97,7 +97,9 @@ TEST_CASE("calibrate: what cannot be is refused in a sentence") {
     CHECK(contains(
         refusal_of({"calibrate", "--signal", signal.string(), "--low", "400", "--high", "300"}),
         "--high"));
-    REQUIRE(write_wave_file(signal, {kModelRateHz, std::vector<double>(5000, 0.1)}));
+    std::vector<double> other(5000, 0.1);
+    other.back() = 0.0;  // all alike would be silence
+    REQUIRE(write_wave_file(signal, {kModelRateHz, other}));
     CHECK(contains(refusal_of({"calibrate", "--recording", signal.string(), "--scale", "1"}),
                    "whole calibration signal"));
 }
