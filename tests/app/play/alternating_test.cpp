@@ -128,7 +128,7 @@ TEST_CASE("A|B: names give way where the bar is narrow, the letters stay") {
         return place.max.x - place.min.x;
     };
     const float wide = width();
-    program.resize({640.0F, 700.0F}, 1.0F);
+    program.resize({800.0F, 700.0F}, 1.0F);
     REQUIRE(program.shows("transport:A|B"));
     CHECK(width() < 0.6F * wide);
 }
