@@ -87,7 +87,7 @@ void draw_share(Ui& ui, const std::string& name, double share, bool is_member) {
 }
 
 void draw_shares(Ui& ui, const SubsetState& picking, const Stability& stability) {
-    const auto names = names_of(*picking.stability->request.pick->request.map->request.set);
+    const auto names = names_of(*found_stability(picking)->request.pick->request.map->request.set);
     ImGui::BeginChild("shares", {0.0F, rest_or_lines(4.0F).height()});
     if (ImGui::BeginTable("shares", 2, ImGuiTableFlags_NoSavedSettings)) {
         for (const std::size_t k : ever_picked(stability)) {

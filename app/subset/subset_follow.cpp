@@ -147,6 +147,29 @@ void take(const std::unique_ptr<Job>& job, std::shared_ptr<const Answer>& answer
     if (auto latest = job->latest()) answer = std::move(latest);
 }
 
+constexpr std::size_t kKeptStabilities = 8;
+
+void take_stability(SubsetState& picking) {
+    auto latest = picking.stability_job->latest();
+    auto& all = picking.stabilities;
+    if (!latest || (!all.empty() && all.front() == latest)) return;
+    all.insert(all.begin(), std::move(latest));
+    if (all.size() > kKeptStabilities) all.pop_back();
+}
+
+// Whether variants of the model say the same of both: the map may have been left and come back.
+bool is_same_pick(const Pick& a, const Pick& b) {
+    if (&a == &b) return true;
+    const LiveMapRequest& x = a.request.map->request;
+    const LiveMapRequest& y = b.request.map->request;
+    PickRequest same = a.request;
+    same.map = b.request.map;
+    return x.document == y.document && is_same_work(x, y) && same == b.request &&
+           a.answer.best.members == b.answer.best.members &&
+           std::ranges::equal(x.set->vibrations, y.set->vibrations, {}, &Vibration::name,
+                              &Vibration::name);
+}
+
 }  // namespace
 
 void make_subset_jobs(const Ui& ui, SubsetState& picking) {
@@ -173,7 +196,7 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     take(picking.pick_job, picking.pick);
     take(picking.curve_job, picking.curve);
     take(picking.separation_job, picking.separations);
-    take(picking.stability_job, picking.stability);
+    take_stability(picking);
     const MapState state = map_state(work, shown_map);
     const bool is_current = state == MapState::exact || state == MapState::preview;
     const bool has_pairs = is_current && shown_map.transition.shown->prediction.pm.size > 1;
@@ -246,9 +269,17 @@ void cancel_picking(SubsetState& picking) {
     picking.cancelled = true;
 }
 
+const FoundStability* found_stability(const SubsetState& picking) {
+    if (!picking.pick) return nullptr;
+    const auto found = std::ranges::find_if(picking.stabilities, [&](const auto& one) {
+        return is_same_pick(*one->request.pick, *picking.pick);
+    });
+    return found == picking.stabilities.end() ? nullptr : found->get();
+}
+
 const Stability* shown_stability(const SubsetState& picking) {
-    const auto& found = picking.stability;
-    return found && found->request.pick == picking.pick ? &found->stability : nullptr;
+    const FoundStability* found = found_stability(picking);
+    return found == nullptr ? nullptr : &found->stability;
 }
 
 }  // namespace tact

@@ -34,6 +34,8 @@ bool is_subset_busy(const SubsetState& picking);  // with anything
 void cancel_picking(SubsetState& picking);
 
 // The share of draws, where the shown subset's was computed.
+// Variants of the model, asked of the subset on screen; null: nobody asked yet.
+const FoundStability* found_stability(const SubsetState& picking);
 const Stability* shown_stability(const SubsetState& picking);
 
 }  // namespace tact

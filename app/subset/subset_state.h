@@ -142,7 +142,8 @@ struct SubsetState {
     std::shared_ptr<const Pick> pick;
     std::shared_ptr<const PickCurve> curve;
     std::shared_ptr<const FoundSeparations> separations;
-    std::shared_ptr<const FoundStability> stability;
+    // The newest first: an answer is there again when undo leads back to what it was asked of.
+    std::vector<std::shared_ptr<const FoundStability>> stabilities;
 };
 
 }  // namespace tact

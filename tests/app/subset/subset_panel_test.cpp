@@ -306,6 +306,25 @@ TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse
            std::ranges::binary_search(stability.subset.members, std::size_t{0})));
 }
 
+TEST_CASE("subset panel: ellipses are gone with an edit, and are there again once it is undone") {
+    SubsetBench bench;
+    App& app = bench.app;
+    bench.program.click("subset:How sure");
+    app.picking.stability_job->submit({app.picking.pick, 4});
+    bench.wait([&] { return shown_stability(app.picking) != nullptr; });
+    const auto moves = shown_stability(app.picking)->moves;
+    edit_patterns(app.work, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 333.0; });
+    commit_step(app.ui, app.work, "frequency");
+    bench.wait([&] { return shown_stability(app.picking) == nullptr; });
+    bench.wait([&] { return !is_pick_stale(app.work, app.shown_map, app.picking); });
+    CHECK(shown_stability(app.picking) == nullptr);
+    undo(app.ui, app.work);
+    bench.wait([&] { return shown_stability(app.picking) != nullptr; });
+    CHECK(shown_stability(app.picking)->moves == moves);
+    bench.wait(
+        [&] { return subset_marks(app.layout, app.shown_map, app.picking).spread == moves; });
+}
+
 TEST_CASE("subset panel: a report waits for the subset of the set as it is, whatever tab is open") {
     SubsetBench bench;
     App& app = bench.app;

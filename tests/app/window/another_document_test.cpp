@@ -114,7 +114,7 @@ void work_on(Program& program) {
     });
     app.picking.alternative = 0;
     app.picking.stability_job->submit({app.picking.pick, 2});
-    wait_until(program, [&] { return app.picking.stability != nullptr; });
+    wait_until(program, [&] { return !app.picking.stabilities.empty(); });
     show_compare(program, CompareView::table);
     wait_for_comparison(program);
     show_why(program);
