@@ -24,6 +24,7 @@ namespace tact {
 namespace {
 
 constexpr double kAutosaveRestS = 0.6;
+constexpr double kMostUnkeptS = 1.0;
 constexpr const char* kSetEnding = ".tactspace.json";
 
 PatternSet parsed(const ExampleSet& example) {
@@ -292,13 +293,16 @@ void autosave_if_due(Ui& ui, Workspace& work) {
     if (work.unsaved_revision != work.revision) {
         work.unsaved = !(work.document.set == work.document.saved);
         work.unsaved_revision = work.revision;
-        work.autosave_due_s = ui.time_s + kAutosaveRestS;
+        // A drag writes once it rests, and once a second as long as it lasts.
+        if (!work.autosave_pending) work.unkept_since_s = ui.time_s;
+        work.autosave_due_s =
+            std::min(ui.time_s + kAutosaveRestS, work.unkept_since_s + kMostUnkeptS);
         work.autosave_pending = true;
     }
     const bool has_ended = is_autosaving(work) && work.keeping.wait_for(std::chrono::seconds(0)) ==
                                                       std::future_status::ready;
     if (has_ended) tell_if_unkept(ui, work, work.keeping.get());
-    // A drag writes once it rests; what changes while an autosave is under way is kept by the next.
+    // What changes while an autosave is under way is kept by the next.
     if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
     work.autosave_pending = false;
     const bool has_text = work.unsaved && !work.session.folder.empty();

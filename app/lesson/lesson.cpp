@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/unsaved.h"
+#include "app/lesson/lesson_keeping.h"
 #include "app/session/autosave.h"
+#include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"
 
@@ -82,6 +85,22 @@ void lay_map(const LessonHands& hands, const LessonState& state, const LessonSte
     document_changed(hands.work);
 }
 
+// The same where it names no pattern that was renamed.
+std::shared_ptr<const Lesson> with_renamed(const std::shared_ptr<const Lesson>& before,
+                                           const Renaming& renaming) {
+    Lesson lesson = *before;
+    for (LessonStep& step : lesson.steps) {
+        follow(renaming, step.pattern);
+        follow(renaming, step.partner);
+        if (!step.question) continue;
+        for (PatternPair& pair : step.question->pairs) {
+            follow(renaming, pair.a);
+            follow(renaming, pair.b);
+        }
+    }
+    return lesson == *before ? before : std::make_shared<const Lesson>(std::move(lesson));
+}
+
 }  // namespace
 
 ViewBeforeLesson view_of(const LessonHands& hands) {
@@ -135,14 +154,15 @@ void go_to_step(const LessonHands& hands, LessonState& state, std::size_t to) {
 
 void start_lesson(const LessonHands& hands, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path) {
-    leave_lesson(hands, state);
+    if (!leave_lesson(hands, state)) return;
     state.before = view_of(hands);
     put_aside(hands, state, lesson->set);
     state.lesson = std::move(lesson);
     state.path = path;
     state.is_tour = false;
-    state.editing = false;
+    state.editing = state.is_written = false;
     state.history.clear();
+    note_lesson_saved(hands.work, state);
     state.tallies.assign(state.lesson->steps.size(), {});
     if (state.job) state.job->submit({state.lesson});
     go_to_step(hands, state, 0);
@@ -150,7 +170,9 @@ void start_lesson(const LessonHands& hands, LessonState& state,
 
 void start_tour(const LessonHands& hands, LessonState& state) {
     const std::size_t from = state.left_at;
-    start_lesson(hands, state, bundled_lesson(kTourLesson), {});
+    const auto tour = bundled_lesson(kTourLesson);
+    start_lesson(hands, state, tour, {});
+    if (state.lesson != tour) return;  // the one before it stays
     state.is_tour = true;
     if (from > 0) go_to_step(hands, state, from);
 }
@@ -158,13 +180,21 @@ void start_tour(const LessonHands& hands, LessonState& state) {
 void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path) {
     auto lesson = read_lesson_file(path);
     if (!lesson) return complain(hands.ui, lesson.error().message);
-    start_lesson(hands, state, std::make_shared<const Lesson>(*std::move(lesson)),
-                 std::filesystem::absolute(path));
-    say(hands.ui, "Opened the lesson " + state.lesson->name + ".");
+    const auto opened = std::make_shared<const Lesson>(*std::move(lesson));
+    state.kept_in.clear();
+    start_lesson(hands, state, opened, std::filesystem::absolute(path));
+    if (state.lesson != opened) return;
+    remember_file(hands.work.session, state.path);
+    std::string text = "Opened the lesson " + opened->name + ".";
+    if (!state.kept_in.empty())
+        text += " The draft before it is kept in " + state.kept_in.string() + ".";
+    say(hands.ui, text);
 }
 
-void leave_lesson(const LessonHands& hands, LessonState& state) {
-    if (!state.step) return;
+bool leave_lesson(const LessonHands& hands, LessonState& state) {
+    if (!state.step) return true;
+    const auto unsaved = unsaved_lesson(hands.work, state);
+    if (state.is_written && !set_lesson_aside(hands, state, unsaved)) return false;
     const bool finished = *state.step + 1 == state.lesson->steps.size();
     if (state.is_tour) state.left_at = finished ? 0 : *state.step;
     if (state.presenting) state.present_scale = hands.ui.text_scale;
@@ -184,12 +214,15 @@ void leave_lesson(const LessonHands& hands, LessonState& state) {
     hands.physiology.view.open = before.open;
     hands.shown_map.camera = before.camera;
     if (hands.ui.text_scale != before.text_scale) set_text_scale(hands.ui, before.text_scale);
+    return true;
 }
 
-void follow_document(const LessonHands& hands, LessonState& state) {
-    if (!state.aside || hands.work.document_number == state.document_number) return;
+namespace {
+
+// The set that was put aside is kept as if it had been replaced directly.
+void let_go_of_aside(const LessonHands& hands, LessonState& state) {
+    if (!state.aside) return;
     Workspace& work = hands.work;
-    // Kept as if it had been replaced directly.
     std::swap(work.document, state.aside->document);
     const Expected<std::filesystem::path> kept = keep_unsaved(work);
     std::swap(work.document, state.aside->document);
@@ -200,24 +233,35 @@ void follow_document(const LessonHands& hands, LessonState& state) {
         complain(hands.ui, kept.error().message);
     }
     state.aside.reset();
+}
+
+}  // namespace
+
+void follow_document(const LessonHands& hands, LessonState& state) {
+    if (!state.step || hands.work.document_number == state.document_number) return;
+    state.document_number = hands.work.document_number;
+    // As it was in the last frame, with the set that it had then.
+    const bool stays = state.unsaved && !set_lesson_aside(hands, state, state.unsaved);
+    let_go_of_aside(hands, state);
     state.before.current = 0;
     state.before.pinned.clear();
+    if (stays) return;
+    let_lesson_go(state);
     leave_lesson(hands, state);
 }
 
 void follow_renaming(LessonState& state, const Renaming& renaming) {
     follow(renaming, state.before.pinned);
     if (!state.lesson || !state.step) return;
-    Lesson lesson = *state.lesson;
-    for (LessonStep& step : lesson.steps) {
-        follow(renaming, step.pattern);
-        follow(renaming, step.partner);
-    }
-    if (!(lesson == *state.lesson)) {
-        state.history.clear();  // its steps have the names as they were
-        state.lesson = std::make_shared<const Lesson>(std::move(lesson));
-        if (state.job) state.job->submit({state.lesson});
-    }
+    std::map<std::shared_ptr<const Lesson>, std::shared_ptr<const Lesson>> renamed;
+    const auto of = [&](const std::shared_ptr<const Lesson>& before) {
+        auto& after = renamed[before];
+        if (!after) after = with_renamed(before, renaming);
+        return after;
+    };
+    state.history.amend(of);  // a name is no edit of the lesson
+    const auto shown = std::exchange(state.lesson, of(state.lesson));
+    if (state.lesson != shown && state.job) state.job->submit({state.lesson});
 }
 
 }  // namespace tact

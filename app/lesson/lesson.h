@@ -61,8 +61,9 @@ void open_lesson(const LessonHands& hands, LessonState& state, const std::filesy
 
 void go_to_step(const LessonHands& hands, LessonState& state, std::size_t step);
 
-// The document and the view are again what they were before.
-void leave_lesson(const LessonHands& hands, LessonState& state);
+// The document and the view are again what they were before. What was written and is unsaved goes
+// to a file of its own; where it cannot be kept, the lesson stays: false.
+bool leave_lesson(const LessonHands& hands, LessonState& state);
 
 // Somebody opened another document meanwhile: the lesson ends, and unsaved changes of the one that
 // was kept go to a file of their own.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/lesson/lesson_keeping.h"
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/step_editor.h"
@@ -157,7 +158,9 @@ void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
     }
     beside(words.leave);
     if (ImGui::Button(words.leave))
-        ui.waiting.emplace_back([hands, &state] { leave_lesson(hands, state); });
+        ui.waiting.emplace_back([hands, &state] {
+            before_lesson_goes(hands, state, [hands, &state] { leave_lesson(hands, state); });
+        });
     note_item(ui.rects, last ? "tour:finish" : "tour:leave");
 }
 
@@ -189,6 +192,7 @@ std::optional<CardColumns> card_columns(const Ui& ui, const LessonState& state, 
 void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonStep& step,
                      const CardColumns& columns) {
     Ui& ui = hands.ui;
+    const bool asks = question_of(state) != nullptr;
     const ImVec2 between{0.5F * columns.gap_px, 0.0F};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, between);
     if (ImGui::BeginTable("card", 3,
@@ -215,7 +219,7 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
             0.5F * (ImGui::GetFrameHeight() - text_size(lesson_fonts(ui, state).small, "Move").y);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + below);
         draw_move(ui, state);
-        if (step.question) draw_lesson_question(hands, state, *step.question);
+        if (asks) draw_lesson_question(hands, state, *step.question);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
@@ -224,13 +228,14 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
 // One below the other.
 void draw_in_a_column(const LessonHands& hands, LessonState& state, const LessonStep& step,
                       float width) {
+    const bool asks = question_of(state) != nullptr;
     draw_head(hands.ui, state, step, width);
     if (state.editing) {
         draw_step_editor(hands, state);
     } else {
         draw_text_of(hands.ui, state, step);
     }
-    if (step.question) draw_lesson_question(hands, state, *step.question);
+    if (asks) draw_lesson_question(hands, state, *step.question);
     draw_source(hands.ui, state, step);
 }
 

@@ -1,11 +1,18 @@
 #include "app/lesson/lesson_edit.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
+#include "app/lesson/lesson_keeping.h"
+#include "app/session/session.h"
 #include "app/ui/file_question.h"
+#include "app/ui/question.h"
 #include "model/io/lesson/lesson_file.h"
+#include "model/lesson/lesson_lacks.h"
 #include "model/text/file_stem.h"
 
 namespace tact {
@@ -27,11 +34,23 @@ void show_kept(const LessonHands& hands, LessonState& state, std::shared_ptr<con
     go_to_step(hands, state, *state.step);
 }
 
+// However often the map was turned round.
+LessonCamera camera_on(const LessonHands& hands) {
+    const SpaceCamera& camera = hands.shown_map.camera;
+    return {std::remainder(camera.yaw_rad, 2.0 * std::numbers::pi),
+            std::remainder(camera.pitch_rad, 2.0 * std::numbers::pi),
+            std::clamp(camera.zoom, limits::kLessonZoom.low, limits::kLessonZoom.high)};
+}
+
 }  // namespace
 
 void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
                    const std::string& what, bool joins) {
     const auto before = state.lesson;
+    if (!(lesson.set == hands.work.document.set)) {  // its numbers are of what is on screen
+        lesson.set = lesson_to_save(hands.work, state).set;
+        if (!(lesson.set == before->set)) lesson.set_name.clear();
+    }
     keep(state, std::move(lesson));
     const std::string* last = state.history.undo_label();
     // Letters of one text are one step of undo.
@@ -77,30 +96,38 @@ LessonStep step_from_screen(const LessonHands& hands) {
     step.from_s = range.start_s;
     step.to_s = range.end_s;
     if (step.view == "map") {
-        const SpaceCamera& camera = hands.shown_map.camera;
-        step.camera = LessonCamera{camera.yaw_rad, camera.pitch_rad, camera.zoom};
+        step.camera = camera_on(hands);
     }
     return step;
 }
 
 void new_lesson(const LessonHands& hands, LessonState& state) {
-    leave_lesson(hands, state);
     Lesson lesson;
+    if (!leave_lesson(hands, state)) return;
     lesson.name = hands.work.document.set.name + ", a lesson";
     lesson.set = hands.work.document.set;
     lesson.steps = {step_from_screen(hands)};
+    write_on_document(hands, state, std::make_shared<const Lesson>(std::move(lesson)));
+}
+
+void write_on_document(const LessonHands& hands, LessonState& state,
+                       std::shared_ptr<const Lesson> lesson) {
+    if (!leave_lesson(hands, state)) return;
     state.before = view_of(hands);
+    state.document_number = hands.work.document_number;
     state.path.clear();
     state.is_tour = false;
-    state.editing = true;
+    state.editing = state.is_written = true;
     state.history.clear();
-    keep(state, std::move(lesson));
+    keep(state, *lesson);
     state.step = 0;
+    note_lesson_saved(hands.work, state);
 }
 
 void toggle_editing(const LessonHands& hands, LessonState& state) {
     if (!state.step) return complain(hands.ui, "Open a lesson first, or begin a new one.");
     state.editing = !state.editing;
+    state.is_written |= state.editing;
     state.presenting = false;
     if (!state.editing) go_to_step(hands, state, *state.step);
 }
@@ -110,8 +137,8 @@ void add_step(const LessonHands& hands, LessonState& state) {
     Lesson lesson = *state.lesson;
     const auto behind = static_cast<std::ptrdiff_t>(*state.step + 1);
     lesson.steps.insert(lesson.steps.begin() + behind, step_from_screen(hands));
+    state.editing = state.is_written = true;
     change_lesson(hands, state, std::move(lesson), "Add step");
-    state.editing = true;
     ++*state.step;
 }
 
@@ -139,9 +166,8 @@ void show_screen(const LessonHands& hands, LessonState& state) {
 void take_camera(const LessonHands& hands, LessonState& state, bool taken) {
     if (!state.step) return;
     LessonStep step = state.lesson->steps[*state.step];
-    const SpaceCamera& camera = hands.shown_map.camera;
     step.camera.reset();
-    if (taken) step.camera = LessonCamera{camera.yaw_rad, camera.pitch_rad, camera.zoom};
+    if (taken) step.camera = camera_on(hands);
     change_step(hands, state, step, "Camera");
 }
 
@@ -163,7 +189,9 @@ Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
             step.question->options.pop_back();
         }
     }
-    if (lesson.set == work.document.set) return lesson;
+    PatternSet shown = lesson.set;
+    give_looks(shown);
+    if (shown == work.document.set) return lesson;
     lesson.set = work.document.set;
     lesson.set_name.clear();
     return lesson;
@@ -179,16 +207,35 @@ void save_lesson_dialog(Ui& ui, const Workspace& work, const LessonState& state)
                  file_stem(state.lesson->name) + kLessonEnding);
 }
 
-void save_lesson(Ui& ui, const Workspace& work, LessonState& state,
-                 const std::filesystem::path& path) {
+bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesystem::path& path) {
     std::filesystem::path target = std::filesystem::absolute(path);
     if (!is_lesson_file(target)) target += kLessonEnding;
     const Lesson lesson = lesson_to_save(work, state);
     if (const auto written = write_lesson_file(target, lesson); !written) {
-        return complain(ui, "Not saved: " + written.error().message);
+        complain(ui, "Not saved: " + written.error().message);
+        return false;
     }
     state.path = target;
-    say(ui, "Saved the lesson " + target.string() + ".");
+    note_lesson_saved(work, state);
+    (void)keep_lesson(work, state);  // what was kept before is older than the file
+    remember_file(work.session, target);
+    const std::size_t lacks = lesson_lacks(lesson).size();
+    say(ui, lacks == 0
+                ? "Saved the lesson " + target.string() + "."
+                : "Saved the draft " + target.string() + ". Lesson > Check tells what it " +
+                      "lacks: " + std::to_string(lacks) + (lacks == 1 ? " thing." : " things."));
+    return true;
+}
+
+void check_lesson(Ui& ui, const Workspace& work, const LessonState& state) {
+    if (!state.step) return complain(ui, "Open a lesson first, or begin a new one.");
+    constexpr std::size_t kMost = 12;
+    const std::vector<std::string> lacks = lesson_lacks(lesson_to_save(work, state));
+    if (lacks.empty()) return say(ui, "The lesson lacks nothing.");
+    std::string text = "It can be saved and presented; what is listed here is left out in class.";
+    for (std::size_t k = 0; k < std::min(lacks.size(), kMost); ++k) text += "\n" + lacks[k] + ".";
+    if (lacks.size() > kMost) text += "\nand " + std::to_string(lacks.size() - kMost) + " more.";
+    tell(ui, "What the lesson lacks", text);
 }
 
 void open_lesson_dialog(Ui& ui, const Workspace& work) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "app/lesson/lesson.h"
@@ -16,6 +17,10 @@ LessonStep step_from_screen(const LessonHands& hands);
 
 // Of the open document, with one step that shows what is on screen; it is edited at once.
 void new_lesson(const LessonHands& hands, LessonState& state);
+
+// The same with a lesson that was written before, of the set that is open.
+void write_on_document(const LessonHands& hands, LessonState& state,
+                       std::shared_ptr<const Lesson> lesson);
 
 void toggle_editing(const LessonHands& hands, LessonState& state);
 
@@ -43,8 +48,12 @@ void move_step(const LessonHands& hands, LessonState& state, int by);
 // With its set as it is now.
 Lesson lesson_to_save(const Workspace& work, const LessonState& state);
 void save_lesson_dialog(Ui& ui, const Workspace& work, const LessonState& state);
-void save_lesson(Ui& ui, const Workspace& work, LessonState& state,
-                 const std::filesystem::path& path);
+// A lesson that lacks something is saved as a draft. False: it could not be saved.
+bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesystem::path& path);
+
+// Tells what the lesson lacks before a class can see it.
+void check_lesson(Ui& ui, const Workspace& work, const LessonState& state);
+
 void open_lesson_dialog(Ui& ui, const Workspace& work);
 void save_sheet_dialog(Ui& ui, const Workspace& work, const LessonState& state);
 

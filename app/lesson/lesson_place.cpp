@@ -57,9 +57,9 @@ Eigen::Index nearest_row(const PlacedIn& map, const MapPlace& place) {
 }  // namespace
 
 bool asks_for_place(const LessonState& state) {
-    const LessonStep* step = step_of(state);
-    return step != nullptr && step->question && step->question->kind == QuestionKind::place &&
-           !state.editing && *state.step < state.tallies.size();
+    const LessonQuestion* question = question_of(state);
+    return question != nullptr && question->kind == QuestionKind::place && !state.editing &&
+           *state.step < state.tallies.size();
 }
 
 void mark_place(const LessonState& state, const ShownMap& shown_map, MapMarks& marks) {

@@ -7,6 +7,7 @@
 #include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_place.h"
 #include "app/ui/widgets.h"
+#include "model/lesson/lesson_lacks.h"
 #include "viz/drawing/colour.h"
 
 namespace tact {
@@ -73,10 +74,16 @@ void draw_small(const Ui& ui, const LessonState& state, const char* text) {
 
 }  // namespace
 
-bool hides_answer(const LessonState& state) {
+const LessonQuestion* question_of(const LessonState& state) {
     const LessonStep* step = step_of(state);
-    return step != nullptr && step->question && !state.editing &&
-           *state.step < state.tallies.size() && !state.tallies[*state.step].revealed;
+    if (step == nullptr || !step->question) return nullptr;
+    const bool is_seen = state.editing || is_question_whole(*step, state.lesson->set);
+    return is_seen ? &*step->question : nullptr;
+}
+
+bool hides_answer(const LessonState& state) {
+    return question_of(state) != nullptr && !state.editing && *state.step < state.tallies.size() &&
+           !state.tallies[*state.step].revealed;
 }
 
 void draw_lesson_question(const LessonHands& hands, LessonState& state,

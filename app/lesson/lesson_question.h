@@ -7,6 +7,9 @@
 
 namespace tact {
 
+// What the step asks; null: nothing, or what cannot be answered yet, which only who writes it sees.
+const LessonQuestion* question_of(const LessonState& state);
+
 // The step asks something, and the answer is not on screen yet.
 bool hides_answer(const LessonState& state);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -79,10 +80,23 @@ struct LessonState {
     std::size_t left_at = 0;          // of the tour: where to take it up again
     ViewBeforeLesson before;
     std::optional<SetAside> aside;
-    std::uint64_t document_number = 0;  // of the lesson's own set, while it is open
+    std::uint64_t document_number = 0;  // of the set on screen, while it is open
     std::vector<Tally> tallies;         // of each step
     std::unique_ptr<LessonJob> job;
     std::shared_ptr<const LessonAnswered> answered;
+
+    // What was written of it, and is kept (lesson_keeping.h).
+    bool is_written = false;                  // it was edited, or is
+    std::shared_ptr<const Lesson> saved;      // as it was begun, read or written last
+    std::shared_ptr<const Lesson> unsaved;    // as it would be saved; null: nothing is unsaved ...
+    std::shared_ptr<const Lesson> looked_at;  // ... as of this lesson
+    std::uint64_t looked_revision = 0;        // ... and the document's revision
+    bool keep_pending = false;
+    double keep_due_s = 0.0;
+    double unkept_since_s = 0.0;         // the first change that is pending
+    std::future<std::string> keeping{};  // an autosave under way: why it could not be written
+    std::string told_unkept;             // why it is in memory alone
+    std::filesystem::path kept_in;       // the file that what was unsaved last went to
 
     bool presenting = false;
     bool blank = false;

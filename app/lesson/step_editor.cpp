@@ -4,26 +4,16 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/question_editor.h"
 #include "app/ui/widgets.h"
+#include "model/lesson/lesson_lacks.h"
 
 namespace tact {
 
 namespace {
-
-// What of a text the model cannot give; empty: all is well.
-std::string fault_in(const LessonStep& step, const PatternSet& set) {
-    for (const std::string& text : texts_of(step)) {
-        for (const std::string& placeholder : placeholders_in(text)) {
-            const std::string fault = placeholder_fault(placeholder, set);
-            if (!fault.empty()) return "{" + placeholder + "}: " + fault + ".";
-        }
-    }
-    const std::string needed = question_needs(step, set.vibrations.size());
-    return needed.empty() ? std::string() : "The question needs " + needed + ".";
-}
 
 void draw_step_buttons(const LessonHands& hands, LessonState& state) {
     struct Action {
@@ -112,8 +102,14 @@ bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string
     ImGui::PopStyleColor();
     ImGui::PopFont();
     const float height = (static_cast<float>(lines) + 0.6F) * ImGui::GetTextLineHeight();
+    const std::string before = text;
     ImGui::InputTextMultiline(id, &text, {-1.0F, height});
-    const bool changed = ImGui::IsItemEdited();
+    bool changed = ImGui::IsItemEdited();
+    // ImGui's field takes back on Esc whatever was typed since it was entered.
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && text != before) {
+        text = before;
+        changed = false;
+    }
     note_item(ui.rects, std::string("lesson edit:") + (id + 2), text);
     return changed;
 }
@@ -141,12 +137,15 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
     draw_question_editor(hands, state);
     step = state.lesson->steps[*state.step];
     if (shows_map(step)) draw_camera_row(hands, state, step);
-    const std::string fault = fault_in(step, hands.work.document.set);
-    if (!fault.empty()) {
+    const std::vector<std::string> lacks = step_lacks(step, hands.work.document.set);
+    if (!lacks.empty()) {
+        const std::string fault = lacks[0] + ".";
         coloured_text(hands.ui.theme.error, fault);
         note_item(hands.ui.rects, "lesson edit:fault", fault);
     }
     draw_step_buttons(hands, state);
+    if (link(hands.ui, "check", "Check the lesson")) check_lesson(hands.ui, hands.work, state);
+    note_item(hands.ui.rects, "lesson edit:check");
     draw_undo(hands, state);
 }
 

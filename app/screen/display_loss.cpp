@@ -3,6 +3,7 @@
 #include <X11/Xlib.h>
 #include <unistd.h>
 
+#include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -12,15 +13,16 @@ namespace tact {
 namespace {
 
 // Xlib's handlers are of the whole process and know no argument.
-std::function<void()> keep_once;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-std::thread::id drawing_thread;   // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::function<std::string()>
+    keep_once;                   // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::thread::id drawing_thread;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 constexpr unsigned kLongestKeepingS = 20;
 
-[[noreturn]] void end() {
-    constexpr std::string_view kSentence =
-        "tactspace: the display is gone; unsaved changes are kept for the next start\n";
-    [[maybe_unused]] const auto told = ::write(STDERR_FILENO, kSentence.data(), kSentence.size());
+[[noreturn]] void end_telling(std::string_view what_is_kept) {
+    const std::string sentence =
+        "tactspace: the display is gone; " + std::string(what_is_kept) + "\n";
+    [[maybe_unused]] const auto told = ::write(STDERR_FILENO, sentence.data(), sentence.size());
     ::_exit(1);
 }
 
@@ -28,15 +30,18 @@ int display_is_gone(Display* /*display*/) {
     // The drawing thread hears of it as soon as it asks the screen for anything.
     if (std::this_thread::get_id() != drawing_thread) {
         ::sleep(kLongestKeepingS);
-        end();
+        end_telling("what was unsaved a second before may be kept for the next start");
     }
-    if (const auto keep = std::exchange(keep_once, nullptr)) keep();
-    end();
+    const auto keep = std::exchange(keep_once, nullptr);
+    const std::string fault =
+        keep ? keep() : "they were being kept when the display went away again";
+    end_telling(fault.empty() ? "unsaved changes are kept for the next start"
+                              : "unsaved changes could not be kept: " + fault);
 }
 
 }  // namespace
 
-void end_with_display(std::function<void()> keep) {
+void end_with_display(std::function<std::string()> keep) {
     drawing_thread = std::this_thread::get_id();
     keep_once = std::move(keep);
     XSetIOErrorHandler(keep_once ? display_is_gone : nullptr);

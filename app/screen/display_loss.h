@@ -8,11 +8,13 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace tact {
 
 // Arms this for the rest of the run. The drawing thread calls it, and calls `keep` once when the
-// screen is lost. An empty `keep` saves nothing.
-void end_with_display(std::function<void()> keep);
+// screen is lost; it answers with what could not be kept, empty: all is. An empty `keep` saves
+// nothing.
+void end_with_display(std::function<std::string()> keep);
 
 }  // namespace tact

@@ -72,7 +72,7 @@ struct WindowClient {
     // (app/screen/escape_watch.h) and between two frames; perhaps both. Its own frame follows.
     std::function<void()> escape;
     // The screen is gone, and the program ends as soon as this returns; on the thread that draws.
-    std::function<void()> display_gone;
+    std::function<std::string()> display_gone;
     // The user wants to close the window: may it? Without this, yes.
     std::function<bool()> close;
     // Fills the empty atlas of ImGui::GetIO(); also the place to set the style. Called before the

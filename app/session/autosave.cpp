@@ -5,6 +5,7 @@
 
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
+#include "app/session/lesson_draft.h"
 #include "app/session/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
@@ -141,15 +142,17 @@ void recover_orphans(Session& session) {
     for (fs::directory_iterator at(session.folder, failure), end; !failure && at != end;
          at.increment(failure)) {
         const std::string name = at->path().filename().string();
-        if (name.starts_with("autosave-") && name.ends_with(".json")) files.push_back(at->path());
+        const bool is_kept = name.ends_with(".json") || name.ends_with(".lesson");
+        if (name.starts_with("autosave-") && is_kept) files.push_back(at->path());
     }
     std::ranges::sort(files);
     for (const fs::path& file : files) {
         const std::optional<FileLock> lock = try_lock(lock_of(file));
         if (!lock) continue;  // its instance is still running
-        if (const Expected<fs::path> moved = move_aside(session, file)) {
-            session.recovered.push_back(*moved);
-        }
+        const bool is_lesson = file.extension() == ".lesson";
+        const Expected<fs::path> moved =
+            is_lesson ? set_lesson_aside(session, file) : move_aside(session, file);
+        if (moved) session.recovered.push_back(*moved);
         erase_file(lock_of(file));
     }
 }

@@ -10,6 +10,7 @@
 #include "app/session/crash_report.h"
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
+#include "app/session/lesson_draft.h"
 #include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
 
@@ -159,6 +160,11 @@ bool make_folder(Session& session) {
     return false;
 }
 
+// Unsaved changes of this instance, or of an earlier one of its name.
+bool holds_anything(const Session& session) {
+    return is_there(session.autosave) || is_there(lesson_autosave(session.autosave));
+}
+
 // The first instance takes the folder, a later one a name by its process number.
 void take_place(Session& session) {
     std::optional<FileLock> lock = try_lock(session.folder / "lock");
@@ -168,7 +174,7 @@ void take_place(Session& session) {
     for (int again = 2; !lock && again < 100; ++again) {
         session.autosave = session.folder / ("autosave-" + name + ".json");
         // A file there is of an earlier process of this number, and still to be recovered.
-        if (!is_there(session.autosave)) lock = try_lock(session.folder / (name + ".lock"));
+        if (!holds_anything(session)) lock = try_lock(session.folder / (name + ".lock"));
         name = std::to_string(getpid()) + "-" + std::to_string(again);
     }
     if (lock) session.lock = std::make_shared<FileLock>(*std::move(lock));
@@ -225,7 +231,7 @@ Expected<Done> close_session(Session& session) {
     std::error_code none;
     if (session.is_first && !session.folder.empty()) {
         fs::remove(running_mark(session.folder), none);
-    } else if (!session.folder.empty() && !is_there(session.autosave)) {
+    } else if (!session.folder.empty() && !holds_anything(session)) {
         fs::remove(lock_of(session.autosave), none);
     }
     session.lock.reset();

@@ -12,8 +12,11 @@
 #include "app/candidates/candidate_rows.h"
 #include "app/compare/compare_state.h"
 #include "app/document/editing.h"
+#include "app/document/files.h"
 #include "app/export/exports.h"
 #include "app/lesson/lesson.h"
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_keeping.h"
 #include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
 #include "app/patterns/set_panel.h"
@@ -25,6 +28,7 @@
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
+#include "model/io/lesson/lesson_file.h"
 
 namespace tact {
 
@@ -120,7 +124,7 @@ void escape(App& app) {
     } else if (app.lesson.step && app.lesson.editing) {
         say(app.ui, "Esc ends no lesson that is being written. Lesson > Leave does.");
     } else if (app.lesson.step) {
-        leave_lesson(hands_of(app), app.lesson);
+        leave_the_lesson(app);
     } else if (is_filling(app.maybes)) {
         stop_filling(app.maybes);
     } else if (app.maybes.put.asked) {
@@ -188,17 +192,43 @@ void show_findings(App& app) {
     app.comparing.panel.view = CompareView::findings;
 }
 
+namespace {
+
 // Between the panels and the end of the frame: another set takes the document's place.
-void begin_tour(App& app) {
-    app.ui.waiting.emplace_back([&app] { start_tour(hands_of(app), app.lesson); });
+template <class Then>
+void once_lesson_may_go(App& app, Then then) {
+    app.ui.waiting.emplace_back(
+        [&app, then] { before_lesson_goes(hands_of(app), app.lesson, then); });
 }
+
+}  // namespace
+
+void begin_tour(App& app) {
+    once_lesson_may_go(app, [&app] { start_tour(hands_of(app), app.lesson); });
+}
+
+void begin_lesson(App& app) {
+    once_lesson_may_go(app, [&app] { new_lesson(hands_of(app), app.lesson); });
+}
+
+void open_bundled_lesson(App& app, const char* path) {
+    once_lesson_may_go(
+        app, [&app, path] { start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {}); });
+}
+
+void open_file(App& app, const std::filesystem::path& path) {
+    if (!is_lesson_file(path)) return open_paths(app.ui, app.work, {path});
+    once_lesson_may_go(app, [&app, path] { open_lesson(hands_of(app), app.lesson, path); });
+}
+
+void check_the_lesson(App& app) { check_lesson(app.ui, app.work, app.lesson); }
 
 void present(App& app) {
     app.ui.waiting.emplace_back([&app] { toggle_presenting(hands_of(app), app.lesson); });
 }
 
 void leave_the_lesson(App& app) {
-    app.ui.waiting.emplace_back([&app] { leave_lesson(hands_of(app), app.lesson); });
+    once_lesson_may_go(app, [&app] { leave_lesson(hands_of(app), app.lesson); });
 }
 
 bool has_lesson(const App& app) { return app.lesson.step.has_value(); }

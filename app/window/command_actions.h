@@ -39,6 +39,11 @@ void show_findings(App& app);
 void begin_tour(App& app);
 void present(App& app);
 void leave_the_lesson(App& app);
+void begin_lesson(App& app);
+// A lesson, or what can be a set; what was written in an open lesson is asked about.
+void open_file(App& app, const std::filesystem::path& path);
+void open_bundled_lesson(App& app, const char* path);
+void check_the_lesson(App& app);
 bool has_lesson(const App& app);
 bool has_undo(const App& app);
 bool has_redo(const App& app);

@@ -186,7 +186,7 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      "New lesson from this set",
      {},
      has_selection,
-     [](App& app) { new_lesson(hands_of(app), app.lesson); },
+     begin_lesson,
      nullptr,
      "teach write steps"},
     {"Lesson",
@@ -203,6 +203,13 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      [](App& app) { add_step(hands_of(app), app.lesson); },
      nullptr,
      "teach write scene"},
+    {"Lesson",
+     "Check the lesson",
+     {},
+     has_lesson,
+     check_the_lesson,
+     nullptr,
+     "draft missing lacks"},
     {"Lesson",
      "Save lesson as...",
      {},
@@ -301,9 +308,7 @@ std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
 
 template <std::size_t kPlace>
 void open_lesson_at(App& app) {
-    app.ui.waiting.emplace_back([&app] {
-        start_lesson(hands_of(app), app.lesson, bundled_lesson(kBundledLessons[kPlace].path), {});
-    });
+    open_bundled_lesson(app, kBundledLessons[kPlace].path);
 }
 
 // The lessons that come with the program stand in their menu behind what opens others.

@@ -113,8 +113,7 @@ void draw_chooser(App& app) {
     if (!chosen) return;
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
-            if (is_lesson_file(*chosen)) return open_lesson(hands_of(app), app.lesson, *chosen);
-            return open_paths(app.ui, app.work, {*chosen});
+            return open_file(app, *chosen);
         case ChooserPurpose::add_to_set:
             return add_paths(app.ui, app.work, {*chosen});
         case ChooserPurpose::save_document:
@@ -154,9 +153,10 @@ void draw_chooser(App& app) {
         case ChooserPurpose::export_animation:
             return export_animation(app, *chosen);
         case ChooserPurpose::open_lesson:
-            return open_lesson(hands_of(app), app.lesson, *chosen);
+            return open_file(app, *chosen);
         case ChooserPurpose::save_lesson:
-            return save_lesson(app.ui, app.work, app.lesson, *chosen);
+            save_lesson(app.ui, app.work, app.lesson, *chosen);
+            return;
         case ChooserPurpose::lesson_sheet:
             app.lesson.sheet_to = *chosen;
             return;
@@ -235,8 +235,7 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
         return import_recordings(app.ui, app.work, app.importing, paths);
     }
     if (tables) return load_ratings(app.ui, app.work, app.layout, paths);
-    if (paths.size() == 1 && is_lesson_file(paths[0]))
-        return open_lesson(hands_of(app), app.lesson, paths[0]);
+    if (paths.size() == 1) return open_file(app, paths[0]);
     open_paths(app.ui, app.work, paths);
 }
 

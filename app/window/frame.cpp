@@ -19,6 +19,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/export/exports.h"
 #include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_keeping.h"
 #include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
@@ -320,6 +321,12 @@ void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
     run_waiting(app);
 }
 
+// The set of a lesson is not the person's document: it is kept with the lesson, if that is written.
+void keep_what_is_unsaved(App& app) {
+    if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
+    autosave_lesson_if_due(app.ui, app.work, app.lesson);
+}
+
 }  // namespace
 
 void follow_changes(App& app) {
@@ -333,7 +340,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     begin_frame(app, pressed, time_s);
     if (is_study_running(app.studying)) {
         draw_study_pages(app.ui, app.work, app.play, app.studying, pressed);
-        if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
+        keep_what_is_unsaved(app);
         move_focus(app.ui);
         write_rects(app.ui.rects);
         return;
@@ -361,8 +368,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_gap(app.ui, app.work, app.maybes);
     follow_put(app.ui, app.work, app.shown_map, app.maybes);
     follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
-    // The set of a lesson is not the person's.
-    if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
+    keep_what_is_unsaved(app);
     move_focus(app.ui);
     write_rects(app.ui.rects);
 }
@@ -400,7 +406,9 @@ double next_wake_s(const App& app) {
         is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }
-    if (app.work.autosave_pending || is_autosaving(app.work)) wake_s = std::min(wake_s, 0.5);
+    if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||
+        is_autosaving(app.lesson))
+        wake_s = std::min(wake_s, 0.5);
     wake_s = std::min({wake_s, study_wake_s(app.ui, app.studying), aging_wake_s(app.ui)});
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);

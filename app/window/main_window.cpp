@@ -110,7 +110,8 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.escape = [&stop] { stop.stop(); };
     client.display_gone = [&app, &stop] {
         stop.stop();
-        keep_before_end(app);
+        const Expected<Done> kept = keep_before_end(app);
+        return kept ? std::string() : kept.error().message;
     };
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);

@@ -70,7 +70,7 @@ void draw_recent(App& app) {
         const std::string where = file.missing ? "not found" : folder_text(file.path);
         ImGui::PushID(file.path.c_str());
         if (ImGui::MenuItem(name.c_str(), where.c_str(), false, !file.missing)) {
-            open_paths(app.ui, app.work, {file.path});
+            open_file(app, file.path);
         }
         ImGui::PopID();
     }

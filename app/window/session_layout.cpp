@@ -6,10 +6,12 @@
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
-#include "app/lesson/lesson.h"
+#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson_keeping.h"
 #include "app/play/playing.h"
 #include "app/session/autosave.h"
 #include "app/study/study_follow.h"
+#include "app/window/command_actions.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"
 
@@ -25,10 +27,25 @@ void leave_study(App& app) {
         act(app.ui, app.work, app.play, app.studying, {what, 0, 0.0, {}, {}});
 }
 
-// The document is the person's own again; a tour is taken up where it was.
+// The person's own, also while a lesson shows its set in the place of it.
+const EditedDocument& own_document(const App& app) {
+    return app.lesson.aside ? app.lesson.aside->document : app.work.document;
+}
+
+// Why what is unsaved could not be kept for the next start.
+Expected<Done> keep_all(App& app) {
+    const Expected<Done> lesson = keep_lesson(app.work, app.lesson);
+    wait_for_autosave(app.work);
+    const Expected<Done> document = autosave(app.work.session, own_document(app).kept());
+    return lesson ? document : lesson;
+}
+
+// The document is the person's own again; a tour is taken up where it was, and a lesson that was
+// kept is written on at the next start.
 void end_lesson(App& app) {
     if (!app.lesson.step) return;
     const std::size_t at = *app.lesson.step;
+    let_lesson_go(app.lesson);
     leave_lesson(hands_of(app), app.lesson);
     if (app.lesson.is_tour) app.lesson.left_at = at;
 }
@@ -52,6 +69,24 @@ void take_up_session(App& app) {
         open_example(app.ui, app.work);
     }
     if (restored.is_error) complain(app.ui, restored.remark);
+}
+
+// The lesson that was written when the last run ended.
+void take_up_lesson(App& app) {
+    RestoredLesson restored = restore_lesson(app.work.session);
+    if (restored.is_error) return complain(app.ui, restored.remark);
+    if (!restored.draft) return;
+    const std::string before = app.ui.status.text;
+    resume_lesson(hands_of(app), app.lesson, *std::move(restored.draft));
+    say(app.ui, (before.empty() ? "" : before + " ") + restored.remark);
+}
+
+// Another lesson or set is opened at once: the one that was written heads the recent files.
+void set_last_lesson_aside(App& app) {
+    Session& session = app.work.session;
+    const auto aside = set_lesson_aside(session, lesson_autosave(session.autosave));
+    if (!aside) return complain(app.ui, with_stop(aside.error().message));
+    if (!aside->empty()) session.recovered.push_back(*aside);
 }
 
 // The paths in its place, once what was unsaved in it is safe.
@@ -98,8 +133,7 @@ void tell_of_start(App& app) {
     if (text.empty()) return;
     std::vector<Answer> answers;
     if (recovered.size() == 1) {
-        answers.push_back(
-            {"Open them", [&app, file = recovered[0]] { open_paths(app.ui, app.work, {file}); }});
+        answers.push_back({"Open them", [&app, file = recovered[0]] { open_file(app, file); }});
     }
     if (report) {
         answers.push_back(
@@ -123,12 +157,15 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     restore_devices(app.work, app.play);
     if (paths.size() == 1 && is_lesson_file(paths[0])) {
         take_up_session(app);
+        set_last_lesson_aside(app);
         open_lesson(hands_of(app), app.lesson, paths[0]);
         if (!app.lesson.step) return Error{app.ui.status.text};
     } else if (paths.empty()) {
         take_up_session(app);
-    } else if (const Expected<Done> opened = open_instead(app, paths); !opened) {
-        return opened.error();
+        take_up_lesson(app);
+    } else {
+        set_last_lesson_aside(app);
+        if (const Expected<Done> opened = open_instead(app, paths); !opened) return opened.error();
     }
     tell_of_start(app);
     return Done{};
@@ -177,18 +214,62 @@ void restore_layout(App& app) {
     app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 
-void keep_before_end(App& app) {
-    if (app.lesson.aside) return;  // it was kept when the lesson took its place
-    wait_for_autosave(app.work);
-    (void)autosave(app.work.session, app.work.document.kept());
+Expected<Done> keep_before_end(App& app) { return keep_all(app); }
+
+namespace {
+
+void ask_of_lesson(App& app, const std::string& reason) {
+    const auto discard = [&app] {
+        let_lesson_go(app.lesson);
+        quit(app);
+    };
+    ask(app.ui,
+        {.title = "Unsaved lesson",
+         .text = "What was written in \"" + app.lesson.lesson->name +
+                 "\" cannot be kept for the next start, and would be lost. " + with_stop(reason),
+         .answers = {{"Save as...", [&app] { save_lesson_dialog(app.ui, app.work, app.lesson); }},
+                     {"Discard and quit", discard},
+                     {"Cancel"}}});
 }
+
+// The set of a lesson is not what is to be saved: that ends first.
+void save_own(App& app) {
+    if (app.lesson.aside && !leave_lesson(hands_of(app), app.lesson)) return;
+    save(app.ui, app.work);
+}
+
+// Once for each person, as of the document.
+bool tells_of_lesson(App& app) {
+    constexpr const char* kTold = "quit keeps the lesson";
+    if (!unsaved_lesson(app.work, app.lesson) || app.ui.dismissed_hints.contains(kTold))
+        return false;
+    const auto leave = [&app] {
+        app.ui.dismissed_hints.insert(kTold);
+        app.ui.quit = true;
+    };
+    ask(app.ui,
+        {.title = "The lesson is kept",
+         .text = "What was written in \"" + app.lesson.lesson->name +
+                 "\" is kept, and is here again at the next start. It is in no file: that takes "
+                 "Save. This is said once.",
+         .answers = {{"Quit", leave},
+                     {"Save as...", [&app] { save_lesson_dialog(app.ui, app.work, app.lesson); }},
+                     {"Cancel"}}});
+    return true;
+}
+
+}  // namespace
 
 bool may_close(App& app) {
     if (is_study_running(app.studying)) leave_study(app);
-    end_lesson(app);
-    wait_for_autosave(app.work);
-    const Expected<Done> kept = autosave(app.work.session, app.work.document.kept());
+    const Expected<Done> lesson = keep_lesson(app.work, app.lesson);
+    if (!lesson && unsaved_lesson(app.work, app.lesson)) {
+        ask_of_lesson(app, lesson.error().message);
+        return false;
+    }
+    const Expected<Done> kept = keep_all(app);
     if (kept) return true;
+    end_lesson(app);
     ask(app.ui, {.title = "Unsaved changes",
                  .text = "The unsaved changes of \"" + document_name(app.work) +
                          "\" cannot be kept for the next start, and would be lost. " +
@@ -202,29 +283,31 @@ bool may_close(App& app) {
 // Once for each person: they come back, and who has been told needs no question.
 bool tells_what_is_kept(App& app) {
     constexpr const char* kTold = "quit keeps what is unsaved";
-    const bool unsaved = !(app.work.document.set == app.work.document.saved);
-    if (!unsaved || app.ui.dismissed_hints.contains(kTold)) return false;
+    const EditedDocument& own = own_document(app);
+    if (own.set == own.saved || app.ui.dismissed_hints.contains(kTold)) return false;
     const auto leave = [&app] {
         app.ui.dismissed_hints.insert(kTold);
         app.ui.quit = true;
     };
-    ask(app.ui,
-        {.title = "Unsaved changes are kept",
-         .text = "The changes of \"" + document_name(app.work) +
-                 "\" are kept, and are here again at the next start. They are not in its "
-                 "file: that takes Save. This is said once.",
-         .answers = {
-             {"Quit", leave}, {"Save...", [&app] { save(app.ui, app.work); }}, {"Cancel"}}});
+    ask(app.ui, {.title = "Unsaved changes are kept",
+                 .text = "The changes of " +
+                         (app.lesson.aside ? "the set" : "\"" + document_name(app.work) + "\"") +
+                         " are kept, and are here again at the next start. They are not in its "
+                         "file: that takes Save. This is said once.",
+                 .answers = {{"Quit", leave}, {"Save...", [&app] { save_own(app); }}, {"Cancel"}}});
     return true;
 }
 
-bool close_window(App& app) { return may_close(app) && !tells_what_is_kept(app); }
+bool close_window(App& app) {
+    return may_close(app) && !tells_of_lesson(app) && !tells_what_is_kept(app);
+}
 
 void quit(App& app) {
     if (close_window(app)) app.ui.quit = true;
 }
 
 void end_session(App& app) {
+    (void)keep_lesson(app.work, app.lesson);
     end_lesson(app);
     app.work.session.theme = app.ui.dark ? "dark" : "light";
     app.work.session.dismissed_hints = app.ui.dismissed_hints;

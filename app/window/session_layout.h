@@ -19,8 +19,9 @@ void restore_layout(App& app);
 
 void end_session(App& app);
 
-// The program ends in the middle of a frame: what is unsaved is kept for the next start.
-void keep_before_end(App& app);
+// The program ends in the middle of a frame: what is unsaved is kept for the next start. An Error:
+// it is lost.
+Expected<Done> keep_before_end(App& app);
 
 // Whether the window may close: what is unsaved is kept for the next start. Where it cannot be, the
 // window stays and asks. A study under way ends first; its answers are on the disk.

@@ -84,7 +84,7 @@ namespace limits {
 inline constexpr Range kLessonSpeed{0.0, 1.0};
 inline constexpr Range kLessonTimeS{0.0, 60.0};
 inline constexpr Range kLessonAngleRad{-10.0, 10.0};
-inline constexpr Range kLessonZoom{0.1, 10.0};
+inline constexpr Range kLessonZoom{0.1, 40.0};
 inline constexpr std::size_t kMaxSteps = 200;
 inline constexpr std::size_t kMaxOptions = 9;   // a number key each
 inline constexpr std::size_t kLeastPlaced = 4;  // patterns of a set in whose map one is placed

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/lesson/lesson_lacks.h"
 #include "model/lesson/lesson_numbers.h"
 #include "model/lesson/lesson_pairs.h"
 #include "model/physiology/firing.h"
@@ -141,6 +142,9 @@ QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
 QuestionAnswer answer_of(const Lesson& lesson, const LessonStep& step, const LessonPairs& pairs) {
     if (!step.question) return {};
     const LessonQuestion& question = *step.question;
+    const bool lacks_pattern = question.kind == QuestionKind::receptors && step.pattern.empty();
+    const bool is_own = question.kind == QuestionKind::choice;
+    if (!is_own && (lacks_pattern || !has_its_patterns(step, lesson.set))) return {};
     switch (question.kind) {
         case QuestionKind::choice:
             return {question.options, {question.answer}, {}, {}};

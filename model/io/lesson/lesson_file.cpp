@@ -6,6 +6,7 @@
 #include "model/io/lesson/lesson_json.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/set_json.h"
+#include "model/lesson/lesson_lacks.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/json_fields.h"
@@ -66,11 +67,12 @@ Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& fol
     lesson.about = text_field(object, "about", "");
     read_set(object, lesson, folder);
     if (!reading.fault.empty()) return lesson;
+    const bool is_draft = yes_no_field(object, "draft", false);
     const auto steps = array_field(object, "steps", 1, limits::kMaxSteps);
     if (steps.empty()) refuse(reading, "/steps", "at least one step", Json());
     for (std::size_t k = 0; k < steps.size(); ++k) {
         JsonObject step = object_at(reading, *steps[k], "/steps/" + std::to_string(k));
-        lesson.steps.push_back(step_of(step, lesson.set));
+        lesson.steps.push_back(step_of(step, lesson.set, is_draft));
     }
     const Json unknown = unknown_fields(object);
     if (!unknown.empty()) lesson.unknown_json = unknown.dump();
@@ -109,6 +111,7 @@ std::string print_lesson(const Lesson& lesson, const fs::path& folder) {
     } else {
         document["set"] = lesson.set_name;
     }
+    if (!lesson_lacks(lesson).empty()) document["draft"] = true;
     document["steps"] = Json::array();
     for (const LessonStep& step : lesson.steps) document["steps"].push_back(json_of(step));
     if (!lesson.unknown_json.empty()) {

@@ -5,6 +5,9 @@
 //       "name": "Gaps", "about": "Five minutes, for beginners",
 //       "set": {..}                     as in a set file (model/io/set/set_file.h), or the name of
 //                                       one that comes with the program: "pm_2023_twelve"
+//       "draft": true,                   it is being written, and may lack patterns, numbers and
+//                                       options; written where it does
+//                                       (model/lesson/lesson_lacks.h)
 //       "steps": [{
 //         "title": "..", "text": "..",  with numbers of the model in braces, as
 //                                       model/lesson/lesson_numbers.h lists them
@@ -32,7 +35,8 @@
 // Source    format 1: UTF-8 JSON; missing keys take defaults; unknown ones of the whole are kept on
 //           save.
 // Output    errors as "FILE: PLACE: expected ..", PLACE a JSON pointer; syntax by line and column
-// Valid     the limits of model/lesson/lesson.h; every pattern and every number asked for exists
+// Valid     the limits of model/lesson/lesson.h; every pattern and every number asked for exists,
+//           in all but a draft
 #pragma once
 
 #include <filesystem>

@@ -8,11 +8,23 @@ namespace tact {
 
 namespace {
 
+// What the names and numbers of a step have to be found in.
+struct LookUp {
+    const PatternSet& set;
+    bool is_draft;  // then they need not be there yet
+};
+
+// Options or pairs: those that a question of another kind left behind may be as few as they are.
+std::size_t least_of(const LookUp& look_up, bool is_asked) {
+    return look_up.is_draft || !is_asked ? 0 : 2;
+}
+
 // A text whose numbers the model can give.
-std::string text_with_numbers(JsonObject& object, std::string_view key, const PatternSet& set) {
+std::string text_with_numbers(JsonObject& object, std::string_view key, const LookUp& look_up) {
     const std::string text = text_field(object, key, "");
+    if (look_up.is_draft) return text;
     for (const std::string& placeholder : placeholders_in(text)) {
-        const std::string fault = placeholder_fault(placeholder, set);
+        const std::string fault = placeholder_fault(placeholder, look_up.set);
         if (fault.empty()) continue;
         refuse(*object.reading, place_of(object, key),
                "numbers that the model can give: {" + placeholder + "} cannot be (" + fault + ")",
@@ -22,20 +34,20 @@ std::string text_with_numbers(JsonObject& object, std::string_view key, const Pa
     return text;
 }
 
-void need_pattern(JsonReading& reading, const std::string& place, const PatternSet& set,
+void need_pattern(JsonReading& reading, const std::string& place, const LookUp& look_up,
                   const std::string& name) {
-    if (name.empty() || place_named(set, name)) return;
+    if (name.empty() || look_up.is_draft || place_named(look_up.set, name)) return;
     refuse(reading, place, "the name of a pattern of the lesson's set", Json(name));
 }
 
-std::string pattern_field(JsonObject& object, std::string_view key, const PatternSet& set) {
+std::string pattern_field(JsonObject& object, std::string_view key, const LookUp& look_up) {
     std::string name = name_field(object, key, "");
-    need_pattern(*object.reading, place_of(object, key), set, name);
+    need_pattern(*object.reading, place_of(object, key), look_up, name);
     return name;
 }
 
 PatternPair pair_of(JsonReading& reading, const Json& value, const std::string& place,
-                    const PatternSet& set) {
+                    const LookUp& look_up) {
     const bool good = value.is_array() && value.size() == 2 && value[0].is_string() &&
                       value[1].is_string() && value[0] != value[1];
     if (!good) {
@@ -43,20 +55,21 @@ PatternPair pair_of(JsonReading& reading, const Json& value, const std::string& 
         return {};
     }
     PatternPair pair{value[0].get<std::string>(), value[1].get<std::string>()};
-    need_pattern(reading, place, set, pair.a);
-    need_pattern(reading, place, set, pair.b);
+    need_pattern(reading, place, look_up, pair.a);
+    need_pattern(reading, place, look_up, pair.b);
     return pair;
 }
 
-void read_options(JsonObject& object, const PatternSet& set, LessonQuestion& question) {
-    for (const Json* option : array_field(object, "options", 2, limits::kMaxOptions)) {
+void read_options(JsonObject& object, const LookUp& look_up, LessonQuestion& question) {
+    const std::size_t least = least_of(look_up, question.kind == QuestionKind::choice);
+    for (const Json* option : array_field(object, "options", least, limits::kMaxOptions)) {
         if (!option->is_string()) {
             refuse(*object.reading, place_of(object, "options"), "texts", *option);
             return;
         }
         question.options.push_back(option->get<std::string>());
         for (const std::string& placeholder : placeholders_in(question.options.back())) {
-            if (placeholder_fault(placeholder, set).empty()) continue;
+            if (look_up.is_draft || placeholder_fault(placeholder, look_up.set).empty()) continue;
             refuse(*object.reading, place_of(object, "options"), "numbers that the model can give",
                    *option);
         }
@@ -66,14 +79,18 @@ void read_options(JsonObject& object, const PatternSet& set, LessonQuestion& que
     question.answer = static_cast<std::size_t>(whole_field(object, "answer", 0, {0.0, last}));
 }
 
-LessonQuestion question_of(JsonObject& object, const PatternSet& set) {
+LessonQuestion question_of(JsonObject& object, const LookUp& look_up) {
     LessonQuestion question;
     question.kind = static_cast<QuestionKind>(choice_field(object, "kind", 0, kQuestionKinds));
-    question.ask = text_with_numbers(object, "ask", set);
-    question.reveal = text_with_numbers(object, "reveal", set);
-    read_options(object, set, question);
-    for (const Json* pair : array_field(object, "pairs", 2, limits::kMaxOptions)) {
-        question.pairs.push_back(pair_of(*object.reading, *pair, place_of(object, "pairs"), set));
+    question.ask = text_with_numbers(object, "ask", look_up);
+    question.reveal = text_with_numbers(object, "reveal", look_up);
+    read_options(object, look_up, question);
+    const bool of_pairs =
+        question.kind == QuestionKind::closest || question.kind == QuestionKind::farthest;
+    const std::size_t least = least_of(look_up, of_pairs);
+    for (const Json* pair : array_field(object, "pairs", least, limits::kMaxOptions)) {
+        question.pairs.push_back(
+            pair_of(*object.reading, *pair, place_of(object, "pairs"), look_up));
     }
     return question;
 }
@@ -113,14 +130,15 @@ Json json_of(const LessonQuestion& question) {
 
 }  // namespace
 
-LessonStep step_of(JsonObject& object, const PatternSet& set) {
+LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft) {
+    const LookUp look_up{set, is_draft};
     LessonStep step;
-    step.title = text_with_numbers(object, "title", set);
-    step.text = text_with_numbers(object, "text", set);
-    step.note = text_with_numbers(object, "note", set);
+    step.title = text_with_numbers(object, "title", look_up);
+    step.text = text_with_numbers(object, "text", look_up);
+    step.note = text_with_numbers(object, "note", look_up);
     step.source = text_field(object, "source", "");
-    step.pattern = pattern_field(object, "pattern", set);
-    step.partner = pattern_field(object, "partner", set);
+    step.pattern = pattern_field(object, "pattern", look_up);
+    step.partner = pattern_field(object, "partner", look_up);
     step.view = kLessonViews[choice_field(object, "view", 0, kLessonViews)];
     step.point_at = text_field(object, "point_at", "");
     step.at_s = number_field(object, "at_s", 0.0, limits::kLessonTimeS);
@@ -135,9 +153,10 @@ LessonStep step_of(JsonObject& object, const PatternSet& set) {
     }
     if (object.value != nullptr && object.value->contains("question")) {
         JsonObject question = object_field(object, "question");
-        step.question = question_of(question, set);
+        step.question = question_of(question, look_up);
         const std::string needed = question_needs(step, set.vibrations.size());
-        if (!needed.empty()) refuse(*question.reading, question.place, needed, *question.value);
+        if (!needed.empty() && !is_draft)
+            refuse(*question.reading, question.place, needed, *question.value);
         note_unknown(unknown, "question", unknown_fields(question));
     }
     unknown.update(unknown_fields(object));

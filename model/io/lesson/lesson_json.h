@@ -6,8 +6,9 @@
 
 namespace tact {
 
-// A step, with its patterns and numbers looked up in `set`.
-LessonStep step_of(JsonObject& object, const PatternSet& set);
+// A step, with its patterns and numbers looked up in `set`. A draft may lack what
+// model/lesson/lesson_lacks.h lists.
+LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft);
 
 // Only what differs from the defaults.
 Json json_of(const LessonStep& step);

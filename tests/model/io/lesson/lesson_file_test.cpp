@@ -92,7 +92,7 @@ TEST_CASE("lesson file: a fault is told with its file, its place and what was ex
 TEST_CASE("lesson file: a lesson that could not be opened again is not written") {
     const TemporaryFolder folder;
     Lesson lesson = *parse_lesson(one_step(R"("title": "T")"), "l.json", {});
-    lesson.steps[0].pattern = "nobody";
+    lesson.steps[0].view = "nowhere";
     const auto file = folder.path / "l.tactlesson.json";
     CHECK_FALSE(write_lesson_file(file, lesson));
     CHECK_FALSE(std::filesystem::exists(file));
