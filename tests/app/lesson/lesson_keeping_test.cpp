@@ -178,7 +178,8 @@ TEST_CASE("lesson kept: an unfinished lesson is saved as a draft, and told what 
     REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
     CHECK(again->steps == program.steps());
     CHECK(lesson_lacks(*again).size() == 2);
-    // A class sees no question that cannot be answered.
+    // A class sees no question that cannot be answered. Numbers that come move what is below them.
+    program.wait_for_numbers();
     program.click("lesson edit:check");
     REQUIRE(program.app.ui.question);
     CHECK(program.app.ui.question->text.find("nobody") != std::string::npos);
