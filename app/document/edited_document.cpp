@@ -101,11 +101,15 @@ bool EditedDocument::commit(const std::string& label, bool joins) {
     if (is_committed()) return false;
     now_.set.map_places.at.clear();  // those of the state before
     keep_versions(*committed_, now_.set);
+    // What is in the file again has its places again: saving it changes no byte.
+    const bool is_in_file = now_.set == now_.saved;
+    if (is_in_file) now_.set.map_places = now_.saved.map_places;
     auto after = std::make_shared<const PatternSet>(now_.set);
     const bool moved =
         joins ? history_.join(committed_, after, label) : history_.commit(committed_, after, label);
     if (!moved) return false;
     committed_ = std::move(after);
+    lying_[committed_].is_in_file = is_in_file;
     forget_places();
     return true;
 }
