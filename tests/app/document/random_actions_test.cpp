@@ -237,8 +237,7 @@ class Person {
     void begin() {
         number_ = work().document_number;
         states_ = {printed(work().document.set)};
-        recent_.clear();
-        note_time();
+        note_time();  // what was there a moment ago is not lost either
     }
 
     void note_time() {
