@@ -50,7 +50,7 @@ void Interrupt::watch() {
     for (;;) {
         int signal = 0;
         if (sigwait(&signals_, &signal) != 0) continue;
-        if (end_.stop_requested()) return;
+        if (signal == SIGUSR2 && end_.stop_requested()) return;
         if (signal == SIGUSR2) continue;
         if (stop_.stop_requested()) end_by(signal);
         caught = signal;
