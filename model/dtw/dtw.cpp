@@ -26,9 +26,7 @@ double dtw(std::span<const double> a, std::span<const double> b, std::stop_token
 
 std::vector<double> dtw(std::span<const SignalPair> pairs, const DtwOptions& options,
                         const DtwKernel& kernel) {
-    std::vector<TrimmedPair> own;
-    own.reserve(pairs.size());
-    for (const SignalPair& pair : pairs) own.push_back(trimmed(pair, options.waiting_cost));
+    const std::vector<TrimmedPair> own = trimmed(pairs, options.waiting_cost);
     const auto threads = static_cast<std::size_t>(thread_count(options.threads));
     const DtwBatches batches = dtw_batches(own, kernel, threads);
     double whole = 0.0;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace tact {
 
@@ -38,20 +40,34 @@ double cost_of(const DtwSweep& sweep, Shape shape) {
     return lanes * static_cast<double>(rows) * static_cast<double>(shape.columns + margin);
 }
 
-std::span<const double> without_end(std::span<const double> signal, std::size_t zeros) {
-    return signal.first(signal.size() - zeros);
+// Zeros at the ends of a signal, which may be all of it.
+struct Silence {
+    std::size_t before = 0;
+    std::size_t behind = 0;
+};
+
+Silence silence_of(std::span<const double> signal) {
+    const auto sounds = [](double value) { return value != 0.0; };
+    const auto first = std::ranges::find_if(signal, sounds);
+    const auto last = std::find_if(signal.rbegin(), signal.rend(), sounds);
+    return {static_cast<std::size_t>(first - signal.begin()),
+            static_cast<std::size_t>(last - signal.rbegin())};
 }
 
-std::size_t zeros_at_end(std::span<const double> signal) {
-    std::size_t zeros = 0;
-    while (zeros < signal.size() && signal[signal.size() - 1 - zeros] == 0.0) ++zeros;
-    return zeros;
+// One zero stays at each end that is cut; of a signal of zeros alone, one.
+std::span<const double> without(std::span<const double> signal, Silence silence, bool before,
+                                bool behind) {
+    if (behind) signal = signal.first(signal.size() - (silence.behind - 1));
+    if (!before) return signal;
+    return signal.subspan(std::min(silence.before, signal.size()) - 1);
 }
 
-std::size_t zeros_at_begin(std::span<const double> signal) {
-    std::size_t zeros = 0;
-    while (zeros < signal.size() && signal[zeros] == 0.0) ++zeros;
-    return zeros;
+TrimmedPair trimmed(const SignalPair& pair, Silence of_a, Silence of_b) {
+    const bool before = of_a.before > 0 && of_b.before > 0;
+    const bool behind = of_a.behind > 0 && of_b.behind > 0;
+    SignalPair own{without(pair.a, of_a, before, behind), without(pair.b, of_b, before, behind)};
+    if (own.a.size() < own.b.size()) std::swap(own.a, own.b);
+    return {own, behind};
 }
 
 // Rows to the first four binary digits: pairs of nearly as many rows may share a register.
@@ -161,24 +177,24 @@ std::vector<DtwBatch> balanced(std::vector<DtwBatch> batches, std::span<const Tr
 }  // namespace
 
 TrimmedPair trimmed(const SignalPair& pair, double waiting_cost) {
-    auto [a, b] = pair;
-    if (a.size() < b.size()) std::swap(a, b);
-    if (waiting_cost > 0.0 || b.empty()) return {{a, b}, false};
-    const std::size_t a_end = zeros_at_end(a);
-    const std::size_t b_end = zeros_at_end(b);
-    const bool both_end = a_end > 0 && b_end > 0;
-    if (both_end) {
-        a = without_end(a, a_end - 1);
-        b = without_end(b, b_end - 1);
+    return trimmed(std::span(&pair, 1), waiting_cost).front();
+}
+
+std::vector<TrimmedPair> trimmed(std::span<const SignalPair> pairs, double waiting_cost) {
+    using Key = std::pair<const double*, std::size_t>;
+    std::map<Key, Silence> known;
+    const auto silence = [&](std::span<const double> signal) {
+        if (waiting_cost > 0.0) return Silence{};  // every zero counts
+        const auto [place, is_new] = known.try_emplace(Key{signal.data(), signal.size()});
+        if (is_new) place->second = silence_of(signal);
+        return place->second;
+    };
+    std::vector<TrimmedPair> all;
+    all.reserve(pairs.size());
+    for (const SignalPair& pair : pairs) {
+        all.push_back(trimmed(pair, silence(pair.a), silence(pair.b)));
     }
-    const std::size_t a_begin = zeros_at_begin(a);
-    const std::size_t b_begin = zeros_at_begin(b);
-    if (a_begin > 0 && b_begin > 0) {
-        a = a.subspan(a_begin - 1);
-        b = b.subspan(b_begin - 1);
-    }
-    if (a.size() < b.size()) std::swap(a, b);
-    return {{a, b}, both_end};
+    return all;
 }
 
 DtwBatches dtw_batches(std::span<const TrimmedPair> pairs, const DtwKernel& kernel,

@@ -25,6 +25,9 @@ struct TrimmedPair {
 
 TrimmedPair trimmed(const SignalPair& pair, double waiting_cost);
 
+// The same of all pairs. A signal is looked at once, however many pairs it is in.
+std::vector<TrimmedPair> trimmed(std::span<const SignalPair> pairs, double waiting_cost);
+
 // Pairs that one thread computes in one go.
 struct DtwBatch {
     std::size_t first = 0;  // position in DtwBatches::order
