@@ -52,16 +52,32 @@ bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
                               &Vibration::source);
 }
 
-double expected_map_s(const PatternSet& set) {
-    // Where waiting costs, silence counts as well: all pairs are as long as the longest.
-    if (set.model.envelope.waiting_cost > 0.0) {
-        return expected_map_s(set.vibrations.size(), longest_s(set));
-    }
+namespace {
+
+std::vector<double> own_durations_s(const PatternSet& set) {
     std::vector<double> durations_s;
     for (const Vibration& vibration : set.vibrations) {
         durations_s.push_back(own_duration_s(vibration));
     }
+    return durations_s;
+}
+
+// Where waiting costs, silence counts as well: all pairs are as long as the longest.
+double expected_s(const PatternSet& set, std::vector<double> durations_s) {
+    if (set.model.envelope.waiting_cost > 0.0 && !durations_s.empty()) {
+        return expected_map_s(durations_s.size(), std::ranges::max(durations_s));
+    }
     return expected_map_s(std::move(durations_s));
+}
+
+}  // namespace
+
+double expected_map_s(const PatternSet& set) { return expected_s(set, own_durations_s(set)); }
+
+double expected_map_s(const PatternSet& set, std::size_t without) {
+    std::vector<double> durations_s = own_durations_s(set);
+    durations_s.erase(durations_s.begin() + static_cast<std::ptrdiff_t>(without));
+    return expected_s(set, std::move(durations_s));
 }
 
 double expected_map_s(std::vector<double> durations_s) {

@@ -29,6 +29,7 @@ inline constexpr double kLongestUnaskedS = 120.0;
 // of it. A pair takes the product of its own two lengths, but for pairs with the longest patterns:
 // their envelopes sound to the end (dtw_batches.h).
 double expected_map_s(const PatternSet& set);
+double expected_map_s(const PatternSet& set, std::size_t without);  // one of its patterns
 double expected_map_s(std::vector<double> durations_s);
 double expected_map_s(std::size_t patterns, double longest_s);  // all of one length
 

@@ -68,9 +68,7 @@ std::string dominant_text(const PatternSet& set) {
     const auto& all = set.vibrations;
     const auto longest = std::ranges::max_element(all, {}, own_duration_s);
     if (longest == all.end()) return {};
-    PatternSet rest = set;
-    rest.vibrations.erase(rest.vibrations.begin() + (longest - all.begin()));
-    const double rest_s = expected_map_s(rest);
+    const double rest_s = expected_map_s(set, static_cast<std::size_t>(longest - all.begin()));
     if (rest_s > 0.5 * expected_map_s(set)) return {};
     return " " + longest->name + " lasts " + significant(own_duration_s(*longest), 2) +
            " s: without it, " + estimate_text(rest_s) + ".";
