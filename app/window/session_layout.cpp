@@ -32,12 +32,10 @@ const EditedDocument& own_document(const App& app) {
     return app.lesson.aside ? app.lesson.aside->document : app.work.document;
 }
 
-// Why what is unsaved could not be kept for the next start.
-Expected<Done> keep_all(App& app) {
-    const Expected<Done> lesson = keep_lesson(app.work, app.lesson);
+// Why the document could not be kept for the next start.
+Expected<Done> keep_document(App& app) {
     wait_for_autosave(app.work);
-    const Expected<Done> document = autosave(app.work.session, own_document(app).kept());
-    return lesson ? document : lesson;
+    return autosave(app.work.session, own_document(app).kept());
 }
 
 // The document is the person's own again; a tour is taken up where it was, and a lesson that was
@@ -214,7 +212,11 @@ void restore_layout(App& app) {
     app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 
-Expected<Done> keep_before_end(App& app) { return keep_all(app); }
+Expected<Done> keep_before_end(App& app) {
+    const Expected<Done> lesson = keep_lesson(app.work, app.lesson);
+    const Expected<Done> document = keep_document(app);
+    return lesson ? document : lesson;
+}
 
 namespace {
 
@@ -267,7 +269,7 @@ bool may_close(App& app) {
         ask_of_lesson(app, lesson.error().message);
         return false;
     }
-    const Expected<Done> kept = keep_all(app);
+    const Expected<Done> kept = keep_document(app);
     if (kept) return true;
     end_lesson(app);
     ask(app.ui, {.title = "Unsaved changes",
