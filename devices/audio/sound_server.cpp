@@ -116,18 +116,22 @@ bool SoundServer::reach() {
     return true;
 }
 
+// Until there is an answer, or for as long as one is waited for.
+void SoundServer::await(const bool& is_there, pa_operation* asked) {
+    const double until_s = now_s() + kPatienceS;
+    while (!is_there && now_s() < until_s && turn(until_s - now_s())) continue;
+    let_go(asked);
+}
+
 std::optional<ServerOutput> SoundServer::usual_output() {
     if (!reach()) return {};
     Answer<std::string> name;
     // As libpulse itself would choose.
     const char* wanted = std::getenv("PULSE_SINK");  // NOLINT(concurrency-mt-unsafe)
-    const double until_s = now_s() + kPatienceS;
     if (wanted != nullptr && *wanted != '\0') {
         name.value = wanted;
     } else {
-        pa_operation* asked = pa_context_get_server_info(context_, take_usual, &name);
-        while (!name.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-        let_go(asked);
+        await(name.is_there, pa_context_get_server_info(context_, take_usual, &name));
     }
     return name.value.empty() ? std::nullopt : output_named(name.value);
 }
@@ -135,46 +139,33 @@ std::optional<ServerOutput> SoundServer::usual_output() {
 std::vector<ServerOutput> SoundServer::outputs() {
     if (!reach()) return {};
     Answer<std::vector<ServerOutput>> outputs;
-    const double until_s = now_s() + kPatienceS;
-    pa_operation* asked = pa_context_get_sink_info_list(context_, take_outputs, &outputs);
-    while (!outputs.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-    let_go(asked);
+    await(outputs.is_there, pa_context_get_sink_info_list(context_, take_outputs, &outputs));
     return outputs.value;
 }
 
 std::optional<ServerOutput> SoundServer::output_named(const std::string& name) {
     if (!reach()) return {};
     Answer<std::optional<ServerOutput>> output;
-    const double until_s = now_s() + kPatienceS;
-    pa_operation* asked =
-        pa_context_get_sink_info_by_name(context_, name.c_str(), take_output, &output);
-    while (!output.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-    let_go(asked);
+    await(output.is_there,
+          pa_context_get_sink_info_by_name(context_, name.c_str(), take_output, &output));
     return output.value;
 }
 
 std::set<std::uint32_t> SoundServer::own_streams() {
     if (!reach()) return {};
     Answer<std::set<std::uint32_t>> streams;
-    const double until_s = now_s() + kPatienceS;
-    pa_operation* asked = pa_context_get_sink_input_info_list(context_, take_streams, &streams);
-    while (!streams.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-    let_go(asked);
+    await(streams.is_there, pa_context_get_sink_input_info_list(context_, take_streams, &streams));
     return streams.value;
 }
 
 std::optional<ServerOutput> SoundServer::output_of(std::uint32_t stream) {
     if (!reach()) return {};
     Answer<std::optional<std::uint32_t>> sink;
-    const double until_s = now_s() + kPatienceS;
-    pa_operation* asked = pa_context_get_sink_input_info(context_, stream, take_stream, &sink);
-    while (!sink.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-    let_go(asked);
+    await(sink.is_there, pa_context_get_sink_input_info(context_, stream, take_stream, &sink));
     if (!sink.value) return {};
     Answer<std::optional<ServerOutput>> output;
-    asked = pa_context_get_sink_info_by_index(context_, *sink.value, take_output, &output);
-    while (!output.is_there && now_s() < until_s && turn(until_s - now_s())) continue;
-    let_go(asked);
+    await(output.is_there,
+          pa_context_get_sink_info_by_index(context_, *sink.value, take_output, &output));
     return output.value;
 }
 

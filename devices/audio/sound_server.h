@@ -14,6 +14,7 @@
 
 struct pa_context;
 struct pa_mainloop;
+struct pa_operation;
 
 namespace tact {
 
@@ -49,6 +50,7 @@ class SoundServer {
     bool reach();
     void leave();
     bool turn(double seconds);
+    void await(const bool& is_there, pa_operation* asked);
 
     pa_mainloop* loop_ = nullptr;
     pa_context* context_ = nullptr;
