@@ -82,13 +82,6 @@ std::string name_with_output(const DeviceInfo& info) {
     return info.name + " on " + info.output_name;
 }
 
-// ", front left"; empty where it has a number alone.
-std::string channel_name(const DeviceInfo& info, int channel) {
-    const auto at = static_cast<std::size_t>(channel - 1);
-    if (at >= info.channels.size() || info.channels[at] == std::to_string(channel)) return {};
-    return ", " + info.channels[at];
-}
-
 }  // namespace
 
 std::string device_text(const PlayState& play) {
@@ -102,9 +95,8 @@ std::string device_text(const PlayState& play) {
     const std::string name =
         info ? info->name : play.choice.id.substr(play.choice.id.rfind('/') + 1);
     if (info && info->channels.empty()) return name;
-    const std::string number = std::to_string(play.choice.channel);
-    return (info ? name_with_output(*info) : name) + ", " + number +
-           (info ? channel_name(*info, play.choice.channel) : "");
+    if (!info) return name + ", " + std::to_string(play.choice.channel);
+    return name_with_output(*info) + ", " + channel_text(*info, play.choice.channel);
 }
 
 std::string device_trouble(const PlayState& play) {

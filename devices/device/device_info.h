@@ -32,6 +32,14 @@ struct DeviceInfo {
     bool operator==(const DeviceInfo&) const = default;
 };
 
+// "3, rear left"; the number alone where the channel has no other name. Channels count from 1.
+inline std::string channel_text(const DeviceInfo& device, int channel) {
+    const std::string number = std::to_string(channel);
+    const auto at = static_cast<std::size_t>(channel - 1);
+    if (at >= device.channels.size() || device.channels[at] == number) return number;
+    return number + ", " + device.channels[at];
+}
+
 // What tells apart where the sound comes out: two devices of one place are two names of one output.
 inline std::string place_of_sound(const DeviceInfo& device) {
     return device.server_output.empty() ? device.id : "server " + device.server_output;

@@ -142,19 +142,12 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
     return {vibration.name, std::move(driven.drive)};
 }
 
-// "3", "3, rear left".
-std::string channel_text(const Chosen& chosen) {
-    const std::string number = std::to_string(chosen.choice.channel);
-    const auto at = static_cast<std::size_t>(chosen.choice.channel - 1);
-    if (at >= chosen.info.channels.size() || chosen.info.channels[at] == number) return number;
-    return number + ", " + chosen.info.channels[at];
-}
-
 void announce(const PlayCommand& command, const Chosen& chosen, bool is_calibrated) {
     const DeviceInfo& device = chosen.info;
     std::cerr << "tactspace: playing on " << device.name;
     if (!device.server_output.empty()) std::cerr << " (" << device.server_output << ")";
-    if (!device.channels.empty()) std::cerr << ", channel " << channel_text(chosen);
+    if (!device.channels.empty())
+        std::cerr << ", channel " << channel_text(chosen.info, chosen.choice.channel);
     if (is_calibrated) {
         std::cerr << ", calibrated by " << command.calibration.string() << "\n";
     } else {
