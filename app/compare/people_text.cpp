@@ -6,7 +6,6 @@
 #include <set>
 #include <string_view>
 
-#include "model/set/felt_versions.h"
 #include "model/set/set_ratings.h"
 
 namespace tact {
@@ -38,10 +37,6 @@ std::string words_of(const RatingMark& mark) {
 std::string of_people(const std::string& quantity, const RatingMark& mark) {
     const std::string words = words_of(mark);
     return words.empty() ? quantity : words + " " + quantity;
-}
-
-RatingMark mark_of(const PatternSet& set) {
-    return {std::ranges::any_of(set.ratings, is_synthetic), !stale_patterns(set).edited.empty()};
 }
 
 std::string people_text(const PatternSet& set, const RatedPeople& people) {

@@ -20,9 +20,6 @@ std::string digits(double value, int decimals);
 std::string of_people(const std::string& quantity, const RatingMark& mark);
 std::string words_of(const RatingMark& mark);  // "synthetic, stale"; empty: nothing is to be said
 
-// What is to be said of the ratings of a set: patterns are rendered for it.
-RatingMark mark_of(const PatternSet& set);
-
 // "people.csv (2 participants left out): 18 participants, 6 of them synthetic, 72 passes, 9 of 12
 // patterns rated, 36 of 66 pairs", of the set's own ratings.
 std::string people_text(const PatternSet& set, const RatedPeople& people);

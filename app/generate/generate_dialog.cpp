@@ -30,9 +30,7 @@ constexpr std::size_t kMostPreviews = 8;
 constexpr std::size_t kFewestPreviews = 4;  // that share the width: fewer leave some of it
 constexpr float kPreviewHeightPx = 34.0F;
 
-std::string patterns(std::size_t count) {
-    return grouped_digits(count) + (count == 1 ? " pattern" : " patterns");
-}
+std::string patterns(std::size_t count) { return counted(count, "pattern", "patterns"); }
 
 void wrapped(ImU32 colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(colour));

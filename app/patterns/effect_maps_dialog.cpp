@@ -134,7 +134,7 @@ void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
         ImGui::SameLine(left + kFormatPx * ui.theme.scale);
         const std::string chosen = draw_map_combo(ui, use);
         ImGui::SameLine();
-        dim_text(ui, grouped_digits(use.patterns) + (use.patterns == 1 ? " pattern" : " patterns"));
+        dim_text(ui, counted(use.patterns, "pattern", "patterns"));
         draw_source(ui, use);
         if (!chosen.empty()) read_by_map(ui, work, use.format, chosen);
     }

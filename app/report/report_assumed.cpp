@@ -150,10 +150,6 @@ std::vector<Said> said_in_notes(const PatternSet& set) {
     return all;
 }
 
-std::string counted_patterns(std::size_t count) {
-    return grouped_digits(count) + (count == 1 ? " pattern" : " patterns");
-}
-
 std::string kinds_words(const PatternSet& set) {
     std::size_t recorded = 0;
     std::size_t synthetic = 0;
@@ -163,7 +159,8 @@ std::string kinds_words(const PatternSet& set) {
         ++(measured->synthetic ? synthetic : recorded);
     }
     std::string text =
-        counted_patterns(set.vibrations.size() - recorded - synthetic) + " made of parameters";
+        counted(set.vibrations.size() - recorded - synthetic, "pattern", "patterns") +
+        " made of parameters";
     if (recorded > 0) text += ", " + grouped_digits(recorded) + " recorded";
     if (synthetic > 0) {
         text += ", " + grouped_digits(synthetic) + " SYNTHETIC: measured by nobody, computed";
@@ -176,7 +173,7 @@ std::string actuators_item(const PatternSet& set) {
     std::string text;
     for (const auto& [actuator, count] : actuators_of(set)) {
         text += (text.empty() ? "0 to 1 of effect files became g and Hz by " : ", ") +
-                html_escaped(actuator) + " (" + counted_patterns(count) + ")";
+                html_escaped(actuator) + " (" + counted(count, "pattern", "patterns") + ")";
     }
     return text.empty() ? "" : item("Actuator maps", text + ".");
 }
@@ -191,7 +188,7 @@ std::string assumed_section(const Report& report) {
         item("Thresholds", thresholds_words(report)) + item("Model", model_words(report)) +
         item("Device", device_words(report)) + actuators_item(report.set);
     for (const Said& said : said_in_notes(report.set)) {
-        html += item(counted_patterns(said.patterns), html_escaped(said.text));
+        html += item(counted(said.patterns, "pattern", "patterns"), html_escaped(said.text));
     }
     return html_section("assumed", "What was assumed", html + "</dl>\n");
 }
