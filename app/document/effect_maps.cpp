@@ -103,9 +103,7 @@ void note_effect_files(Workspace& work, const std::vector<std::filesystem::path>
                        const std::vector<Vibration>& read) {
     const bool any =
         std::ranges::any_of(read, [](const Vibration& one) { return !one.effect.format.empty(); });
-    const bool is_set =
-        paths.size() == 1 && paths.front().extension() == ".json" && !holds_effects(paths.front());
-    if (!any || is_set) return;
+    if (!any) return;
     EffectFiles files{paths, {}};
     for (const Vibration& one : read) files.read.push_back({one});
     work.effects.files.push_back(std::move(files));

@@ -26,7 +26,8 @@ struct MapInUse {
 // Where any effect is, by format.
 std::vector<MapInUse> maps_in_use(const Workspace& work);
 
-// What was just read of these files, before anything of it is given another name or look.
+// What was just read of these files, which are no set file, before anything of it is given another
+// name or look.
 void note_effect_files(Workspace& work, const std::vector<std::filesystem::path>& paths,
                        const std::vector<Vibration>& read);
 

@@ -41,18 +41,6 @@ bool is_set_file(const std::filesystem::path& path) {
 constexpr const char* kOpenTwice =
     " It is open in another window, too: before one writes over what the other saved, it asks.";
 
-std::string joined(const std::vector<std::string>& remarks) {
-    constexpr std::size_t kMost = 3;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(remarks.size(), kMost); ++k) {
-        text += (k == 0 ? "" : "; ") + remarks[k];
-    }
-    if (remarks.size() > kMost) {
-        text += "; and " + std::to_string(remarks.size() - kMost) + " more remarks";
-    }
-    return text;
-}
-
 // Recordings in a folder and effects of other programs are no set files.
 bool has_set_file(const EditedDocument& document) {
     return is_set_file(document.path) && !holds_effects(document.path);
@@ -124,44 +112,6 @@ void open_example(Ui& ui, Workspace& work) {
 void open_example_set(Ui& ui, Workspace& work, const ExampleSet& example) {
     const PatternSet set = parsed(example);
     show_document(ui, work, {set, {}, set}, "Opened the example set " + set.name + ".");
-}
-
-void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths) {
-    if (paths.empty()) return;
-    // Before it is read: whoever writes it in between is noticed.
-    const auto mark = is_set_file(paths[0]) ? content_mark(paths[0]) : std::nullopt;
-    Expected<Loaded> loaded = load_sets(paths);
-    if (!loaded) return complain(ui, loaded.error().message);
-    Document document;
-    document.set = std::move(loaded->set);
-    document.saved = document.set;
-    if (paths.size() == 1) {
-        document.path = std::filesystem::absolute(paths[0]);
-        document.file_mark = mark;
-    }
-    std::string text = "Opened " + patterns_text(document.set.vibrations.size());
-    text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
-    const std::vector<Vibration> read = document.set.vibrations;
-    if (!show_document(ui, work, std::move(document), text)) return;
-    note_effect_files(work, paths, read);
-    for (const auto& path : paths) remember_file(work.session, std::filesystem::absolute(path));
-}
-
-void add_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths) {
-    Expected<Loaded> loaded = load_sets(paths);
-    if (!loaded) return complain(ui, loaded.error().message);
-    const PatternSet& set = work.document.set;
-    const std::size_t count = loaded->set.vibrations.size();
-    if (set.vibrations.size() + count > limits::kMaxPatterns) {
-        return complain(ui, "Nothing was added: a set has at most 10,000 patterns.");
-    }
-    const std::string fault = samples_fault(recorded_samples(set) + recorded_samples(loaded->set));
-    if (!fault.empty()) return complain(ui, "Nothing was added: " + fault);
-    std::string text = "Added " + patterns_text(count);
-    text += loaded->remarks.empty() ? "." : ": " + joined(loaded->remarks) + ".";
-    note_effect_files(work, paths, loaded->set.vibrations);
-    add_vibrations(ui, work, std::move(loaded->set.vibrations), "Add " + patterns_text(count));
-    say(ui, text);
 }
 
 namespace {

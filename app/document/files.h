@@ -27,14 +27,6 @@ void save(Ui& ui, Workspace& work);
 void load_tables_dialog(Ui& ui, const Workspace& work);
 void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path);
 
-// Opens what the paths name, as one set; an error leaves the open document as it is. Unsaved
-// changes of that one are kept in a file of their own; where they cannot be, it stays.
-void open_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths);
-
-// Puts what the paths name behind the current pattern, as one step; names that are taken get a
-// number. An error leaves the document as it is.
-void add_paths(Ui& ui, Workspace& work, const std::vector<std::filesystem::path>& paths);
-
 // Asks first where another program has changed the document's file.
 void save_as(Ui& ui, Workspace& work, const std::filesystem::path& path);
 

@@ -7,6 +7,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -47,6 +48,19 @@ std::optional<std::size_t> chosen_by_key(const Ui& ui, const Question& question)
     return {};
 }
 
+// Its sentences; a list longer than the window scrolls, so that the answers stay in sight.
+void draw_words(Ui& ui, const Question& question) {
+    const std::string text = shown_lines(question.text);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+    const float most = 0.6F * ImGui::GetIO().DisplaySize.y;
+    const bool scrolls = height > most;
+    if (scrolls) ImGui::BeginChild("words", {width, most});
+    ImGui::TextWrapped("%s", text.c_str());
+    if (scrolls) ImGui::EndChild();
+    note_item(ui.rects, "question", question.text);
+}
+
 }  // namespace
 
 void ask(Ui& ui, Question question) {
@@ -63,8 +77,7 @@ void draw_question(Ui& ui) {
     if (!ui.question) return;
     Question& question = *ui.question;
     if (!begin_dialog(ui, (question.title + "###question").c_str())) return;
-    ImGui::TextWrapped("%s", question.text.c_str());
-    note_item(ui.rects, "question", question.text);
+    draw_words(ui, question);
     ImGui::Spacing();
     // The key that asked has not answered yet.
     std::optional<std::size_t> chosen;

@@ -99,6 +99,9 @@ struct StatusLine {
     bool is_error = false;
     double since_s = 0.0;  // it was said, or the mouse or a key was used for the first time since
     bool is_seen = false;  // somebody is there
+    // A link behind it, and what that does; with one the line stays until it is put away.
+    std::string more{};
+    std::function<void()> show_more{};
 };
 
 // What a pane shows, and since when something newer is on its way.

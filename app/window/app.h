@@ -18,6 +18,7 @@
 #include "app/map/map_state.h"
 #include "app/measured/import_state.h"
 #include "app/model_bench/model_state.h"
+#include "app/opening/opening_state.h"
 #include "app/patterns/patterns_state.h"
 #include "app/physiology/physiology_state.h"
 #include "app/play/play_state.h"
@@ -64,6 +65,7 @@ struct DocumentRooms {
 struct App {
     Ui ui;
     Workspace work;
+    Opening opening;
     Layout layout;
     PaneInUse in_use;
     Workspaces workspaces;

@@ -19,6 +19,7 @@
 #include "app/lesson/lesson_keeping.h"
 #include "app/lesson/presenting.h"
 #include "app/map/map_follow.h"
+#include "app/opening/opening.h"
 #include "app/patterns/set_panel.h"
 #include "app/play/listening.h"
 #include "app/play/playing.h"
@@ -38,6 +39,8 @@ void remove_chosen_or_selected(App& app) {
 }
 
 bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
+
+bool has_unread_files(const App& app) { return !app.opening.left_out.empty(); }
 
 bool has_effects(const App& app) { return !actuators_of(app.work.document.set).empty(); }
 
@@ -119,6 +122,8 @@ void escape(App& app) {
     if (app.ui.escape_taken) return;
     if (app.palette.open) {
         app.palette.open = false;
+    } else if (is_opening(app.opening)) {
+        cancel_opening(app.ui, app.opening);
     } else if (app.exports.animation) {
         cancel_animation(app);
     } else if (app.lesson.step && app.lesson.editing) {
@@ -217,7 +222,7 @@ void open_bundled_lesson(App& app, const char* path) {
 }
 
 void open_file(App& app, const std::filesystem::path& path) {
-    if (!is_lesson_file(path)) return open_paths(app.ui, app.work, {path});
+    if (!is_lesson_file(path)) return open_paths(app.ui, app.work, app.opening, {path});
     once_lesson_may_go(app, [&app, path] { open_lesson(hands_of(app), app.lesson, path); });
 }
 
@@ -247,6 +252,7 @@ const char* what_lacks(const App& app, const Command& command) {
     constexpr std::array kLacks{
         Lack{has_selection, "the set is empty"},
         Lack{has_effects, "nothing here came from an effect file"},
+        Lack{has_unread_files, "all files were read"},
         Lack{has_answers, "nobody has answered yet"},
         Lack{has_subset, "nothing is picked yet"},
         Lack{has_pairs, "needs two patterns"},

@@ -8,6 +8,7 @@ namespace tact {
 inline bool always(const App&) { return true; }
 bool has_selection(const App& app);
 bool has_effects(const App& app);
+bool has_unread_files(const App& app);
 bool has_answers(const App& app);
 bool has_subset(const App& app);
 bool has_pairs(const App& app);

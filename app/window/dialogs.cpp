@@ -20,6 +20,7 @@
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
+#include "app/opening/opening.h"
 #include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/tapping.h"
 #include "app/play/calibrating.h"
@@ -115,7 +116,7 @@ void draw_chooser(App& app) {
         case ChooserPurpose::open_document:
             return open_file(app, *chosen);
         case ChooserPurpose::add_to_set:
-            return add_paths(app.ui, app.work, {*chosen});
+            return add_paths(app.ui, app.work, app.opening, {*chosen});
         case ChooserPurpose::save_document:
             return save_as(app.ui, app.work, *chosen);
         case ChooserPurpose::load_tables:
@@ -213,15 +214,10 @@ void draw_dialogs(App& app) {
         draw_calibrate(app.ui, app.work, app.timeline, app.rendered, app.play, app.calibrating);
 }
 
-namespace {
-
-// A question or a participant comes first: what is dropped would change the set beneath them.
 bool is_in_the_middle(const App& app) {
     return is_study_running(app.studying) || app.ui.dialog != Dialog::none ||
            app.ui.chooser.is_open || app.palette.open || app.ui.question || is_popup_open();
 }
-
-}  // namespace
 
 void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     if (is_in_the_middle(app)) {
@@ -236,7 +232,7 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     }
     if (tables) return load_ratings(app.ui, app.work, app.layout, paths);
     if (paths.size() == 1) return open_file(app, paths[0]);
-    open_paths(app.ui, app.work, paths);
+    open_paths(app.ui, app.work, app.opening, paths, true);
 }
 
 }  // namespace tact

@@ -12,6 +12,7 @@
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
 #include "app/measured/import_follow.h"
+#include "app/opening/opening.h"
 #include "app/patterns/tapping.h"
 #include "app/pictures/copying.h"
 #include "app/subset/subset_export.h"
@@ -64,6 +65,13 @@ constexpr auto
                      [](App& app) { add_dialog(app.ui, app.work); },
                      nullptr,
                      "import append effects ahap haptic folder"},
+                    {"File",
+                     "Files not read...",
+                     {},
+                     has_unread_files,
+                     [](App& app) { tell_left_out(app.ui, app.opening); },
+                     nullptr,
+                     "left out reasons folder open refused"},
                     {"File", "Save", ctrl('s'), always, [](App& app) { save(app.ui, app.work); }},
                     {"File", "Save as...", ctrl('s', true), always,
                      [](App& app) { save_dialog(app.ui, app.work); }},

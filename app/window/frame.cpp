@@ -25,6 +25,7 @@
 #include "app/measured/import_follow.h"
 #include "app/measured/import_state.h"
 #include "app/model_bench/training_follow.h"
+#include "app/opening/opening.h"
 #include "app/physiology/physiology_follow.h"
 #include "app/play/listening.h"
 #include "app/play/play_panels.h"
@@ -67,7 +68,8 @@ float wanted_scale(const App& app) {
 
 double status_left_s(const App& app) {
     if (app.ui.status.text.empty()) return 0.0;
-    if (app.ui.status.is_error || !app.ui.status.is_seen) {
+    const bool stays = app.ui.status.is_error || !app.ui.status.more.empty();
+    if (stays || !app.ui.status.is_seen) {
         return std::numeric_limits<double>::infinity();
     }
     return std::max(0.0, app.ui.status.since_s + kStatusFadeS - app.ui.time_s);
@@ -86,24 +88,9 @@ float draw_error_sign(const Theme& theme, ImVec2 left_middle) {
     return 2.0F * half + theme.gap_px;
 }
 
-// What was said, cut where there is no room for it, and what puts it away.
-void draw_said(App& app, const Rect& area) {
-    Ui& ui = app.ui;
-    const Theme& theme = ui.theme;
-    const ImFont* font = theme.fonts.regular;
-    float x = area.min.x;
-    if (ui.status.is_error) x += draw_error_sign(theme, {x, area.centre().y});
+void draw_dismissal(Ui& ui, ImVec2 left_middle) {
     const float button = ImGui::GetFrameHeight();
-    const std::string shown = shortened(font, ui.status.text, area.max.x - x - button);
-    const ImVec2 size = text_size(font, shown);
-    ImGui::SetCursorScreenPos({x, area.centre().y - 0.5F * size.y});
-    draw_text(*ImGui::GetWindowDrawList(), font, ImGui::GetCursorScreenPos(),
-              ui.status.is_error ? theme.error : theme.dim_text, shown);
-    ImGui::Dummy(size);
-    if (shown != ui.status.text) draw_tooltip(ui, ui.status.text.c_str());
-    note_rect(ui.rects, "status", area.min, area.max, ui.status.text);
-    if (!ui.status.is_error) return;
-    ImGui::SetCursorScreenPos({x + size.x + theme.gap_px, area.centre().y - 0.5F * button});
+    ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * button});
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
     ImGui::PushStyleColor(ImGuiCol_Border, 0);
     const bool away = ImGui::Button("\u00d7", {button, button});
@@ -113,11 +100,47 @@ void draw_said(App& app, const Rect& area) {
     if (away) ui.status = {};
 }
 
+// The link behind what was said; how wide it is.
+float draw_more(Ui& ui, ImVec2 left_middle) {
+    if (ui.status.more.empty()) return 0.0F;
+    const ImVec2 size = text_size(ui.theme.fonts.regular, ui.status.more);
+    ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * size.y});
+    if (link(ui, "status more", ui.status.more)) ui.waiting.push_back(ui.status.show_more);
+    note_item(ui.rects, "link:status more");
+    return size.x + ui.theme.gap_px;
+}
+
+// What was said, cut where there is no room for it, and what puts it away.
+void draw_said(App& app, const Rect& area) {
+    Ui& ui = app.ui;
+    const Theme& theme = ui.theme;
+    const ImFont* font = theme.fonts.regular;
+    float x = area.min.x;
+    if (ui.status.is_error) x += draw_error_sign(theme, {x, area.centre().y});
+    const float more = ui.status.more.empty() ? 0.0F : text_size(font, ui.status.more).x;
+    const float room = area.max.x - x - ImGui::GetFrameHeight() - more - 2.0F * theme.gap_px;
+    const std::string shown = shortened(font, ui.status.text, room);
+    const ImVec2 size = text_size(font, shown);
+    ImGui::SetCursorScreenPos({x, area.centre().y - 0.5F * size.y});
+    draw_text(*ImGui::GetWindowDrawList(), font, ImGui::GetCursorScreenPos(),
+              ui.status.is_error ? theme.error : theme.dim_text, shown);
+    ImGui::Dummy(size);
+    if (shown != ui.status.text) draw_tooltip(ui, ui.status.text.c_str());
+    note_rect(ui.rects, "status", area.min, area.max, ui.status.text);
+    if (!ui.status.is_error && ui.status.more.empty()) return;
+    x += size.x + theme.gap_px;
+    x += draw_more(ui, {x, area.centre().y});
+    draw_dismissal(ui, {x, area.centre().y});
+}
+
 void draw_status_line(App& app, const Rect& area) {
     const Theme& theme = app.ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = is_computing(app) ? 160.0F * theme.scale : 0.0F;
-    if (!app.ui.status.text.empty() && status_left_s(app) > 0.0) {
+    ImGui::SetCursorScreenPos(
+        {area.min.x + theme.padding_px, area.centre().y - 0.5F * ImGui::GetTextLineHeight()});
+    const bool is_reading = draw_opening(app.ui, app.opening);
+    if (!is_reading && !app.ui.status.text.empty() && status_left_s(app) > 0.0) {
         draw_said(app, {{area.min.x + theme.padding_px, area.min.y},
                         {area.max.x - width - 2.0F * theme.padding_px, area.max.y}});
     }
@@ -266,6 +289,8 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     use_device(app.studying, app.play.device);
     follow_playhead(app);
     follow_input_mode(app, pressed);
+    const bool is_free = !is_in_the_middle(app) && !ImGui::IsAnyItemActive();
+    follow_opening(app.ui, app.work, app.opening, is_free);
     follow_another_document(app);
     take_answers(app);
     watch_pointed(app.ui, app.lesson);
@@ -402,8 +427,8 @@ bool wants_another_frame(const App& app) {
 double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
-        is_training(app.model_bench) || is_placing(app.steps) || is_asking(app.maybes) ||
-        is_predicting_loss(app.exports.effects)) {
+        is_training(app.model_bench) || is_opening(app.opening) || is_placing(app.steps) ||
+        is_asking(app.maybes) || is_predicting_loss(app.exports.effects)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||

@@ -9,6 +9,7 @@
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/training_follow.h"
+#include "app/opening/opening.h"
 #include "app/physiology/physiology_follow.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
@@ -230,6 +231,7 @@ void follow_another_document(App& app) {
 
 void make_jobs(App& app) {
     make_render_job(app.work.cache, app.ui.wake);
+    make_opening_job(app.ui, app.opening);
     make_document_jobs(app);
     make_effect_job(app.ui, app.exports.effects);
     make_training_job(app.ui, app.model_bench);
@@ -240,6 +242,7 @@ void stop_jobs(App& app) {
     app.aside = {};
     stop_study(app.studying);
     app.work.cache.render_job.reset();
+    app.opening.job.reset();
     app.generating.job.reset();
     app.manual.job.reset();
     app.pattern_panes.recording.job.reset();

@@ -8,6 +8,7 @@
 #include "app/document/unsaved.h"
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/lesson_keeping.h"
+#include "app/opening/opening.h"
 #include "app/play/playing.h"
 #include "app/session/autosave.h"
 #include "app/study/study_follow.h"
@@ -95,10 +96,11 @@ Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& 
         refuse_to_replace(app.ui, aside.error().message);
         return Done{};
     }
-    open_paths(app.ui, app.work, paths);
+    open_paths(app.ui, app.work, app.opening, paths);
     if (app.ui.status.is_error) return Error{app.ui.status.text};
     if (!aside->empty()) {
-        say(app.ui, "Unsaved changes of the last session are kept in " + aside->string());
+        app.ui.status.text +=
+            " Unsaved changes of the last session are kept in " + aside->string() + ".";
     }
     return Done{};
 }

@@ -239,10 +239,10 @@ void stand_still(App& still) {
 std::shared_ptr<StillView> still_view(const App& app) {
     auto view = std::make_shared<StillView>(make_app());
     App& still = view->app;
-    const auto& [ui, work, layout, in_use, workspaces, timeline, shown_map, rendered, physiology,
-                 comparing, pattern_panes, model_bench, play, picking, candidates, steps, pad,
-                 maybes, exports, generating, importing, studying, calibrating, lesson, palette,
-                 manual, of_document, aside] = app;
+    const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
+                 physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
+                 steps, pad, maybes, exports, generating, importing, studying, calibrating, lesson,
+                 palette, manual, of_document, aside] = app;
     copy_looks(ui, still.ui);
     copy_work(work, still.work);
     copy_play(play, still.play);
@@ -261,9 +261,10 @@ std::shared_ptr<StillView> still_view(const App& app) {
     still.candidates = candidates;
     still.of_document = of_document;
     // Dialogs lie over what is drawn; what is asked of the map is gone when the mouse is; a lesson
-    // is the person's to leave; and what is aside is not shown.
-    (void)std::tie(steps, pad, maybes, exports, generating, importing, calibrating, lesson, palette,
-                   manual, aside);
+    // is the person's to leave; what is aside is not shown, and what is being read is not there
+    // yet.
+    (void)std::tie(opening, steps, pad, maybes, exports, generating, importing, calibrating, lesson,
+                   palette, manual, aside);
     stand_still(still);
     bring_up_to_date(still);
     return view;

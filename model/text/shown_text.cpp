@@ -1,5 +1,6 @@
 #include "model/text/shown_text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "model/text/utf8.h"
@@ -50,6 +51,15 @@ bool is_steering(char32_t character) {
     };
     return character < 0x20 || within(0x7F, 0x9F) || character == 0x061C ||
            within(0x200E, 0x200F) || within(0x2028, 0x202E) || within(0x2066, 0x2069);
+}
+
+bool has_steering(std::string_view text) {
+    // Those in two and three bytes begin with C2, D8 and E2.
+    const auto may_be = [](char sign) {
+        const auto byte = static_cast<unsigned char>(sign);
+        return byte < 0x20 || byte == 0x7F || byte == 0xC2 || byte == 0xD8 || byte == 0xE2;
+    };
+    return std::ranges::any_of(text, may_be) && shown_text(text) != text;
 }
 
 std::string number_of_character(char32_t character) {

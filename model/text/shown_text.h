@@ -18,6 +18,9 @@ namespace tact {
 // Whether a character steers what shows it, instead of being seen.
 bool is_steering(char32_t character);
 
+// Whether any character of the text is such a one.
+bool has_steering(std::string_view text);
+
 // "\u001b"
 std::string number_of_character(char32_t character);
 

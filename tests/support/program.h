@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string>
@@ -50,6 +51,7 @@ struct Program {
     HeadlessWindow window;
     App app = make_app();
     std::map<std::string, Place> places;  // of the last frame that noted them
+    std::function<void()> after_frame;    // what a test looks at each time
 
     explicit Program(const PatternSet& set) {
         ImGuiIO& io = ImGui::GetIO();
@@ -69,6 +71,7 @@ struct Program {
             draw_frame(app, window.input.pressed, window.now_s);
             read_places();
         });
+        if (after_frame) after_frame();
     }
 
     void settle() {
@@ -165,6 +168,17 @@ struct Program {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             frame();
         } while (!arrived());
+        settle();
+    }
+
+    // Frames until what was to be read is in the document, or refused.
+    void wait_for_opening() {
+        [[maybe_unused]] const auto until = end_of_patience();  // checks may be off
+        while (app.opening.asked) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            frame();
+        }
         settle();
     }
 

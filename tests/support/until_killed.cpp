@@ -21,6 +21,7 @@
 #include "app/document/files.h"
 #include "app/document/pattern_looks.h"
 #include "app/document/unsaved.h"
+#include "app/opening/opening.h"
 #include "app/session/session.h"
 #include "app/window/frame.h"
 #include "app/window/session_layout.h"
@@ -100,7 +101,8 @@ std::string start(App& app, const fs::path& file, bool autosaves) {
     if (app.ui.status.is_error) return app.ui.status.text;
     // Nothing is unsaved, and what was open is known of a good end only.
     const bool is_example = turn_of(app.work.document.set) == 0;
-    if (autosaves && is_example && fs::exists(file)) open_paths(app.ui, app.work, {file});
+    if (autosaves && is_example && fs::exists(file))
+        open_paths(app.ui, app.work, app.opening, {file});
     return app.ui.status.is_error ? app.ui.status.text : std::string();
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/document/files.h"
+#include "app/opening/opening.h"
 #include "app/session/session.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
@@ -43,7 +44,7 @@ struct Opened : Program {
 
     explicit Opened(const PatternSet& set) : Program({}) {
         REQUIRE(write_set_file(file, set));
-        open_paths(app.ui, app.work, {file});
+        open_paths(app.ui, app.work, app.opening, {file});
         settle();
     }
     ~Opened() { stop_jobs(app); }

@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
+#include "app/opening/opening.h"
 #include "app/window/dialogs.h"
 #include "model/text/atomic_file.h"
 #include "tests/support/program.h"
@@ -38,7 +39,7 @@ TEST_CASE("effects: saving a set made of a .json of Android asks for a name of i
     const TemporaryFolder folder;
     folder.write("buzz.json", kBuzz);
     Program program(short_patterns(2));
-    open_paths(program.app.ui, program.app.work, {folder.path / "buzz.json"});
+    open_paths(program.app.ui, program.app.work, program.app.opening, {folder.path / "buzz.json"});
     program.app.work.document.edit().vibrations[0].name = "changed";
     document_changed(program.app.work);
     save(program.app.ui, program.app.work);
@@ -54,10 +55,11 @@ TEST_CASE("effects: added to a set they come behind the current pattern, as one 
     Workspace& work = program.app.work;
     const PatternSet before = work.document.set;
     select_only(work, 1);
-    add_paths(program.app.ui, work, {folder.path / "bad.ahap"});
+    add_paths(program.app.ui, work, program.app.opening, {folder.path / "bad.ahap"});
     CHECK(work.document.set == before);
     CHECK(program.app.ui.status.is_error);
-    add_paths(program.app.ui, work, {folder.path / "buzz.json", folder.path / "buzz.json"});
+    add_paths(program.app.ui, work, program.app.opening,
+              {folder.path / "buzz.json", folder.path / "buzz.json"});
     REQUIRE(work.document.set.vibrations.size() == 5);
     CHECK(work.document.set.vibrations[2].name == "buzz");
     CHECK(work.document.set.vibrations[3].name == "buzz.json");

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/document/files.h"
+#include "app/opening/opening.h"
 #include "app/pictures/copying.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
@@ -122,19 +123,19 @@ TEST_CASE("looks: a set without colours gets its own when it is opened, and is n
     REQUIRE(write_set_file(file, bare_patterns(3)));
     Program program({});
     App& app = program.app;
-    open_paths(app.ui, app.work, {file});
+    open_paths(app.ui, app.work, app.opening, {file});
     program.settle();
     const auto first = looks_of(program);
     REQUIRE(first.size() == 3);
     for (const auto& [name, look] : first) CHECK_FALSE(look.first.empty());
     CHECK_FALSE(app.work.unsaved);
     // Nor are they others the next time, though nothing was saved.
-    open_paths(app.ui, app.work, {file});
+    open_paths(app.ui, app.work, app.opening, {file});
     CHECK(looks_of(program) == first);
     // Saved in another order, they are those of the patterns.
     move_vibration(app.ui, app.work, 0, 2);
     save(app.ui, app.work);
-    open_paths(app.ui, app.work, {file});
+    open_paths(app.ui, app.work, app.opening, {file});
     CHECK(app.work.document.set.vibrations[2].name == "p1");
     CHECK(looks_of(program) == first);
 }

@@ -14,10 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "app/ask/maybes_follow.h"
+#include "app/ask/pad_dialog.h"
+#include "app/ask/steps_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
+#include "app/generate/generating.h"
+#include "app/opening/opening.h"
 #include "app/session/autosave.h"
+#include "app/subset/separation_follow.h"
 #include "app/window/commands.h"
 #include "app/window/jobs.h"
 
@@ -65,8 +71,13 @@ class Person {
         files_.push_back(app.work.document.path);
         program_.settle();
         begin();
+        program_.after_frame = [this] {
+            note_time();
+            check_kill();
+        };
     }
     ~Person() {
+        program_.after_frame = {};
         wait_for_autosave(program_.app.work);
         stop_jobs(program_.app);
         (void)close_session(program_.app.work.session);
@@ -160,6 +171,66 @@ class Person {
         if (count() > 0)
             change_look(ui(), work(), kColours[action.value % 3], action.value % 2 == 0);
     }
+    void generate(const Action& action) {
+        App& app = program_.app;
+        if (count() == 0 || count() > 4 || editable_pattern(current()) == nullptr) return;
+        DesignSpace space = space_around(std::get<Pattern>(current().source));
+        space.amplitude_g = std::vector<double>{0.5, 1.0};
+        const auto set = std::make_shared<const PatternSet>(work().document.set);
+        const auto plan = plan_of({space, set}, {});
+        if (!plan || !plan->fault.empty()) return;
+        const bool replaces = action.value % 2 == 0 && plan->generated_before > 0;
+        add_candidates(ui(), work(), app.generating, *plan,
+                       replaces ? Before::replaced : Before::kept);
+    }
+    void mix(const Action& action) {
+        if (count() < 2 || count() > 7) return;
+        select_only(work(), row(action.which));
+        select_all(work());
+        if (pad_corners(work()).size() < 2) return;
+        open_pad(ui(), work(), program_.app.pad);
+        program_.settle();
+        program_.press_key(action.value % 4 == 0 ? key::kEscape : key::kEnter);
+    }
+    void vary_one(const Action& action) {
+        App& app = program_.app;
+        if (!can_vary(work())) return;
+        program_.wait_for_exact_map();
+        vary(ui(), work(), app.maybes);
+        wait_for([&app] { return found_variants(app.maybes) || !is_asking(app.maybes); });
+        if (const auto found = found_variants(app.maybes); found && !found->patterns.empty()) {
+            take_variant(ui(), work(), app.maybes, action.value % found->patterns.size());
+        }
+        stop_varying(app.maybes);
+    }
+    void put_steps_between(const Action& action) {
+        App& app = program_.app;
+        if (count() < 2 || count() > 5) return;
+        const auto name = [this](unsigned which) {
+            return work().document.set.vibrations[row(which)].name;
+        };
+        open_steps(ui(), work(), app.steps, name(action.which), name(action.which + 1));
+        app.steps.count = 3;
+        program_.frame();
+        if (steps_obstacle(work(), app.steps).empty()) {
+            wait_for([this, &app] {
+                return current_steps(work(), app.steps) || !is_placing(app.steps);
+            });
+            const auto found = current_steps(work(), app.steps);
+            if (found) add_steps(ui(), work(), app.steps, *found);
+        }
+        ui().dialog = Dialog::none;
+    }
+    void separate(const Action& action) {
+        if (count() == 0) return;
+        const std::size_t place = row(action.which);
+        const Vibration& one = work().document.set.vibrations[place];
+        if (editable_pattern(one) == nullptr) return;
+        Separation change;
+        change.from = std::get<Pattern>(one.source).amplitude_g;
+        change.to = 0.1 + 0.1 * static_cast<double>(action.value % 20);
+        apply_separation(ui(), work(), place, change);
+    }
     void copy(const Action&) { program_.press('c', true); }
     void paste(const Action&) {
         if (count() < 8) program_.press('v', true);
@@ -212,13 +283,24 @@ class Person {
         files_.push_back(work().document.path);
     }
     void open_one(const Action& action) {
-        open_paths(ui(), work(), {files_[action.which % files_.size()]});
-        program_.settle();
+        open_paths(ui(), work(), program_.app.opening, {files_[action.which % files_.size()]});
+        program_.wait_for_opening();
         begin();
     }
     void add_file(const Action& action) {
-        if (count() < 5) add_paths(ui(), work(), {files_[action.which % files_.size()]});
+        if (count() >= 5) return;
+        add_paths(ui(), work(), program_.app.opening, {files_[action.which % files_.size()]});
+        program_.wait_for_opening();
     }
+    template <class Condition>
+    void wait_for(const Condition& condition) {
+        const auto until = end_of_patience();
+        while (!condition() && std::chrono::steady_clock::now() < until) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            program_.frame();
+        }
+    }
+    const Vibration& current() { return *current_vibration(work()); }
     void rest(const Action& action) {
         for (unsigned k = 0; k < action.value % 80; ++k) program_.frame();
     }
@@ -335,6 +417,11 @@ const std::vector<Person::Done> Person::kDone{
     {"lock", &Person::lock},
     {"drop", &Person::drop},
     {"colour", &Person::colour},
+    {"generate", &Person::generate},
+    {"mix", &Person::mix},
+    {"vary", &Person::vary_one},
+    {"steps between", &Person::put_steps_between},
+    {"separate", &Person::separate},
     {"copy", &Person::copy},
     {"paste", &Person::paste},
     {"undo", &Person::take_back},

@@ -3,6 +3,7 @@
 #include "app/document/unsaved.h"
 
 #include "app/document/files.h"
+#include "app/opening/opening.h"
 #include "app/session/autosave.h"
 #include "app/window/session_layout.h"
 #include "model/io/set/load.h"
@@ -140,7 +141,7 @@ TEST_CASE("unsaved: in a folder that cannot be written, and on a full disk, it s
         CHECK(refuses_others(program));
         const fs::path other = program.folder.path / "other.tactspace.json";
         REQUIRE(write_set_file(other, short_patterns(2)));
-        open_paths(program.app.ui, program.app.work, {other});
+        open_paths(program.app.ui, program.app.work, program.app.opening, {other});
         CHECK(program.app.work.document.set.vibrations.size() == 3);
         CHECK(program.app.work.session.recent_files.empty());
     }
@@ -244,7 +245,7 @@ TEST_CASE("unsaved: a full disk does not cost what the last session left, when a
     }
     CHECK(app.work.document.set.vibrations.size() == 5);
     CHECK(contains(app.ui.status.text, "This document stays open"));
-    open_paths(app.ui, app.work, {other});  // there is room again
+    open_paths(app.ui, app.work, app.opening, {other});  // there is room again
     CHECK(app.work.document.set.vibrations.size() == 2);
     CHECK(contains(app.ui.status.text, "Unsaved changes before it are kept in"));
     (void)close_session(app.work.session);
@@ -280,7 +281,7 @@ TEST_CASE("save: who says so writes over it, and is not asked again") {
     const fs::path file = program.folder.path / "mine.tactspace.json";
     REQUIRE(write_set_file(file, short_patterns(3)));
     new_document(app.ui, app.work);
-    open_paths(app.ui, app.work, {file});
+    open_paths(app.ui, app.work, app.opening, {file});
     REQUIRE(write_set_file(file, short_patterns(2)));
     program.edit();
     program.press('s', true);
@@ -313,17 +314,17 @@ TEST_CASE("open: that another window has the document open is said, until that o
     second.app.work.session = open_session(first.folder.path / "state");
     const fs::path file = first.folder.path / "mine.tactspace.json";
     save_as(first.app.ui, first.app.work, file);
-    open_paths(second.app.ui, second.app.work, {file});
+    open_paths(second.app.ui, second.app.work, second.app.opening, {file});
     CHECK(contains(second.app.ui.status.text, "open in another window"));
-    open_paths(second.app.ui, second.app.work, {file});  // itself is no other
+    open_paths(second.app.ui, second.app.work, second.app.opening, {file});  // itself is no other
     CHECK(contains(second.app.ui.status.text, "open in another window"));
     new_document(first.app.ui, first.app.work);
-    open_paths(second.app.ui, second.app.work, {file});
+    open_paths(second.app.ui, second.app.work, second.app.opening, {file});
     CHECK_FALSE(contains(second.app.ui.status.text, "another window"));
-    open_paths(first.app.ui, first.app.work, {file});
+    open_paths(first.app.ui, first.app.work, first.app.opening, {file});
     CHECK(contains(first.app.ui.status.text, "open in another window"));
     (void)close_session(second.app.work.session);
-    open_paths(first.app.ui, first.app.work, {file});
+    open_paths(first.app.ui, first.app.work, first.app.opening, {file});
     CHECK_FALSE(contains(first.app.ui.status.text, "another window"));
 }
 

@@ -10,6 +10,7 @@
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/pair.h"
+#include "app/opening/opening.h"
 #include "app/study/study_follow.h"
 #include "app/window/dialogs.h"
 #include "app/window/jobs.h"
@@ -206,7 +207,7 @@ TEST_CASE("import: twins of one document do not go into another one with equal n
     take_recordings(app.ui, app.work, app.importing);
     simulate_measurement_dialog(app.ui, app.work, app.importing);
     take_simulation(app.ui, app.work, app.importing);
-    open_paths(app.ui, app.work, {other});
+    open_paths(app.ui, app.work, app.opening, {other});
     wait_until(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 4);
     CHECK(contains(app.ui.status.text, "the set it was for is not open any more"));

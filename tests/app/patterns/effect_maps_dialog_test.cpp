@@ -5,6 +5,7 @@
 
 #include "app/document/effect_maps.h"
 #include "app/document/files.h"
+#include "app/opening/opening.h"
 #include "app/window/commands.h"
 #include "model/io/set/load.h"
 #include "tests/support/program.h"
@@ -31,7 +32,7 @@ struct Effects {
         folder.write("in/tap.ahap", kTap);
         folder.write("in/top.ahap", kTap);
         folder.write("in/buzz.json", kBuzz);
-        open_paths(program.app.ui, program.app.work, {folder.path / "in"});
+        open_paths(program.app.ui, program.app.work, program.app.opening, {folder.path / "in"});
         program.settle();
     }
 
@@ -137,7 +138,8 @@ TEST_CASE("effect maps: of a saved set the maps are known, its files are not") {
     effects.read_ahap_by("quest");
     effects.program.press_key(key::kEscape);
     save_as(effects.program.app.ui, effects.program.app.work, file);
-    open_paths(effects.program.app.ui, effects.program.app.work, {file});
+    open_paths(effects.program.app.ui, effects.program.app.work, effects.program.app.opening,
+               {file});
     effects.program.settle();
     CHECK(effects.named("tap").effect == EffectOrigin{"ahap", "quest"});
     const auto uses = maps_in_use(effects.program.app.work);
@@ -151,7 +153,7 @@ TEST_CASE("effect maps: added effects are told, too, and read again by themselve
     Program program(short_patterns(2));
     const TemporaryFolder folder;
     const fs::path tap = folder.write("tap.ahap", kTap);
-    add_paths(program.app.ui, program.app.work, {tap});
+    add_paths(program.app.ui, program.app.work, program.app.opening, {tap});
     program.settle();
     CHECK(program.at("effects:maps").value == "core-haptics");
     read_by_map(program.app.ui, program.app.work, "ahap", "quest");

@@ -2,6 +2,7 @@
 
 #include "app/document/files.h"
 #include "app/document/unsaved.h"
+#include "app/opening/opening.h"
 #include "app/study/study_follow.h"
 #include "model/io/people/study_file.h"
 #include "tests/support/program.h"
@@ -41,7 +42,7 @@ TEST_CASE("participants: saving a set that had no file takes them along, and say
     CHECK_FALSE(std::filesystem::exists(before));
     CHECK(contains(app.ui.status.text, "Its participants are now in"));
     // As the next start finds them.
-    open_paths(app.ui, app.work, {program.folder.path / "mine.tactspace.json"});
+    open_paths(app.ui, app.work, app.opening, {program.folder.path / "mine.tactspace.json"});
     CHECK(program.sees_participant());
 }
 
@@ -80,7 +81,7 @@ TEST_CASE("participants: a set that was put aside and opened again still has its
     app.work.document.edit().duration_s = 0.2;
     new_document(app.ui, app.work);
     REQUIRE_FALSE(app.work.session.recent_files.empty());
-    open_paths(app.ui, app.work, {app.work.session.recent_files[0]});
+    open_paths(app.ui, app.work, app.opening, {app.work.session.recent_files[0]});
     CHECK(app.work.document.set.vibrations.size() == 4);
     CHECK(program.sees_participant());
 }
