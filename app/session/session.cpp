@@ -32,6 +32,10 @@ void take(const json& from, const char* name, std::string& to) {
     if (const auto at = from.find(name); at != from.end() && at->is_string()) to = *at;
 }
 
+void take_bytes(const json& from, const char* name, std::string& to) {
+    if (const auto at = from.find(name); at != from.end()) to = bytes_named(*at).value_or(to);
+}
+
 void take(const json& from, const char* name, bool& to) {
     if (const auto at = from.find(name); at != from.end() && at->is_boolean()) to = *at;
 }
@@ -67,18 +71,18 @@ void take_paths(const json& from, std::vector<fs::path>& to) {
 
 // How the devices were used that have been chosen so far.
 void take_devices(const json& from, Session& session) {
-    take(from, "device", session.device);
+    take_bytes(from, "device", session.device);
     take(from, "full_scale_g", 1e-3, 1e3, session.full_scale_g);
     const auto at = from.find("device_choices");
     if (at == from.end() || !at->is_array()) return;
     for (const json& item : *at) {
         DeviceChoice choice;
         if (!item.is_object() || session.device_choices.size() == kKnownDevices) continue;
-        take(item, "id", choice.id);
+        take_bytes(item, "id", choice.id);
         take(item, "channel", 1, 1024, choice.channel);
         take(item, "of_channels", 0, 1024, choice.of_channels);
         take(item, "latency_offset_s", -1.0, 1.0, choice.latency_offset_s);
-        take(item, "calibration", choice.calibration);
+        take_bytes(item, "calibration", choice.calibration);
         if (!choice.id.empty()) session.device_choices.push_back(choice);
     }
 }
@@ -123,11 +127,11 @@ void read_settings(Session& session) {
 json settings_of(const Session& session) {
     json devices = json::array();
     for (const DeviceChoice& choice : session.device_choices) {
-        devices.push_back({{"id", choice.id},
+        devices.push_back({{"id", bytes_json(choice.id)},
                            {"channel", choice.channel},
                            {"of_channels", choice.of_channels},
                            {"latency_offset_s", choice.latency_offset_s},
-                           {"calibration", choice.calibration}});
+                           {"calibration", bytes_json(choice.calibration)}});
     }
     json recent = json::array();
     for (const fs::path& path : session.recent_files) recent.push_back(path_json(path));
@@ -141,7 +145,7 @@ json settings_of(const Session& session) {
             {"window_maximised", session.window_maximised},
             {"dismissed_hints", session.dismissed_hints},
             {"document", path_json(session.document)},
-            {"device", session.device},
+            {"device", bytes_json(session.device)},
             {"device_choices", devices},
             {"full_scale_g", session.full_scale_g}};
 }
@@ -220,7 +224,8 @@ Session open_session(const fs::path& folder) {
 
 Expected<Done> write_session(const Session& session) {
     if (session.folder.empty() || !session.is_first) return Done{};
-    const auto replace = json::error_handler_t::replace;  // a device's id need not be UTF-8
+    // All that may be no UTF-8 is encoded: this is of names alone that nobody has thought of.
+    const auto replace = json::error_handler_t::replace;
     return write_atomically(settings_file(session.folder),
                             settings_of(session).dump(2, ' ', false, replace) + "\n", kPrivateFile);
 }

@@ -77,6 +77,30 @@ TEST_CASE("session: what is set in one run is there in the next") {
     CHECK(session.recent_files == std::vector<fs::path>{"/a.tactspace.json"});
 }
 
+TEST_CASE("session: names of files and of devices come back byte for byte") {
+    const StateFolder folder;
+    const std::string name = "/home/na\xefve\xff%41\x1b";
+    {
+        Session session = open_session(folder.path);
+        session.document = name;
+        session.device = "hid/" + name;
+        DeviceChoice choice;
+        choice.id = "audio/ALSA/" + name;
+        choice.calibration = name + ".json";
+        session.device_choices = {choice};
+        remember_file(session, name);
+        REQUIRE(close_session(session));
+    }
+    Session later = open_session(folder.path);
+    CHECK(later.document == name);
+    CHECK(later.device == "hid/" + name);
+    REQUIRE(later.device_choices.size() == 1);
+    CHECK(later.device_choices[0].id == "audio/ALSA/" + name);
+    CHECK(later.device_choices[0].calibration == name + ".json");
+    CHECK(later.recent_files == std::vector<fs::path>{name});
+    (void)close_session(later);
+}
+
 TEST_CASE("session: the first start has defaults and nothing to complain about") {
     const StateFolder folder;
     const Session session = open_session(folder.path / "deep" / "tactspace");
