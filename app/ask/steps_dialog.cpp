@@ -27,10 +27,11 @@ void draw_name_choice(Ui& ui, const PatternSet& set, const char* label, std::str
     const std::string id = std::string("##") + label;
     const float room =
         kChoicePx * ui.theme.scale - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
-    if (ImGui::BeginCombo(id.c_str(), shortened(ui.theme.fonts.regular, name, room).c_str())) {
+    if (ImGui::BeginCombo(id.c_str(),
+                          label_of(shortened(ui.theme.fonts.regular, name, room)).c_str())) {
         for (const Vibration& vibration : set.vibrations) {
             if (!std::holds_alternative<Pattern>(vibration.source)) continue;
-            if (ImGui::Selectable(vibration.name.c_str(), vibration.name == name)) {
+            if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == name)) {
                 name = vibration.name;
             }
             note_item(ui.rects, std::string("steps:") + label + ":" + vibration.name);

@@ -31,7 +31,7 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     ImGui::PushID(static_cast<int>(apart.pair));
     const ImFont* regular = ui.theme.fonts.regular;
     const float room = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable(shortened(regular, names, room).c_str())) {
+    if (ImGui::Selectable(label_of(shortened(regular, names, room)).c_str())) {
         choose_pair(work, i, j);
         layout.bench = BenchTab::why;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -12,7 +13,7 @@ void reading_text(ImU32 colour, const std::string& text) {
     const float room = ImGui::GetContentRegionAvail().x;
     const float width = std::max(1.0F, std::min(room, kWidestEm * ImGui::GetFontSize()));
     std::string lines;
-    std::istringstream paragraphs(text);
+    std::istringstream paragraphs(shown_lines(text));
     for (std::string paragraph; std::getline(paragraphs, paragraph);) {
         if (paragraph.empty()) lines += "\n";
         for (const std::string& line : wrapped(ImGui::GetFont(), paragraph, width)) {

@@ -9,6 +9,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "model/export/loss_words.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 #include "viz/space/space_view.h"
 
@@ -62,7 +63,7 @@ void draw_pattern_losses(Ui& ui, const ExportLoss& loss) {
     for (const PatternLoss& one : loss.patterns) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(one.name.c_str());
+        ImGui::TextUnformatted(shown_text(one.name).c_str());
         ImGui::PushFont(ui.theme.fonts.small);
         for (const std::string& remark : one.remarks) wrapped_line(ui, remark, true);
         ImGui::PopFont();

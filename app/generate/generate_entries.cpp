@@ -11,6 +11,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -143,7 +144,7 @@ void draw_remark(Ui& ui, GenerateState& generating, const std::string& id, bool 
     }
     const std::string words = fault.empty() ? "Not taken: " + generating.refusal : fault;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(shown_text(words).c_str());
     ImGui::PopStyleColor();
     note_item(ui.rects, "generate:fault", words);
 }

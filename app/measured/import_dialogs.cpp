@@ -112,7 +112,8 @@ void draw_empty_overlay(const Ui& ui, const char* title, const std::string& reas
 bool draw_pattern_choice(Ui& ui, const Workspace& work, std::string& chosen, std::size_t row) {
     bool changed = false;
     ImGui::SetNextItemWidth(-1.0F);
-    const bool open = ImGui::BeginCombo("##pattern", chosen.empty() ? "leave out" : chosen.c_str());
+    const bool open =
+        ImGui::BeginCombo("##pattern", chosen.empty() ? "leave out" : label_of(chosen).c_str());
     note_item(ui.rects, "import:pattern " + std::to_string(row), chosen);
     if (!open) return false;
     if (ImGui::Selectable("leave out", chosen.empty())) {
@@ -121,7 +122,7 @@ bool draw_pattern_choice(Ui& ui, const Workspace& work, std::string& chosen, std
     }
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (measures_another(vibration)) continue;
-        if (ImGui::Selectable(vibration.name.c_str(), vibration.name == chosen)) {
+        if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == chosen)) {
             changed = chosen != vibration.name;
             chosen = vibration.name;
         }
@@ -142,7 +143,7 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
     ImGui::TableNextColumn();
     const std::string name = importing.files[k].filename().string();
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(name.c_str(), importing.shown == k)) importing.shown = k;
+    if (ImGui::Selectable(label_of(name).c_str(), importing.shown == k)) importing.shown = k;
     note_item(ui.rects, "import:file " + std::to_string(k), name);
     ImGui::TableNextColumn();
     changed |= draw_pattern_choice(ui, work, importing.patterns[k], k);

@@ -37,7 +37,7 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
     for (const KeptModel& one : kept) {
         const bool is_current = current != nullptr && current->file == one.file;
         ImGui::PushID(one.file.c_str());
-        if (ImGui::Selectable(shown_name(one).c_str(), is_current)) {
+        if (ImGui::Selectable(label_of(shown_name(one)).c_str(), is_current)) {
             use_model(ui, work, one.content, words_on(one.name, one.content));
         }
         ImGui::PopID();
@@ -66,7 +66,7 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     const float room = ImGui::GetContentRegionAvail().x;
     ImGui::SetNextItemWidth(
         std::max(room - beside_field_px(ui), std::min(room, 120.0F * ui.theme.scale)));
-    const bool open = ImGui::BeginCombo("##model", shown.c_str());
+    const bool open = ImGui::BeginCombo("##model", label_of(shown).c_str());
     if (open) {
         draw_list(ui, work, model_bench, current);
         ImGui::EndCombo();

@@ -12,6 +12,7 @@
 #include "app/model_bench/training_views.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 #include "viz/charts/profile_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -172,7 +173,7 @@ void draw_cells(const std::vector<std::string>& cells) {
     ImGui::TableNextRow();
     for (const std::string& cell : cells) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(cell.c_str());
+        ImGui::TextUnformatted(shown_text(cell).c_str());
     }
 }
 

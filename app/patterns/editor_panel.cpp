@@ -15,6 +15,7 @@
 #include "app/patterns/recording_editor.h"
 #include "app/ui/widgets.h"
 #include "app/wave_strip/wave_strip.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -148,7 +149,7 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
     // A note describes what was opened; it does not follow edits.
     const bool edited = work.unsaved && !is_saved(work.document.saved, vibration);
     ImGui::TextWrapped("%s%s", edited ? "Note, from before the edit: " : "",
-                       vibration.note.c_str());
+                       shown_lines(vibration.note).c_str());
     ImGui::PopFont();
     ImGui::PopStyleColor();
 }

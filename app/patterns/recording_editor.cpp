@@ -12,6 +12,7 @@
 #include "model/common/portable.h"
 #include "model/signal/cut_and_fade.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -66,7 +67,8 @@ void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) 
     dim_text(ui, measurement.synthetic ? "Synthetic measurement: simulated, not recorded"
                                        : "Measured waveform");
     const bool has_file = !measurement.path.empty();
-    ImGui::TextWrapped("%s", has_file ? measurement.path.c_str() : "Its file is made on saving.");
+    ImGui::TextWrapped(
+        "%s", has_file ? shown_text(measurement.path).c_str() : "Its file is made on saving.");
     std::string words = significant(duration_s(*measurement.waveform)) + " s, peak " +
                         significant(peak_g(*measurement.waveform)) + " g";
     if (has_file) words += ", " + significant(measurement.scale_g) + " g at full scale";
@@ -78,7 +80,7 @@ void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) 
         const std::string& name = current_vibration(work)->name;
         const std::string since = words_on_twin(work.stale, name);
         const std::string measures = "Measures " + measurement.measures + since;
-        ImGui::TextWrapped("%s", measures.c_str());
+        ImGui::TextWrapped("%s", shown_text(measures).c_str());
         note_item(ui.rects, "measures", measures);
     }
 }

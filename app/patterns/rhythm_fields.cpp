@@ -8,6 +8,7 @@
 #include "app/patterns/pattern_fields.h"
 #include "app/patterns/rhythm_list.h"
 #include "app/patterns/tapping.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -191,7 +192,7 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     }
     if (is_typing && !fault.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
-        ImGui::TextWrapped("%s", fault.c_str());
+        ImGui::TextWrapped("%s", shown_text(fault).c_str());
         ImGui::PopStyleColor();
     }
     if (!pattern.rhythm.text.empty()) draw_rhythm_grid(ui, work, pattern_panes, pattern.rhythm);

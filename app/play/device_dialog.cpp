@@ -8,6 +8,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "devices/device_list.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -45,7 +46,7 @@ void draw_device_row(Ui& ui, Timeline& timeline, PlayState& play, const DeviceIn
     const std::string trouble = chosen ? device_trouble(play) : device.trouble;
     if (!trouble.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme.warning);
-        ImGui::TextUnformatted(trouble.c_str());
+        ImGui::TextUnformatted(shown_lines(trouble).c_str());
         ImGui::PopStyleColor();
         note_item(ui.rects, "device trouble", trouble);
     }
@@ -66,7 +67,7 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     const bool is_none = play.listed && play.listed->empty();
     if (!is_missing && !is_none) return;
     ImGui::PushTextWrapPos(0.0F);
-    if (is_missing) ImGui::TextUnformatted(device_text(play).c_str());
+    if (is_missing) ImGui::TextUnformatted(shown_text(device_text(play)).c_str());
     dim_text(ui, device_trouble(play));
     ImGui::PopTextWrapPos();
     note_item(ui.rects, "device advice", device_trouble(play));
@@ -79,9 +80,9 @@ bool draw_combo(Ui& ui, const char* label, const char* id, const std::vector<std
     ImGui::SetNextItemWidth(200.0F * ui.theme.scale);
     const auto at = static_cast<std::size_t>(chosen);
     bool changed = false;
-    if (ImGui::BeginCombo(id, at < names.size() ? names[at].c_str() : "")) {
+    if (ImGui::BeginCombo(id, at < names.size() ? label_of(names[at]).c_str() : "")) {
         for (std::size_t k = 0; k < names.size(); ++k) {
-            if (ImGui::Selectable(names[k].c_str(), k == at)) {
+            if (ImGui::Selectable(label_of(names[k]).c_str(), k == at)) {
                 chosen = static_cast<int>(k);
                 changed = true;
             }
@@ -171,7 +172,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     const std::string calibrated = calibration_text(play);
     if (!calibrated.empty()) {
         ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(calibrated.c_str());
+        ImGui::TextUnformatted(shown_text(calibrated).c_str());
         ImGui::PopTextWrapPos();
         note_item(ui.rects, "calibrated", calibrated);
         dim_text(ui, "at a level of 100 % patterns have the strength they say");

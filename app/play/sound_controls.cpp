@@ -36,7 +36,7 @@ float meter_share(double of_full_scale) {
 
 void draw_device_item(Ui& ui, Timeline& timeline, PlayState& play, const DeviceInfo& device) {
     const bool chosen = device.id == play.choice.id;
-    if (ImGui::MenuItem(device.name.c_str(), device.interface.c_str(), chosen)) {
+    if (ImGui::MenuItem(label_of(device.name).c_str(), device.interface.c_str(), chosen)) {
         choose_device(ui, timeline, play, remembered_choice(play, device.id));
     }
     note_item(ui.rects, "device:" + device.id, chosen ? "chosen" : "");

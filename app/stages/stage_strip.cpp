@@ -66,7 +66,8 @@ void open_below(const Theme& theme, const Rect& asked) {
 void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (&vibration == current_vibration(work)) continue;
-        if (ImGui::Selectable(vibration.name.c_str(), work.selection.pinned == vibration.name)) {
+        if (ImGui::Selectable(label_of(vibration.name).c_str(),
+                              work.selection.pinned == vibration.name)) {
             work.selection.pinned = vibration.name;
         }
         note_item(ui.rects, "pin:" + vibration.name);

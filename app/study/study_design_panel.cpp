@@ -58,7 +58,7 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
     ImGui::SetNextItemWidth(-1.0F);
     const std::string shown =
         design.headphones.empty() ? "choose an output" : name_of(design.headphones);
-    const bool is_open = ImGui::BeginCombo("##headphones", shown.c_str());
+    const bool is_open = ImGui::BeginCombo("##headphones", label_of(shown).c_str());
     note_item(ui.rects, "study:headphones", design.headphones);
     draw_tooltip(ui, "The sound output that the participant's headphones are on");
     for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
@@ -67,7 +67,7 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
         const bool is_actuator = device.id == play.choice.id;
         const std::string label =
             device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
-        if (ImGui::Selectable(label.c_str(), device.id == design.headphones,
+        if (ImGui::Selectable(label_of(label).c_str(), device.id == design.headphones,
                               is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
             change_at_once(ui, work, "study: headphones",
                            [id = device.id](StudyDesign& d) { d.headphones = id; });

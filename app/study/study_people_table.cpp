@@ -168,7 +168,7 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play
     constexpr ImGuiSelectableFlags kRow =
         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap;
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0.0F, 0.5F));
-    if (ImGui::Selectable(code.c_str(), studying.shown == k, kRow, {0.0F, row_px})) {
+    if (ImGui::Selectable(label_of(code).c_str(), studying.shown == k, kRow, {0.0F, row_px})) {
         studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
     }
     ImGui::PopStyleVar();

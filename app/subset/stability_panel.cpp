@@ -10,6 +10,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -70,7 +71,7 @@ void draw_share(Ui& ui, const std::string& name, double share, bool is_member) {
     const Theme& theme = ui.theme;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name.c_str());
+    ImGui::TextUnformatted(shown_text(name).c_str());
     ImGui::TableNextColumn();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x - 48.0F * theme.scale;

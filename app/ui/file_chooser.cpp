@@ -9,6 +9,7 @@
 #include "app/ui/chooser_answer.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 namespace {
@@ -101,7 +102,8 @@ void draw_way(Ui& ui) {
     draw_tooltip(ui, "To the folder that this one is in (Backspace in an empty name)");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(end_of(here.string(), ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextUnformatted(
+        end_of(shown_text(here.string()), ImGui::GetContentRegionAvail().x).c_str());
     draw_tooltip(ui, here.c_str());
 }
 
@@ -125,7 +127,7 @@ bool draw_entry(FileChooser& chooser, std::size_t row) {
     }
     if (is_current && std::exchange(chooser.scroll_to_cursor, false)) ImGui::SetScrollHereY();
     ImGui::SameLine(0.0F, 0.0F);
-    ImGui::TextUnformatted((entry.name + (entry.is_folder ? "/" : "")).c_str());
+    ImGui::TextUnformatted(shown_text(entry.name + (entry.is_folder ? "/" : "")).c_str());
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", entry.changed.c_str());
     ImGui::PopID();
@@ -155,7 +157,7 @@ void draw_entries(FileChooser& chooser, bool& opened) {
     if (const std::string lack = lack_of_files(chooser); !lack.empty()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", lack.c_str());
+        ImGui::TextDisabled("%s", shown_text(lack).c_str());
     }
     ImGui::EndTable();
 }
@@ -321,7 +323,7 @@ Chosen draw_content(Ui& ui) {
     if (!asks && !chosen) chosen = draw_name(ui);
     ImGui::EndDisabled();
     if (asks) return draw_replace_question(ui);
-    ImGui::TextWrapped("%s", chooser.remark.c_str());
+    ImGui::TextWrapped("%s", shown_text(chooser.remark).c_str());
     if (chooser.makes_folder) {
         draw_making(ui);
     } else if (const Chosen pressed = draw_buttons(ui)) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -213,7 +214,7 @@ void draw_tooltip(const Ui& ui, const char* text) {
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on what is disabled, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(shown_lines(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
@@ -284,12 +285,12 @@ bool draw_menu_row(const Theme& theme, const MenuRow& row) {
 void right_aligned(const std::string& text) {
     const float left = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (left > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(shown_lines(text).c_str());
 }
 
 void dim_text(const Ui& ui, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour4(ui.theme.dim_text));
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(shown_lines(text).c_str());
     ImGui::PopStyleColor();
 }
 
@@ -298,7 +299,7 @@ void wrapped_text(const std::string& text) {
     const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;
     std::string lines;
     for (const std::string& line :
-         wrapped(ImGui::GetFont(), text, ImGui::GetContentRegionAvail().x / scale)) {
+         wrapped(ImGui::GetFont(), shown_lines(text), ImGui::GetContentRegionAvail().x / scale)) {
         lines += (lines.empty() ? "" : "\n") + line;
     }
     ImGui::TextUnformatted(lines.c_str());
@@ -320,7 +321,7 @@ bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const st
 void coloured_text(ImU32 colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(shown_lines(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }
@@ -333,6 +334,14 @@ void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
     const ImVec2 size = text_size(ui.theme.fonts.small, "i");
     draw_text(list, ui.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
               colour, "i");
+}
+
+std::string label_of(const std::string& name) {
+    std::string label = shown_text(name);
+    for (std::size_t at = label.find("##"); at != label.npos; at = label.find("##", at)) {
+        label.insert(at + 1, " ");
+    }
+    return label;
 }
 
 Rect rest_of_pane() {

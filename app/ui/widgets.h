@@ -134,6 +134,8 @@ bool draw_switch(const Ui& ui, const char* id, const char* text, bool on);
 bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
                      const char* button);
 
+// These show what steers a text as its number (model/text/shown_text.h).
+//
 // Text in the theme's dim colour.
 void dim_text(const Ui& ui, const std::string& text);
 
@@ -152,6 +154,9 @@ bool link(const Ui& ui, const char* id, const std::string& text);
 
 // The same in a line of fields: as high as they are, its words on theirs.
 bool row_link(const Ui& ui, const char* id, const std::string& text);
+
+// A name as ImGui's own widgets take one, which hide what follows "##".
+std::string label_of(const std::string& name);
 
 // What is left of the pane below the cursor.
 Rect rest_of_pane();

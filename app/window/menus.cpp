@@ -69,7 +69,8 @@ void draw_recent(App& app) {
         const std::string name = file.path.filename().string();
         const std::string where = file.missing ? "not found" : folder_text(file.path);
         ImGui::PushID(file.path.c_str());
-        if (ImGui::MenuItem(name.c_str(), where.c_str(), false, !file.missing)) {
+        if (ImGui::MenuItem(label_of(name).c_str(), label_of(where).c_str(), false,
+                            !file.missing)) {
             open_file(app, file.path);
         }
         ImGui::PopID();
@@ -90,7 +91,7 @@ void draw_history(App& app) {
     std::optional<std::size_t> wanted;
     for (std::size_t k = last; k > first; --k) {
         ImGui::PushID(static_cast<int>(k));
-        if (ImGui::MenuItem(history.label(k - 1).c_str(), nullptr, k == done)) wanted = k;
+        if (ImGui::MenuItem(label_of(history.label(k - 1)).c_str(), nullptr, k == done)) wanted = k;
         note_item(app.ui.rects, "history:" + std::to_string(k), history.label(k - 1));
         ImGui::PopID();
     }
@@ -108,7 +109,7 @@ void draw_own_workspaces(App& app) {
     if (!ImGui::BeginMenu("Own workspaces", !app.workspaces.own.empty())) return;
     std::string forgotten;
     for (const auto& [name, layout] : app.workspaces.own) {
-        if (ImGui::MenuItem(name.c_str(), nullptr, app.workspaces.shown == name)) {
+        if (ImGui::MenuItem(label_of(name).c_str(), nullptr, app.workspaces.shown == name)) {
             close_study(app.studying);
             show_own(name, app.layout, app.workspaces);
         }
@@ -116,7 +117,7 @@ void draw_own_workspaces(App& app) {
     }
     draw_divider(app.ui.theme);
     for (const auto& [name, layout] : app.workspaces.own) {
-        if (ImGui::MenuItem(("Forget " + name).c_str())) forgotten = name;
+        if (ImGui::MenuItem(label_of("Forget " + name).c_str())) forgotten = name;
     }
     if (forgotten == app.workspaces.shown) app.workspaces.shown.clear();
     app.workspaces.own.erase(forgotten);

@@ -20,18 +20,19 @@ namespace tact {
 
 namespace {
 
-PatternSet twelve_with_long_names(double duration_s) {
+PatternSet twelve_with_long_names(double duration_s, const std::string& sign) {
     const auto loaded =
         read_set_file(std::string(kAssetsDir) + "/sets/pm_2023_twelve.tactspace.json");
     PatternSet set = loaded ? loaded->set : PatternSet{};
-    set.name = "Twelve patterns, under a name that is rather longer than it would have to be";
+    set.name =
+        "Twelve " + sign + "patterns, under a name that is rather longer than it would have to be";
     if (set.vibrations.size() < 12) return set;
     set.duration_s = duration_s;
     for (Vibration& one : set.vibrations) {
         std::get<Pattern>(one.source) = with_duration(std::get<Pattern>(one.source), duration_s);
     }
-    set.vibrations[1].name = "an alarm that comes in waves and does not stop";
-    set.vibrations[7].name = "a slow heartbeat under a rising tone, second take";
+    set.vibrations[1].name = "an " + sign + "alarm that comes in waves and does not stop";
+    set.vibrations[7].name = "a " + sign + "slow heartbeat under a rising tone, second take";
     set.vibrations[2].locked = true;
     set.vibrations[4].dropped = true;
     return set;
@@ -362,7 +363,8 @@ std::vector<Scene> make_scenes() {
 
 }  // namespace
 
-SceneWindow::SceneWindow(double duration_s) : Program(twelve_with_long_names(duration_s)) {
+SceneWindow::SceneWindow(double duration_s, const std::string& sign)
+    : Program(twelve_with_long_names(duration_s, sign)) {
     app.ui.motion = false;
     compute_map();
     settle();  // how the map lies is part of the document

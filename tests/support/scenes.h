@@ -22,7 +22,8 @@ const std::vector<Scene>& scenes();
 // compared grows with the square of how long they are: where words and places are looked at, a
 // fifth of a second is enough.
 struct SceneWindow : Program {
-    explicit SceneWindow(double duration_s = 0.2);
+    // `sign`: in the middle of the long names, and of the set's.
+    explicit SceneWindow(double duration_s = 0.2, const std::string& sign = "");
     ~SceneWindow();
 
     // The first window again, then the scene.

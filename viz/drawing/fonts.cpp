@@ -12,6 +12,7 @@
 #include <set>
 #include <vector>
 
+#include "model/text/shown_text.h"
 namespace tact {
 namespace {
 
@@ -53,7 +54,7 @@ Characters wanted_characters(const std::string& extra_text) {
     builder.AddText(extra_text.c_str());
     Characters characters;
     for (ImWchar c = 0x20; c < 0xFFFF; ++c) {
-        if (builder.GetBit(c)) characters.insert(c);
+        if (builder.GetBit(c) && !is_steering(c)) characters.insert(c);
     }
     return characters;
 }

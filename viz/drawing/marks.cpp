@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 
 namespace tact {
@@ -33,6 +34,7 @@ const ImFont& font_or_current(const ImFont* font) {
 }
 
 ImVec2 text_size(const ImFont* font, std::string_view text) {
+    if (has_steering(text)) return text_size(font, shown_text(text));
     const ImFont& used = font_or_current(font);
     if (text.empty()) return {0.0F, used.FontSize};  // ImGui would measure a text without an end
     return used.CalcTextSizeA(used.FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
@@ -41,6 +43,7 @@ ImVec2 text_size(const ImFont* font, std::string_view text) {
 void draw_text(ImDrawList& list, const ImFont* font, ImVec2 corner, ImU32 colour,
                std::string_view text) {
     if (text.empty()) return;
+    if (has_steering(text)) return draw_text(list, font, corner, colour, shown_text(text));
     const ImFont& used = font_or_current(font);
     list.AddText(&used, used.FontSize, corner, colour, text.data(), text.data() + text.size());
 }
@@ -95,6 +98,7 @@ void draw_path(ImDrawList& list, std::span<const ImVec2> points, ImU32 colour, f
 }
 
 std::string shortened(const ImFont* font, std::string_view text, float width_px) {
+    if (has_steering(text)) return shortened(font, shown_text(text), width_px);
     if (text_size(font, text).x <= width_px) return std::string{text};
     std::size_t kept = 0;
     while (kept < text.size()) {

@@ -61,4 +61,26 @@ TEST_CASE("text: whatever is open, at any size, none is written over another or 
     }
 }
 
+// Every glyph is read back from its triangles; what has none is drawn as U+FFFD.
+TEST_CASE("text: a name that would steer what shows it is drawn by the numbers of its characters" *
+          doctest::test_suite("long")) {
+    const std::string sign = "\u202e##\u009b";
+    SceneWindow window(0.2, sign);
+    window.resize({1600.0F, 1000.0F}, 1.0F);
+    bool is_seen = false;
+    for (const Scene& scene : scenes()) {
+        if (scene.is_costly) continue;
+        CAPTURE(scene.name);
+        window.show(scene);
+        draw_exactly();
+        window.frame();
+        for (const DrawnText& text :
+             texts_of(*ImGui::GetDrawData(), window.app.ui.theme.fonts).texts) {
+            is_seen |= text.words.find("\\u202e") != text.words.npos;
+            if (text.words.find("\ufffd") != text.words.npos) FAIL_CHECK("raw: " << text.words);
+        }
+    }
+    CHECK(is_seen);
+}
+
 }  // namespace text_test
