@@ -254,7 +254,7 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     } else {
         draw_buttons(ui, work, generating, plan.get());
     }
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     if (escape && !typing && !popup) close(ui, generating);
     ImGui::EndPopup();
 }

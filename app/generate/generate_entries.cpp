@@ -66,7 +66,7 @@ std::optional<std::string> draw_entry(Ui& ui, GenerateState& generating, const s
     note_item(ui.rects, "generate:" + id, text);
     if (ImGui::IsItemActivated()) generating.draft_before_typing = generating.draft;
     if (!ImGui::IsItemActive()) {
-        const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+        const bool escaped = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
         if (typing && ImGui::IsItemDeactivated() && escaped) {
             generating.takes_back = true;
             generating.refused.clear();

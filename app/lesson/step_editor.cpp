@@ -106,7 +106,7 @@ bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string
     ImGui::InputTextMultiline(id, &text, {-1.0F, height});
     bool changed = ImGui::IsItemEdited();
     // ImGui's field takes back on Esc whatever was typed since it was entered.
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && text != before) {
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape) && text != before) {
         text = before;
         changed = false;
     }

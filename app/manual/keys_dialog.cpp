@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/manual/open_manual.h"
-#include "app/screen/input_queue.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "model/text/utf8.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -154,17 +154,17 @@ bool draw_head(Ui& ui, ManualState& manual) {
     const bool appears = ImGui::IsWindowAppearing();
     if (appears) {
         manual.wanted_keys.clear();
-        ImGui::SetKeyboardFocusHere();
+        focus_next_item();
     }
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_width(kManual) -
                             ui.theme.gap_px);
     ImGui::InputTextWithHint("##wanted", "Search keys and gestures", &manual.wanted_keys);
     note_item(ui.rects, "keys:search", manual.wanted_keys);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const auto pressed = [](int code) { return ImGui::IsKeyPressed(code, false); };
+    const auto pressed = [](ImGuiKey which) { return ImGui::IsKeyPressed(which, false); };
     const bool enter =
-        pressed(key::kEnter) && manual.wanted_keys.empty() && !ui.rects.tab_order.is_on_button;
-    const bool opens = ImGui::Button(kManual) || (!appears && (pressed(key::kF1) || enter));
+        pressed(ImGuiKey_Enter) && manual.wanted_keys.empty() && !ui.rects.tab_order.is_on_button;
+    const bool opens = ImGui::Button(kManual) || (!appears && (pressed(ImGuiKey_F1) || enter));
     note_item(ui.rects, "button:manual");
     draw_tooltip(ui, "Every pane, format and limit, in the browser (F1 again, or Enter)");
     return opens;

@@ -228,7 +228,7 @@ RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& p
         note_item(ui.rects, "link:all rhythms");
     }
     // Without keyboard navigation ImGui leaves an open list to the mouse.
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     if (escape && !ImGui::IsAnyItemActive()) ImGui::CloseCurrentPopup();
     return action;
 }

@@ -17,6 +17,7 @@
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -186,7 +187,7 @@ void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
 void draw_rename(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {
     SetPanelState& state = pattern_panes.list;
     ImGui::SetNextItemWidth(-1.0F);
-    if (!state.rename_begun) ImGui::SetKeyboardFocusHere();
+    if (!state.rename_begun) focus_next_item();
     ImGui::InputText("##rename", &state.rename_text, ImGuiInputTextFlags_AutoSelectAll);
     note_item(ui.rects, "rename", state.rename_text);
     if (ImGui::IsItemActive()) state.rename_begun = true;

@@ -10,19 +10,19 @@
 #include "app/ui/dialog.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
 
 namespace {
 
-constexpr int kTapKey = 'T';
 constexpr std::size_t kMostTaps = 256;
 
 // A press begins a note, letting go ends it.
 void follow_taps(const Ui& ui, TappingState& tapping, bool button_held) {
     const double now_s = ImGui::GetTime();
-    const bool key_held = ImGui::IsKeyDown(kTapKey) && !is_number_typed(ui);
+    const bool key_held = ImGui::IsKeyDown(ImGuiKey_T) && !is_number_typed(ui);
     const bool held = key_held || button_held;
     if (held && !tapping.down_s && tapping.taps.size() < kMostTaps) tapping.down_s = now_s;
     if (held || !tapping.down_s) return;

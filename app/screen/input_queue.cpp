@@ -1,8 +1,9 @@
 #include "app/screen/input_queue.h"
 
 #include <algorithm>
-#include <bitset>
-#include <type_traits>
+#include <array>
+
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 namespace {
@@ -10,7 +11,38 @@ namespace {
 // ImGui asserts that time goes on; clicks of one time stamp still need an order.
 constexpr double kLeastStepS = 1e-4;
 constexpr double kFirstStepS = 1.0 / 60.0;
-constexpr std::size_t kKeyCount = std::extent_v<decltype(ImGuiIO::KeysDown)>;
+
+struct NamedKey {
+    int code;
+    ImGuiKey name;
+};
+
+// What ImGui is told of. Tab is the window's own: ImGui knows fields of text alone. What ImGui
+// calls Space presses the focused button: that is Enter, since Space plays, everywhere.
+constexpr std::array kNamedKeys =
+    std::to_array<NamedKey>({{key::kLeft, ImGuiKey_LeftArrow},
+                             {key::kRight, ImGuiKey_RightArrow},
+                             {key::kUp, ImGuiKey_UpArrow},
+                             {key::kDown, ImGuiKey_DownArrow},
+                             {key::kPageUp, ImGuiKey_PageUp},
+                             {key::kPageDown, ImGuiKey_PageDown},
+                             {key::kHome, ImGuiKey_Home},
+                             {key::kEnd, ImGuiKey_End},
+                             {key::kInsert, ImGuiKey_Insert},
+                             {key::kDelete, ImGuiKey_Delete},
+                             {key::kBackspace, ImGuiKey_Backspace},
+                             {key::kEnter, ImGuiKey_Space},
+                             {key::kEnter, ImGuiKey_Enter},
+                             {key::kEscape, ImGuiKey_Escape},
+                             {key::kKeypadEnter, ImGuiKey_KeypadEnter},
+                             {key::kF1, ImGuiKey_F1},
+                             {'A', ImGuiKey_A},
+                             {'C', ImGuiKey_C},
+                             {'T', ImGuiKey_T},
+                             {'V', ImGuiKey_V},
+                             {'X', ImGuiKey_X},
+                             {'Y', ImGuiKey_Y},
+                             {'Z', ImGuiKey_Z}});
 
 // What the frame being filled already holds.
 struct FrameShare {
@@ -22,11 +54,11 @@ struct FrameShare {
     bool text = false;
     bool modifier = false;
     bool focus = false;
-    std::bitset<kKeyCount> keys;
+    HeldKeys keys;
 };
 
 bool is_modifier(int code) { return code >= key::kLeftShift && code <= key::kRightSuper; }
-bool has_state(int code) { return code >= 0 && static_cast<std::size_t>(code) < kKeyCount; }
+bool has_state(int code) { return code >= 0 && static_cast<std::size_t>(code) < HeldKeys().size(); }
 
 // Whether an event may join the frame. ImGui takes moves first, then the wheel, then text, then
 // keys; so what would go backwards in that order, or repeat a kind that has one place, must wait.
@@ -78,34 +110,49 @@ void enter(InputQueue&, ImGuiIO& io, FrameShare& share, const MouseWheel& wheel)
     share.wheel = true;
 }
 
-void set_modifiers(ImGuiIO& io) {
-    io.KeyShift = io.KeysDown[key::kLeftShift] || io.KeysDown[key::kRightShift];
-    io.KeyCtrl = io.KeysDown[key::kLeftControl] || io.KeysDown[key::kRightControl];
-    io.KeyAlt = io.KeysDown[key::kLeftAlt] || io.KeysDown[key::kRightAlt];
-    io.KeySuper = io.KeysDown[key::kLeftSuper] || io.KeysDown[key::kRightSuper];
+void set_held(InputQueue& queue, ImGuiIO& io, int code, bool down) {
+    queue.held.set(static_cast<std::size_t>(code), down);
+    for (const NamedKey& key : kNamedKeys) {
+        if (key.code == code) add_key(io, key.name, down);
+    }
 }
 
-void note_press(InputQueue& queue, const ImGuiIO& io, const KeyChange& change) {
+// Whether the left or the right one is down.
+bool is_held(const HeldKeys& held, int left, int right) {
+    return held[static_cast<std::size_t>(left)] || held[static_cast<std::size_t>(right)];
+}
+bool has_ctrl(const HeldKeys& held) { return is_held(held, key::kLeftControl, key::kRightControl); }
+bool has_shift(const HeldKeys& held) { return is_held(held, key::kLeftShift, key::kRightShift); }
+bool has_alt(const HeldKeys& held) { return is_held(held, key::kLeftAlt, key::kRightAlt); }
+bool has_super(const HeldKeys& held) { return is_held(held, key::kLeftSuper, key::kRightSuper); }
+
+void set_modifiers(const HeldKeys& held, ImGuiIO& io) {
+    add_modifiers(io, has_ctrl(held), has_shift(held), has_alt(held), has_super(held));
+}
+
+void note_press(InputQueue& queue, const KeyChange& change) {
     const auto is_same = [&](const KeyPress& press) { return press.code == change.code; };
     // On slow frames several repeats of a key fall together: they are one, or they would pile up.
     if (change.repeat && std::ranges::any_of(queue.pressed, is_same)) return;
-    queue.pressed.push_back(
-        {change.code, change.sign, change.repeat, io.KeyCtrl, io.KeyShift, io.KeyAlt, io.KeySuper});
+    const HeldKeys& held = queue.held;
+    queue.pressed.push_back({change.code, change.sign, change.repeat, has_ctrl(held),
+                             has_shift(held), has_alt(held), has_super(held)});
 }
 
 void enter(InputQueue& queue, ImGuiIO& io, FrameShare& share, const KeyChange& change) {
     if (has_state(change.code) && !change.repeat) {
-        io.KeysDown[change.code] = change.down;
+        set_held(queue, io, change.code, change.down);
         share.keys.set(static_cast<std::size_t>(change.code));
     }
     if (is_modifier(change.code)) {
-        set_modifiers(io);
+        set_modifiers(queue.held, io);
         share.modifier = true;
     } else if (change.down) {
-        note_press(queue, io, change);
+        note_press(queue, change);
         if (change.repeat) return;
         share.press = true;
-        share.press_edits = change.sign == 0 || io.KeyCtrl || io.KeyAlt || io.KeySuper;
+        share.press_edits = change.sign == 0 || has_ctrl(queue.held) || has_alt(queue.held) ||
+                            has_super(queue.held);
     }
 }
 
@@ -115,13 +162,15 @@ void enter(InputQueue&, ImGuiIO& io, FrameShare& share, const Character& charact
 }
 
 // Whoever takes the focus away also gets the releases.
-void enter(InputQueue&, ImGuiIO& io, FrameShare& share, const FocusChange& change) {
+void enter(InputQueue& queue, ImGuiIO& io, FrameShare& share, const FocusChange& change) {
     io.AddFocusEvent(change.focused);
     share.focus = true;
     if (change.focused) return;
-    std::ranges::fill(io.KeysDown, false);
+    for (int code = 0; has_state(code); ++code) {
+        if (queue.held[static_cast<std::size_t>(code)]) set_held(queue, io, code, false);
+    }
     std::ranges::fill(io.MouseDown, false);
-    set_modifiers(io);
+    set_modifiers(queue.held, io);
 }
 
 void advance_clock(InputQueue& queue, ImGuiIO& io, double time_s) {
@@ -154,33 +203,8 @@ void apply(InputQueue& queue, ImGuiIO& io, double now_s) {
     advance_clock(queue, io, pending(queue) ? last_s : now_s);
 }
 
-bool is_anything_held(const ImGuiIO& io) {
-    return std::ranges::count(io.KeysDown, true) + std::ranges::count(io.MouseDown, true) > 0;
-}
-
-void set_key_map(ImGuiIO& io) {
-    // Tab is the window's own: ImGui knows fields of text alone.
-    io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
-    io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
-    io.KeyMap[ImGuiKey_UpArrow] = key::kUp;
-    io.KeyMap[ImGuiKey_DownArrow] = key::kDown;
-    io.KeyMap[ImGuiKey_PageUp] = key::kPageUp;
-    io.KeyMap[ImGuiKey_PageDown] = key::kPageDown;
-    io.KeyMap[ImGuiKey_Home] = key::kHome;
-    io.KeyMap[ImGuiKey_End] = key::kEnd;
-    io.KeyMap[ImGuiKey_Insert] = key::kInsert;
-    io.KeyMap[ImGuiKey_Delete] = key::kDelete;
-    io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
-    io.KeyMap[ImGuiKey_Space] = key::kEnter;  // what ImGui calls Space presses the focused button
-    io.KeyMap[ImGuiKey_Enter] = key::kEnter;
-    io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-    io.KeyMap[ImGuiKey_KeyPadEnter] = key::kKeypadEnter;
-    io.KeyMap[ImGuiKey_A] = 'A';
-    io.KeyMap[ImGuiKey_C] = 'C';
-    io.KeyMap[ImGuiKey_V] = 'V';
-    io.KeyMap[ImGuiKey_X] = 'X';
-    io.KeyMap[ImGuiKey_Y] = 'Y';
-    io.KeyMap[ImGuiKey_Z] = 'Z';
+bool is_anything_held(const InputQueue& queue, const ImGuiIO& io) {
+    return queue.held.any() || std::ranges::count(io.MouseDown, true) > 0;
 }
 
 }  // namespace tact

@@ -1,5 +1,5 @@
-// Mouse and keyboard events on their way to ImGui, which in version 1.86 looks at their state once
-// a frame: a click or a key shorter than a slow frame would be lost.
+// Mouse and keyboard events on their way to ImGui, whose widgets look at their state once a frame:
+// a click or a key shorter than a slow frame would be lost.
 //
 // Each frame takes events from the front of the queue as long as ImGui could still tell what came
 // first: not a press with its own release, not a move with a button, one key press at a time. The
@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cfloat>
 #include <deque>
 #include <span>
@@ -108,8 +109,11 @@ inline bool was_pressed(std::span<const KeyPress> pressed, int code) {
     });
 }
 
+using HeldKeys = std::bitset<key::kLast + 1>;  // by code
+
 struct InputQueue {
     std::deque<InputEvent> waiting;
+    HeldKeys held;                  // as of the current frame
     std::vector<KeyPress> pressed;  // of the current frame
     double clock_s = -1.0;          // ImGui's clock; below zero before the first frame
 };
@@ -124,9 +128,6 @@ bool pending(const InputQueue& queue);
 void apply(InputQueue& queue, ImGuiIO& io, double now_s);
 
 // Some key or button is down as far as ImGui knows: it may repeat.
-bool is_anything_held(const ImGuiIO& io);
-
-// Once per context. Enter, and not Space, presses the focused button: Space plays, everywhere.
-void set_key_map(ImGuiIO& io);
+bool is_anything_held(const InputQueue& queue, const ImGuiIO& io);
 
 }  // namespace tact

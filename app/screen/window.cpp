@@ -20,6 +20,7 @@
 #include "app/screen/side_window.h"
 #include "app/screen/window_events.h"
 #include "model/text/shown_text.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/picture/program_icon.h"
 
 namespace tact {
@@ -122,7 +123,7 @@ void connect_imgui(Window& window) {
     io.GetClipboardTextFn = [](void* glfw) {
         return glfwGetClipboardString(static_cast<GLFWwindow*>(glfw));
     };
-    set_key_map(io);
+    name_keys(io);
     ImGui_ImplOpenGL3_Init("#version 130");
 }
 
@@ -169,7 +170,7 @@ void heed(Window& window, const FrameRequest& request, double now_s) {
         glfwSetWindowTitle(window.glfw, shown_text(window.title).c_str());
     }
     const ImGuiIO& io = ImGui::GetIO();
-    const bool goes_on = request.animate || window.events.fonts_outdated || is_anything_held(io);
+    const bool goes_on = request.animate || window.events.fonts_outdated || is_anything_held(window.events.input, io);
     window.frames_due = std::max(window.frames_due - 1, goes_on ? 1 : 0);
     const double wait_s = io.WantTextInput ? kCursorBlinkS : request.wake_after_s;
     window.next_wake_s = now_s + std::min(std::max(wait_s, 0.0), request.wake_after_s);

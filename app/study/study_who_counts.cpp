@@ -13,6 +13,7 @@
 #include "app/ui/widgets.h"
 #include "model/io/people/exclusions_file.h"
 #include "model/text/utc_time.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 
@@ -80,7 +81,7 @@ void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) 
                     " not count? The reason is kept in the study's folder and stands wherever "
                     "results are told. No answer is lost: they can count again.");
     ImGui::Spacing();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) focus_next_item();
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##because", "such as: wore gloves", &leaving.because);
     note_item(ui.rects, "leave out:because", leaving.because);

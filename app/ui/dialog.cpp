@@ -7,6 +7,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 
@@ -69,12 +70,11 @@ bool is_popup_open() {
 void end_dialog(Ui& ui) {
     ImGui::Spacing();
     const bool typing = is_number_typed(ui);  // whose keys these are then
-    const bool escape =
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !ui.escape_taken && !typing;
+    const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape) && !ui.escape_taken && !typing;
     // Enter in a field of text has been taken by that.
     const bool in_text = ImGui::GetCurrentContext()->ActiveIdPreviousFrame != 0;
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !typing &&
-                       !in_text && !ui.rects.tab_order.is_on_button;
+    const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter) && !typing && !in_text &&
+                       !ui.rects.tab_order.is_on_button;
     if (ImGui::Button("Close") || escape || enter) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
@@ -86,9 +86,9 @@ void end_dialog(Ui& ui) {
 bool draw_ends(Ui& ui, const char* action, bool enabled) {
     ImGui::Spacing();
     const auto pressed = [&](ImGuiKey which) {
-        return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false) && !is_number_typed(ui);
+        return ImGui::IsKeyPressed(which, false) && !is_number_typed(ui);
     };
-    const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) &&
+    const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeypadEnter)) &&
                        !ui.rects.tab_order.is_on_button;
     ImGui::BeginDisabled(!enabled);
     const bool go = primary_button(ui.theme, action) || (enabled && enter);

@@ -66,8 +66,8 @@ int nudges(Ui& ui, const Field& field, int wheel) {
     // Not by WantTextInput, which swallows the first key after a text field has been left.
     if (ui.field.active != field.id || ImGui::IsAnyItemActive() || !field.enabled) return 0;
     if (ui.keyboard_mode) return wheel;
-    const bool right = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow));
-    const bool left = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow));
+    const bool right = ImGui::IsKeyPressed(ImGuiKey_RightArrow);
+    const bool left = ImGui::IsKeyPressed(ImGuiKey_LeftArrow);
     return wheel + (right ? 1 : 0) - (left ? 1 : 0);
 }
 

@@ -10,6 +10,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "model/text/shown_text.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 namespace {
@@ -188,7 +189,7 @@ Chosen draw_list(Ui& ui) {
     return opened ? accept_name(chooser) : std::nullopt;
 }
 
-bool is_pressed(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
+bool is_pressed(ImGuiKey which) { return ImGui::IsKeyPressed(which, false); }
 
 const char* name_hint(const FileChooser& chooser) {
     if (chooser.makes_folder) return "Name of a folder to make here";
@@ -225,7 +226,7 @@ Chosen draw_name(Ui& ui) {
     const bool was_empty = chooser.name.empty();
     const bool has_formats =
         chooser.use == ChooserUse::save && chooser.extensions.size() > 1 && !chooser.makes_folder;
-    if (std::exchange(chooser.focus_name, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(chooser.focus_name, false)) focus_next_item();
     ImGui::SetNextItemWidth(has_formats ? -kFormatWidth * ImGui::GetFontSize() : -FLT_MIN);
     const bool entered = ImGui::InputTextWithHint("##name", name_hint(chooser), &chooser.name,
                                                   ImGuiInputTextFlags_EnterReturnsTrue |

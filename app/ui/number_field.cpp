@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -146,11 +147,9 @@ void join_steps(Ui& ui, const std::string& field) {
 }
 
 int wheel_steps(Ui& ui) {
-    ImGuiContext& imgui = *ImGui::GetCurrentContext();
     if (!ImGui::IsItemHovered()) return 0;
-    imgui.HoveredIdUsingMouseWheel = true;  // from the next frame on
     // The pane beneath has been scrolled already if this is the first frame here.
-    return imgui.HoveredIdPreviousFrameUsingMouseWheel ? whole_turns(ui) : 0;
+    return take_wheel() ? whole_turns(ui) : 0;
 }
 
 bool is_reset_asked(const Ui& ui) {
@@ -191,7 +190,7 @@ NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value) {
             ui.field.tabbed_on = false;
             edit.begun = true;
         }
-        if (ImGui::IsItemHovered()) ImGui::GetCurrentContext()->HoveredIdUsingMouseWheel = true;
+        if (ImGui::IsItemHovered()) take_wheel();
         typing.frame = frame;
         typing.text = text;
         const double before = value;

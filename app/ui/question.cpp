@@ -8,12 +8,13 @@
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/shown_text.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 
 namespace {
 
-bool is_struck(ImGuiKey which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
+bool is_struck(ImGuiKey which) { return ImGui::IsKeyPressed(which, false); }
 
 void move_mark(const TabOrder& order, Question& question) {
     const std::size_t count = question.answers.size();
@@ -43,7 +44,7 @@ std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
 }
 
 std::optional<std::size_t> chosen_by_key(const Ui& ui, const Question& question) {
-    if (is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_KeyPadEnter)) return question.marked;
+    if (is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_KeypadEnter)) return question.marked;
     if (is_struck(ImGuiKey_Escape) && !ui.escape_taken) return question.answers.size() - 1;
     return {};
 }

@@ -11,6 +11,7 @@
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
 #include "model/text/utf8.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -156,7 +157,7 @@ void draw_palette(App& app, std::span<const KeyPress> pressed) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav)) {
         ImGui::SetNextItemWidth(-1.0F);
-        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        if (ImGui::IsWindowAppearing()) focus_next_item();
         if (ImGui::InputTextWithHint("##what", "What would you like to do?", &state.text)) {
             state.choice = 0;
         }

@@ -11,6 +11,7 @@
 
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 
@@ -152,7 +153,7 @@ void draw_workspace_dialog(Ui& ui, const Layout& layout, Workspaces& workspaces)
     if (!begin_dialog(ui, "Save workspace as", 420.0F)) return;
     constexpr std::size_t kLongestName = 40;
     draw_label(ui, "Name");
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) focus_next_item();
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::InputTextWithHint("##workspace", "such as: large map, no stages", &workspaces.typed);
     note_item(ui.rects, "workspace:name", workspaces.typed);

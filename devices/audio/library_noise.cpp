@@ -1,10 +1,6 @@
 #include "devices/audio/library_noise.h"
 
-// clang-format off: alsa/error.h needs va_list and does not include it.
-#include <cstdarg>
-// clang-format on
-
-#include <alsa/error.h>
+#include <alsa/asoundlib.h>
 #include <jack/jack.h>
 #include <unistd.h>
 

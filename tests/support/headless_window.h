@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/screen/input_queue.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 
@@ -25,7 +26,7 @@ struct HeadlessWindow {
         io.DisplaySize = {800.0F, 600.0F};
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
         io.Fonts->Build();
-        set_key_map(io);
+        name_keys(io);
     }
     ~HeadlessWindow() {
         ImGui::DestroyContext(context_);

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "viz/drawing/imgui_versions.h"
+
 namespace tact {
 
 namespace {
@@ -155,8 +157,7 @@ ClippedFrame::ClippedFrame(ImDrawData& frame, const Rect& rect) : clipped_(frame
         }
         if (draws) lists_.push_back(&list);
     }
-    clipped_.CmdLists = lists_.data();
-    clipped_.CmdListsCount = static_cast<int>(lists_.size());
+    set_draw_lists(clipped_, lists_);
 }
 
 ClippedFrame::~ClippedFrame() {

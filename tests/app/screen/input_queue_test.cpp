@@ -249,10 +249,10 @@ TEST_CASE("input: repeats of a held key reach shortcuts once a frame and never p
     f.frame();
     REQUIRE(f.panel.presses.size() == 2);
     CHECK(f.panel.presses[1].repeat);
-    CHECK(is_anything_held(ImGui::GetIO()));
+    CHECK(is_anything_held(f.window.input, ImGui::GetIO()));
     push(f.window.input, {f.window.now_s, KeyChange{key::kUp, false}});
     f.frame();
-    CHECK_FALSE(is_anything_held(ImGui::GetIO()));
+    CHECK_FALSE(is_anything_held(f.window.input, ImGui::GetIO()));
 }
 
 TEST_CASE("input: losing the focus lets go of every key and button") {
@@ -265,7 +265,7 @@ TEST_CASE("input: losing the focus lets go of every key and button") {
     push(f.window.input, {f.window.now_s, FocusChange{false}});
     f.settle();
     CHECK_FALSE(ImGui::GetIO().KeyCtrl);
-    CHECK_FALSE(is_anything_held(ImGui::GetIO()));
+    CHECK_FALSE(is_anything_held(f.window.input, ImGui::GetIO()));
 }
 
 TEST_CASE("input: keys the program does not know are passed over") {
@@ -274,7 +274,7 @@ TEST_CASE("input: keys the program does not know are passed over") {
     f.window.press(100'000);
     f.window.button(true, 7);
     f.settle();
-    CHECK_FALSE(is_anything_held(ImGui::GetIO()));
+    CHECK_FALSE(is_anything_held(f.window.input, ImGui::GetIO()));
     CHECK(f.panel.presses.size() == 2);
 }
 

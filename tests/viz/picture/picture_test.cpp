@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viz/drawing/colour.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact::picture_test {
 namespace {
@@ -30,8 +31,7 @@ Image triangles(const std::vector<ImVec2>& corners, ImU32 colour, int side) {
     list.CmdBuffer.push_back(command);
     std::array<ImDrawList*, 1> lists{&list};
     ImDrawData frame;
-    frame.CmdLists = lists.data();
-    frame.CmdListsCount = 1;
+    set_draw_lists(frame, lists);
     Image image = blank_image(side, side, IM_COL32_BLACK);
     rasterise(frame, {1, 1, &kWhiteTexel}, image);
     return image;
@@ -94,8 +94,7 @@ TEST_CASE("picture: colours between the corners of a triangle are between theirs
     list.CmdBuffer.push_back(command);
     std::array<ImDrawList*, 1> lists{&list};
     ImDrawData frame;
-    frame.CmdLists = lists.data();
-    frame.CmdListsCount = 1;
+    set_draw_lists(frame, lists);
     Image image = blank_image(64, 64, IM_COL32_BLACK);
     rasterise(frame, {1, 1, &kWhiteTexel}, image);
     for (int x = 0; x < 64; ++x) {
