@@ -1,6 +1,7 @@
 #include "app/map/live_map.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <sstream>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/map/landmarks.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/subset/separation.h"
 
@@ -16,21 +18,33 @@ namespace tact {
 
 namespace {
 
-constexpr std::size_t kPreviewDecimation = 10;  // envelopes at 1 kHz
-constexpr float kPredictionShare = 0.9F;        // of the progress bar; the rest is the map
+// Envelopes at 1 kHz, 250 Hz and 100 Hz.
+constexpr std::array kGrains{PreviewGrain{10, 4}, PreviewGrain{40, 10}, PreviewGrain{100, 12}};
+constexpr std::size_t kMostPreviewed = 2000;
+constexpr double kMostPreviewCells = 4e10;  // 3 s of two cores with AVX2
+constexpr float kPredictionShare = 0.9F;    // of the progress bar; the rest is the map
 
-// From where the points were, when the set has kept its size; else from Torgerson's map.
+// A step grows with the square of the patterns.
+int preview_steps(std::size_t patterns) {
+    const double pairs = static_cast<double>(pair_count(patterns));
+    return static_cast<int>(std::clamp(1.5e7 / std::max(1.0, pairs), 5.0, 300.0));
+}
+
+// From where the points were, when the set has kept its size; else from classical scaling.
 PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
                               std::stop_token stop) {
     MdsParams params;
     params.dimensions = dimensions;
     params.random_starts = 0;
     params.tolerance = 1e-6;
-    params.max_steps = 300;
+    params.max_steps = preview_steps(pm.size);
     params.threads = 1;
     const bool same_shape = last != nullptr && last->space.verdict == MdsVerdict::fine &&
                             last->space.points.rows() == static_cast<Eigen::Index>(pm.size) &&
                             last->space.points.cols() == dimensions;
+    if (!same_shape && pm.size > kLandmarks) {
+        return smacof(pm, landmark_scaling(pm, dimensions), params, stop);
+    }
     if (!same_shape) return nonmetric_mds(pm, params, stop);
     return smacof(pm, last->space.points, params, stop);
 }
@@ -62,25 +76,8 @@ std::vector<double> own_durations_s(const PatternSet& set) {
     return durations_s;
 }
 
-// Where waiting costs, silence counts as well: all pairs are as long as the longest.
-double expected_s(const PatternSet& set, std::vector<double> durations_s) {
-    if (set.model.envelope.waiting_cost > 0.0 && !durations_s.empty()) {
-        return expected_map_s(durations_s.size(), std::ranges::max(durations_s));
-    }
-    return expected_map_s(std::move(durations_s));
-}
-
-}  // namespace
-
-double expected_map_s(const PatternSet& set) { return expected_s(set, own_durations_s(set)); }
-
-double expected_map_s(const PatternSet& set, std::size_t without) {
-    std::vector<double> durations_s = own_durations_s(set);
-    durations_s.erase(durations_s.begin() + static_cast<std::ptrdiff_t>(without));
-    return expected_s(set, std::move(durations_s));
-}
-
-double expected_map_s(std::vector<double> durations_s) {
+// Of the pairs of all envelopes.
+double cells_of(std::vector<double> durations_s) {
     if (durations_s.size() < 2) return 0.0;
     const double tail_s = static_cast<double>(kEnvelopeSamples) / kModelRateHz;
     const double longest_s = *std::ranges::max_element(durations_s);
@@ -95,11 +92,53 @@ double expected_map_s(std::vector<double> durations_s) {
     const std::size_t others = pair_count(durations_s.size()) - pair_count(silent.size());
     const double pairs_s2 =
         0.5 * (sum_s * sum_s - squares_s2) + static_cast<double>(others) * longest_s * longest_s;
-    return pairs_s2 * kModelRateHz * kModelRateHz / (cells_per_s() * thread_count(0));
+    return pairs_s2 * kModelRateHz * kModelRateHz;
+}
+
+// Where waiting costs, silence counts as well: all pairs are as long as the longest.
+double cells_of(const PatternSet& set, std::vector<double> durations_s) {
+    if (set.model.envelope.waiting_cost > 0.0 && !durations_s.empty()) {
+        std::ranges::fill(durations_s, std::ranges::max(durations_s));
+    }
+    return cells_of(std::move(durations_s));
+}
+
+double seconds_of(double cells) { return cells / (cells_per_s() * thread_count(0)); }
+
+}  // namespace
+
+double expected_map_s(const PatternSet& set) {
+    return seconds_of(cells_of(set, own_durations_s(set)));
+}
+
+double expected_map_s(const PatternSet& set, std::size_t without) {
+    std::vector<double> durations_s = own_durations_s(set);
+    durations_s.erase(durations_s.begin() + static_cast<std::ptrdiff_t>(without));
+    return seconds_of(cells_of(set, std::move(durations_s)));
+}
+
+double expected_map_s(std::vector<double> durations_s) {
+    return seconds_of(cells_of(std::move(durations_s)));
 }
 
 double expected_map_s(std::size_t patterns, double longest_s) {
     return expected_map_s(std::vector<double>(patterns, longest_s));
+}
+
+std::optional<PreviewGrain> preview_grain(const PatternSet& set) {
+    if (set.vibrations.size() > kMostPreviewed) return std::nullopt;
+    const double cells = cells_of(set, own_durations_s(set));
+    const auto fine_enough = std::ranges::find_if(kGrains, [cells](const PreviewGrain& grain) {
+        const auto factor = static_cast<double>(grain.decimation);
+        return cells / (factor * factor) <= kMostPreviewCells;
+    });
+    return fine_enough == kGrains.end() ? std::nullopt : std::optional(*fine_enough);
+}
+
+std::optional<PreviewGrain> preview_grain(const Prediction& prediction) {
+    const auto found =
+        std::ranges::find(kGrains, prediction.envelope_decimation, &PreviewGrain::decimation);
+    return found == kGrains.end() ? std::nullopt : std::optional(*found);
 }
 
 bool needs_asking(const PatternSet& set) {
@@ -152,7 +191,8 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     if (!set) return std::nullopt;
     const std::vector<Waveform> waveforms = model_waveforms(*set);
     PredictOptions options;
-    options.envelope_decimation = request.preview ? kPreviewDecimation : 1;
+    const PreviewGrain grain = preview_grain(*set).value_or(kGrains.back());
+    options.envelope_decimation = request.preview ? grain.decimation : 1;
     options.previous = last_ ? &last_->prediction : nullptr;
     options.threads = threads_;
     options.stop = stop;

@@ -1,7 +1,8 @@
 // The predicted space of a set, computed beside the window: from the document to the map.
 //
 // Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
-// and follows a drag, and the full run, whose numbers are those of the command line.
+// and follows a drag, and the full run, whose numbers are those of the command line. Where the full
+// run has to be asked for, the preview is the first map of a set.
 //
 // Exact     the full run depends on the set alone, not on what was shown before.
 #pragma once
@@ -23,7 +24,7 @@ namespace tact {
 
 // Above this many patterns, or this long by estimate, a map is made only when asked for.
 inline constexpr std::size_t kMostLivePatterns = 1000;
-inline constexpr double kLongestUnaskedS = 120.0;
+inline constexpr double kLongestUnaskedS = 60.0;
 
 // Rough time of a first exact map on this machine: its comparison of envelopes, which is nearly all
 // of it. A pair takes the product of its own two lengths, but for pairs with the longest patterns:
@@ -34,6 +35,20 @@ double expected_map_s(std::vector<double> durations_s);
 double expected_map_s(std::size_t patterns, double longest_s);  // all of one length
 
 bool needs_asking(const PatternSet& set);
+
+// How coarse the envelopes of a preview are: the more cells its pairs have, the coarser.
+struct PreviewGrain {
+    std::size_t decimation = 10;  // of 10 kHz
+    // Pairs of pairs, of 100, whose order differs from the exact one: the most that was measured
+    // with the bundled sets and 38 Pulsar presets; half of that is common.
+    int most_flips = 4;
+};
+
+// None: there are too many patterns, or they are too long, for a preview in seconds.
+std::optional<PreviewGrain> preview_grain(const PatternSet& set);
+
+// That of a map; none for an exact one.
+std::optional<PreviewGrain> preview_grain(const Prediction& prediction);
 
 struct LiveMapRequest {
     std::uint64_t revision = 0;  // of the document

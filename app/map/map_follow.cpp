@@ -93,24 +93,21 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
         shown_map.transition = {};
     }
     const PatternSet& set = work.document.set;
-    if (needs_asking(set) && shown_map.compute_large_of != work.document_number) {
-        shown_map.preview_job->cancel();
-        shown_map.full_job->cancel();
-        return;
-    }
+    const bool has_preview = preview_grain(set).has_value();
+    const bool waits = exact_waits(work, shown_map);
+    if (waits) shown_map.full_job->cancel();
+    if (!has_preview) shown_map.preview_job->cancel();
+    if (waits && !has_preview) return;
     LiveMapRequest request{work.revision,
                            work.document_number,
                            std::make_shared<const PatternSet>(set_to_lay(work)),
                            shown_map.dimensions,
                            false,
                            rendered_by(rendered)};
-    shown_map.full_job->submit(request);
-    // A preview takes a hundredth of the work, and of one pattern changed again only a row of that.
-    // One that lasts would come too late to be one.
-    constexpr double kLongestPreviewS = 3.0;
-    constexpr std::size_t kMostPreviewed = 300;
-    if (set.vibrations.size() > kMostPreviewed) return;
-    if (expected_map_s(set) / 100.0 > kLongestPreviewS) return;
+    if (!waits) shown_map.full_job->submit(request);
+    const auto& shown = shown_map.transition.shown;
+    const bool is_shown = shown && shown->request.revision == work.revision;
+    if (!has_preview || (is_shown && shown->request.preview)) return;
     request.preview = true;
     shown_map.preview_job->submit(request);
 }
@@ -138,9 +135,18 @@ void note_map_places(Workspace& work, ShownMap& shown_map) {
     work.document.note_places(std::move(places));
 }
 
+bool exact_waits(const Workspace& work, const ShownMap& shown_map) {
+    return shown_map.compute_large_of != work.document_number && needs_asking(work.document.set);
+}
+
+void compute_exact(const Workspace& work, ShownMap& shown_map) {
+    shown_map.compute_large_of = work.document_number;
+    shown_map.maps_asked = 0;
+}
+
 MapState map_state(const Workspace& work, const ShownMap& shown_map) {
     const std::size_t count = work.document.set.vibrations.size();
-    if (needs_asking(work.document.set) && shown_map.compute_large_of != work.document_number)
+    if (exact_waits(work, shown_map) && !preview_grain(work.document.set))
         return MapState::too_large;
     if (!shown_map.transition.shown || count == 0) return MapState::none;
     const LiveMapRequest& shown = shown_map.transition.shown->request;

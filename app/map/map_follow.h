@@ -32,12 +32,16 @@ void follow_unfelt(Workspace& work, ShownMap& shown_map);
 // What is on screen: is it the document's own, exact map?
 enum class MapState {
     none,       // nothing was computed yet, or there is nothing to compute
-    too_large,  // the set waits for a word of the person
+    too_large,  // the set waits for a word of the person, and is too large for a preview
     exact,
     preview,  // of the document as it is, from coarse envelopes
     stale     // of an earlier document
 };
 MapState map_state(const Workspace& work, const ShownMap& shown_map);
+
+// The exact map of so large a set has to be asked for, and was not yet. compute_exact() asks.
+bool exact_waits(const Workspace& work, const ShownMap& shown_map);
+void compute_exact(const Workspace& work, ShownMap& shown_map);
 
 // Positions of the shown map's patterns in this frame, eased; one row each.
 Eigen::MatrixXd eased_points(const Ui& ui, const ShownMap& shown_map);

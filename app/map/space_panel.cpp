@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "app/document/editing.h"
 #include "app/document/shown_side.h"
@@ -64,14 +65,57 @@ void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
 }
 
 // The pattern that takes most of the time, if there is one, and what is left without it.
-std::string dominant_text(const PatternSet& set) {
+struct Dominant {
+    std::size_t row = 0;
+    std::string words;
+};
+
+std::optional<Dominant> dominant(const PatternSet& set) {
     const auto& all = set.vibrations;
     const auto longest = std::ranges::max_element(all, {}, own_duration_s);
-    if (longest == all.end()) return {};
-    const double rest_s = expected_map_s(set, static_cast<std::size_t>(longest - all.begin()));
-    if (rest_s > 0.5 * expected_map_s(set)) return {};
-    return " " + longest->name + " lasts " + significant(own_duration_s(*longest), 2) +
-           " s: without it, " + estimate_text(rest_s) + ".";
+    if (longest == all.end()) return std::nullopt;
+    const auto row = static_cast<std::size_t>(longest - all.begin());
+    const double rest_s = expected_map_s(set, row);
+    if (rest_s > 0.5 * expected_map_s(set)) return std::nullopt;
+    return Dominant{row, longest->name + " lasts " + significant(own_duration_s(*longest), 2) +
+                             " s: without it, " + estimate_text(rest_s) + "."};
+}
+
+// Behind the words on it, at the cursor.
+void draw_way_out(Ui& ui, Workspace& work, const Dominant& one) {
+    constexpr const char* kTakeOut = "Take it out of the set";
+    flow_on(ImGui::CalcTextSize(kTakeOut).x, ui.theme.gap_px);
+    const bool pressed = link(ui, "take out", kTakeOut);
+    note_item(ui.rects, "link:take out");
+    draw_tooltip(ui, "Ctrl+Z brings it back.");
+    if (!pressed) return;
+    ui.waiting.emplace_back([&ui, &work, row = one.row] {
+        select_only(work, row);
+        remove_selected(ui, work);
+    });
+}
+
+// What a preview is worth where nothing better comes unasked, and what the exact map would take.
+// The height that this takes.
+float draw_waiting(Ui& ui, Workspace& work, ShownMap& shown_map) {
+    const auto grain = preview_grain(shown_map.transition.shown->prediction);
+    if (ui.as_picture || !grain || !exact_waits(work, shown_map)) return 0.0F;
+    const float top = ImGui::GetCursorPosY();
+    const PatternSet& set = work.document.set;
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, "A preview: up to " + std::to_string(grain->most_flips) +
+                     " % of the orders of pairs may change. The exact map takes " +
+                     estimate_text(expected_map_s(set)) + ".");
+    ImGui::PopTextWrapPos();
+    constexpr const char* kCompute = "Compute it";
+    flow_on(ImGui::CalcTextSize(kCompute).x, ui.theme.gap_px);
+    if (link(ui, "compute exact", kCompute)) compute_exact(work, shown_map);
+    note_item(ui.rects, "link:compute exact");
+    if (const auto one = dominant(set)) {
+        dim_text(ui, one->words);
+        draw_way_out(ui, work, *one);
+    }
+    return ImGui::GetCursorPosY() - top + ui.theme.gap_px;
 }
 
 void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area, MapState state) {
@@ -82,16 +126,17 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
     }
     const std::size_t count = work.document.set.vibrations.size();
     if (state == MapState::too_large) {
-        draw_empty(list, ui.theme, area, std::to_string(count) + " patterns are many",
+        const auto one = dominant(work.document.set);
+        draw_empty(list, ui.theme, area, patterns_text(count) + " are many",
                    "A map of them takes " + estimate_text(expected_map_s(work.document.set)) + "." +
-                       dominant_text(work.document.set));
+                       (one ? " " + one->words : ""));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
         if (ImGui::Button("Compute anyway")) {
-            shown_map.compute_large_of = work.document_number;
-            document_changed(work);
+            compute_exact(work, shown_map);
         }
         note_item(ui.rects, "button:compute anyway");
+        if (one) draw_way_out(ui, work, *one);
         return;
     }
     if (count < 2) {
@@ -149,6 +194,8 @@ float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Re
         if (state != MapState::preview) {
             std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
             what = "stress-1, " + fit_label(map.space);
+        } else if (exact_waits(work, shown_map)) {
+            what = "has no stress-1";
         }
         note_rect(ui.rects, "map:stress", area.min, area.min, stress);
         x = draw_headline_number(ui, area.min, ink, stress, what) + 3.0F * theme.gap_px;
@@ -222,6 +269,8 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         if (!failed) draw_nothing(ui, work, shown_map, area, state);
         return {};
     }
+    area.min.y += draw_waiting(ui, work, shown_map);
+    if (area.empty()) return {};
     const RowPlaces places = places_in_document(work, shown_map);
     const float headline_px = draw_headline(ui, work, shown_map, area, places);
     shown_map.has_headline = headline_px > 0.0F;

@@ -72,6 +72,7 @@ std::string map_state_text(const App& app) {
             if (app.shown_map.transition.shown->seconds <= 0.0) return "exact";
             return "exact, computed in " + time_taken(app.shown_map.transition.shown->seconds);
         case MapState::preview:
+            if (exact_waits(app.work, app.shown_map)) return "preview; exact waits";
             std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
             return text;
         case MapState::stale:

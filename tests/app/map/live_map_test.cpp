@@ -1,5 +1,7 @@
 #include "app/map/live_map.h"
 
+#include "model/io/set/set_file.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
 namespace live_map_test {
@@ -106,6 +108,54 @@ TEST_CASE("live map: a preview says so and keeps the size of the set") {
     CHECK(preview->prediction.envelope_decimation > 1);
     CHECK(preview->space.points.rows() == 7);
     CHECK(preview->request.preview);
+}
+
+TEST_CASE("live map: the longer and the more patterns are, the coarser is their preview") {
+    const auto decimation = [](std::size_t patterns, double duration_s) -> std::size_t {
+        PatternSet set = short_patterns(patterns);
+        for (Vibration& one : set.vibrations) {
+            std::get<Pattern>(one.source).duration_s = duration_s;
+        }
+        const auto grain = preview_grain(set);
+        return grain ? grain->decimation : 0;
+    };
+    CHECK(decimation(12, 1.0) == 10);
+    CHECK(decimation(300, 0.5) == 10);
+    CHECK(decimation(1000, 1.0) == 40);
+    CHECK(decimation(2000, 1.0) == 100);
+    CHECK(decimation(2001, 0.1) == 0);
+    CHECK(decimation(2000, 60.0) == 0);
+}
+
+TEST_CASE("live map: no preview changes more orders of pairs than is told" *
+          doctest::test_suite("long")) {
+    for (const char* name : {"pm_2023_twelve", "rhythms_tactspace"}) {
+        CAPTURE(name);
+        const auto loaded =
+            read_set_file(std::string(kAssetsDir) + "/sets/" + name + ".tactspace.json");
+        REQUIRE(loaded);
+        const auto waveforms = model_waveforms(loaded->set);
+        const auto exact = predict(waveforms, loaded->set.model);
+        for (const std::size_t decimation : {10U, 40U, 100U}) {
+            CAPTURE(decimation);
+            PredictOptions options;
+            options.envelope_decimation = decimation;
+            const auto preview = predict(waveforms, loaded->set.model, options);
+            const auto& a = exact->pm.condensed;
+            const auto& b = preview->pm.condensed;
+            int pairs = 0;
+            int flips = 0;
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                for (std::size_t j = i + 1; j < a.size(); ++j) {
+                    if (a[i] == a[j]) continue;
+                    ++pairs;
+                    if ((a[i] < a[j]) != (b[i] < b[j])) ++flips;
+                }
+            }
+            CHECK(100 * flips <= preview_grain(*preview)->most_flips * pairs);
+        }
+        CHECK_FALSE(preview_grain(*exact));
+    }
 }
 
 }  // namespace live_map_test

@@ -1,5 +1,7 @@
 #include "app/map/map_follow.h"
 
+#include <chrono>
+
 #include "app/map/map_rows.h"
 #include "app/window/jobs.h"
 #include "tests/support/program.h"
@@ -76,8 +78,63 @@ TEST_CASE("map: points ease from where they were to where they are") {
     CHECK(eased_points(app.ui, app.shown_map) == app.shown_map.transition.to);
 }
 
-TEST_CASE("map: a very large set waits for a word") {
+TEST_CASE("map: where the exact one has to be asked for, a preview is shown, said to be one") {
     Program program(short_patterns(kMostLivePatterns + 1));
+    App& app = program.app;
+    make_jobs(app);
+    request_maps(app.work, app.shown_map, app.rendered);
+    const auto until = end_of_patience();
+    while (map_state(app.work, app.shown_map) != MapState::preview) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        program.frame();
+    }
+    CHECK_FALSE(app.shown_map.full_job->busy());
+    program.settle();
+    CHECK(program.at("title right:Perceptual space").value == "preview; exact waits");
+    CHECK(app.shown_map.transition.to.rows() == kMostLivePatterns + 1);
+    const auto preview = app.shown_map.transition.shown;
+    program.click("link:compute exact");
+    CHECK(app.shown_map.full_job->busy());
+    CHECK(app.shown_map.transition.shown == preview);  // it stays until the exact one is there
+    CHECK_FALSE(program.shows("link:compute exact"));
+    stop_jobs(app);
+}
+
+TEST_CASE("map: a clip that takes most of the time is named, and taken out by one press") {
+    PatternSet set = short_patterns(4);
+    for (Vibration& one : set.vibrations) {
+        std::get<Pattern>(one.source) = with_duration(std::get<Pattern>(one.source), 3.0);
+    }
+    std::get<Pattern>(set.vibrations[2].source) =
+        with_duration(std::get<Pattern>(set.vibrations[2].source), 60.0);
+    for (int k = 0; k < 100; ++k) {
+        set.vibrations.push_back(set.vibrations[0]);
+        set.vibrations.back().name = "q" + std::to_string(k);
+    }
+    REQUIRE(needs_asking(set));
+    Program program(set);
+    CHECK(map_state(program.app.work, program.app.shown_map) != MapState::exact);
+    program.app.work.document_number = ++program.app.work.documents;
+    program.settle();
+    if (!program.shows("link:take out")) {
+        make_jobs(program.app);
+        request_maps(program.app.work, program.app.shown_map, program.app.rendered);
+        const auto until = end_of_patience();
+        while (!program.shows("link:take out")) {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            program.frame();
+        }
+    }
+    program.click("link:take out");
+    CHECK(program.app.work.document.set.vibrations.size() == 103);
+    CHECK(program.app.work.document.set.vibrations[2].name == "p4");
+    undo(program.app.ui, program.app.work);
+    CHECK(program.app.work.document.set == set);
+    stop_jobs(program.app);
+}
+
+TEST_CASE("map: a set that is too large even for a preview waits for a word") {
+    Program program(short_patterns(2001));
     make_jobs(program.app);
     request_maps(program.app.work, program.app.shown_map, program.app.rendered);
     CHECK_FALSE(program.app.shown_map.full_job->busy());

@@ -20,8 +20,8 @@ namespace {
 
 using Shown = std::map<std::string, std::string>;  // what is noted, by the view that it is in
 
-PatternSet weaker_patterns(double duration_s) {
-    PatternSet set = short_patterns(6);
+PatternSet weaker_patterns(double duration_s, std::size_t count = 6) {
+    PatternSet set = short_patterns(count);
     set.name = "another set";
     for (Vibration& one : set.vibrations) {
         std::get<Pattern>(one.source).amplitude_g = 0.3;
@@ -166,9 +166,10 @@ void check_alike(const Shown& with, const Shown& without) {
 
 TEST_CASE("another document: without a map of it, nothing of the one before is on screen" *
           doctest::test_suite("long")) {
-    // It shares names with the first, and is so long that its map waits to be asked for.
-    const PatternSet set = weaker_patterns(60.0);
+    // It shares names with the first, and is so long that even a preview has to be asked for.
+    const PatternSet set = weaker_patterns(60.0, 50);
     REQUIRE(needs_asking(set));
+    REQUIRE_FALSE(preview_grain(set));
     check_alike(after(true, set, wait_for_waves), after(false, set, wait_for_waves));
 }
 
@@ -230,8 +231,9 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     Program program(weaker_patterns(60.0));
     App& app = program.app;
     make_jobs(app);
-    program.settle();
-    program.click("button:compute anyway");
+    request_maps(app.work, app.shown_map, app.rendered);
+    wait_until(program, [&] { return program.shows("link:compute exact"); });
+    program.click("link:compute exact");
     wait_until(program, [&] { return app.shown_map.full_job->busy(); });
     const auto* job = app.shown_map.full_job.get();
     const std::uint64_t document = app.work.document_number;
