@@ -195,7 +195,7 @@ class Person {
     void vary_one(const Action& action) {
         App& app = program_.app;
         if (!can_vary(work())) return;
-        program_.wait_for_exact_map();
+        wait_for_map();
         vary(ui(), work(), app.maybes);
         wait_for([&app] { return found_variants(app.maybes) || !is_asking(app.maybes); });
         if (const auto found = found_variants(app.maybes); found && !found->patterns.empty()) {
@@ -292,9 +292,14 @@ class Person {
         add_paths(ui(), work(), program_.app.opening, {files_[action.which % files_.size()]});
         program_.wait_for_opening();
     }
+    void wait_for_map() {
+        const ShownMap& map = program_.app.shown_map;
+        wait_for([this, &map] { return map_state(work(), map) == MapState::exact; });
+        law(map_state(work(), map) == MapState::exact, "the exact map does not come");
+    }
     template <class Condition>
     void wait_for(const Condition& condition) {
-        const auto until = end_of_patience();
+        const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         while (!condition() && std::chrono::steady_clock::now() < until) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             program_.frame();
@@ -384,7 +389,7 @@ class Person {
     void check_matrix(const PatternSet& file) {
         if (file.vibrations.size() < 2) return;
         request_maps(work(), program_.app.shown_map, program_.app.rendered);
-        program_.wait_for_exact_map();
+        wait_for_map();
         const auto own = predict(model_waveforms(file), file.model);
         law(program_.app.shown_map.transition.shown->prediction.pm.condensed == own->pm.condensed,
             "the window's matrix is not that of the file");
@@ -507,6 +512,7 @@ TEST_CASE("document: whatever a person does, nothing is lost and every state com
     const unsigned actions = number_in("TACTSPACE_ACTIONS", 300);
     const unsigned seed = number_in("TACTSPACE_SEED", 1);
     for (unsigned k = 0; k * kWalk < actions; ++k) {
+        INFO("seed " << seed + k);
         const Walk walk = random_walk(seed + k, kWalk);
         const auto broken = broken_by(walk);
         if (!broken) continue;
