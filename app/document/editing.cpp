@@ -7,6 +7,7 @@
 
 #include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
+#include "app/document/shown_side.h"
 #include "model/set/vibration_search.h"
 #include "model/text/unique_names.h"
 
@@ -220,7 +221,7 @@ void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change)
 
 std::string of_selection(const Workspace& work, const std::string& what) {
     const std::size_t count = selected_indices(work).size();
-    if (count > 1) return what + " of " + std::to_string(count) + " patterns";
+    if (count > 1) return what + " of " + patterns_text(count);
     const Vibration* current = current_vibration(work);
     return what + (current == nullptr ? "" : " of " + current->name);
 }
@@ -279,9 +280,8 @@ void remove_selected(Ui& ui, Workspace& work) {
                            ? "Not deleted: the search hides what is selected. Clear it first."
                            : "Locked patterns are not deleted.");
     }
-    const std::string label = gone.size() == 1
-                                  ? "Delete " + vibrations(work)[gone[0]].name
-                                  : "Delete " + std::to_string(gone.size()) + " patterns";
+    const std::string label = gone.size() == 1 ? "Delete " + vibrations(work)[gone[0]].name
+                                               : "Delete " + patterns_text(gone.size());
     for (auto index = gone.rbegin(); index != gone.rend(); ++index) {
         vibrations(work).erase(vibrations(work).begin() + static_cast<std::ptrdiff_t>(*index));
     }

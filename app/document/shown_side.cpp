@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -18,16 +19,14 @@ PatternSet shown_set(const Workspace& work) {
     return one_side(work.document.set, shown_side(work));
 }
 
-std::string patterns_text(std::size_t count) {
-    return count == 1 ? "1 pattern" : std::to_string(count) + " patterns";
-}
+std::string patterns_text(std::size_t count) { return counted(count, "pattern", "patterns"); }
 
 std::string shown_patterns_text(const Workspace& work) {
     const std::size_t all = work.document.set.vibrations.size();
     const Side side = shown_side(work);
     if (side == Side::both && !work.selection.search.empty())
-        return std::to_string(listed_indices(work).size()) + " of " + std::to_string(all);
-    if (side == Side::both) return std::to_string(all);
+        return grouped_digits(listed_indices(work).size()) + " of " + grouped_digits(all);
+    if (side == Side::both) return grouped_digits(all);
     const auto count =
         std::ranges::count_if(work.document.set.vibrations, [side](const Vibration& vibration) {
             return measures_another(vibration) == (side == Side::measured);

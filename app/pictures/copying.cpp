@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/document/editing.h"
+#include "app/document/shown_side.h"
 #include "model/io/set/set_file.h"
 
 namespace tact {
@@ -30,9 +31,8 @@ void copy_selected(Ui& ui, Workspace& work) {
     work.clipboard_text = print_set(copied);
     work.clipboard = std::move(copied.vibrations);
     ImGui::SetClipboardText(work.clipboard_text.c_str());
-    say(ui, work.clipboard.size() == 1
-                ? "Copied " + work.clipboard[0].name
-                : "Copied " + std::to_string(work.clipboard.size()) + " patterns");
+    say(ui, work.clipboard.size() == 1 ? "Copied " + work.clipboard[0].name
+                                       : "Copied " + patterns_text(work.clipboard.size()));
 }
 
 void paste(Ui& ui, Workspace& work) {
@@ -48,8 +48,7 @@ void paste(Ui& ui, Workspace& work) {
         say(ui, "Nothing to paste: copy a pattern first, here or as the text of a set file");
         return;
     }
-    const std::string what =
-        pasted.size() == 1 ? pasted[0].name : std::to_string(pasted.size()) + " patterns";
+    const std::string what = pasted.size() == 1 ? pasted[0].name : patterns_text(pasted.size());
     insert_after_current(work, pasted);
     commit_step(ui, work, pasted.size() == 1 ? "Paste " + what : "Paste patterns");
     say(ui, "Pasted " + what);

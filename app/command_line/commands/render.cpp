@@ -16,6 +16,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
+#include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 
 namespace tact {
@@ -104,7 +105,8 @@ Expected<Done> run(const RenderCommand& command) {
         if (!written) return written;
         files.push_back(path_json(path));
     }
-    std::cerr << "tactspace: wrote " << waveforms.size() << " files to " << command.out.string();
+    std::cerr << "tactspace: wrote " << counted(waveforms.size(), "file", "files") << " to "
+              << command.out.string();
     if (command.format == "wav") std::cerr << ", " << wave.scale_g << " g at full scale";
     std::cerr << "\n";
     if (*by) {
