@@ -17,6 +17,7 @@ constexpr double kLeastTopG = 0.1;
 constexpr double kOverhead = 1.2;  // of the axes over what they show
 constexpr float kFrequencyShare = 0.42F;
 constexpr float kNotePx = 8.0F;
+constexpr std::ptrdiff_t kMostGrips = 1000;  // of one kind in view: more hide what they are on
 
 double snapped(double value, double step, bool free) {
     return free ? value : multiple_of(step, std::round(value / step));
@@ -146,6 +147,24 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
     return scale;
 }
 
+namespace {
+
+// Of those in view: none where there are too many to be told apart.
+template <class Point>
+std::vector<std::size_t> singles_in_view(const std::vector<Point>& all, const Axis& time) {
+    const auto is_seen = [&](const Point& point) {
+        return point.time_s >= time.low && point.time_s <= time.high;
+    };
+    if (std::ranges::count_if(all, is_seen) > kMostGrips) return {};
+    std::vector<std::size_t> seen;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (is_seen(all[k])) seen.push_back(k);
+    }
+    return seen;
+}
+
+}  // namespace
+
 std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& scale) {
     std::vector<PlacedGrip> placed;
     const auto place = [&](GripKind kind, std::size_t index, const Plot& lane, double t_s,
@@ -160,16 +179,16 @@ std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& s
     const double released_s = note.onset_s + note.length_s - fit * pattern.release_s;
     place(GripKind::attack, 0, scale.amplitude, attacked_s, line_g(pattern, attacked_s));
     place(GripKind::release, 0, scale.amplitude, released_s, line_g(pattern, released_s));
-    for (std::size_t k = 0; k < pattern.transients.size(); ++k) {
+    for (const std::size_t k : singles_in_view(pattern.transients, scale.amplitude.x)) {
         const Transient& transient = pattern.transients[k];
         place(GripKind::transient, k, scale.amplitude, transient.time_s, transient.amplitude_g);
     }
-    for (std::size_t k = 0; k < pattern.amplitude_curve.size(); ++k) {
+    for (const std::size_t k : singles_in_view(pattern.amplitude_curve, scale.amplitude.x)) {
         const AmplitudePoint& point = pattern.amplitude_curve[k];
         place(GripKind::amplitude_point, k, scale.amplitude, point.time_s,
               point.value * pattern.amplitude_g);
     }
-    for (std::size_t k = 0; k < pattern.frequency_curve.size(); ++k) {
+    for (const std::size_t k : singles_in_view(pattern.frequency_curve, scale.amplitude.x)) {
         const FrequencyPoint& point = pattern.frequency_curve[k];
         place(GripKind::frequency_point, k, scale.frequency, point.time_s, point.frequency_hz);
     }

@@ -59,7 +59,8 @@ struct PlacedGrip {
     ImVec2 at;
 };
 
-// All but the lines and the end, those that are taken first last.
+// All but the lines and the end, those that are taken first last. Points of a curve, or transients,
+// of which more than 1,000 are in view have none until the view is narrower.
 std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& scale);
 
 // What is within reach of the mouse; of several, what lies on top.

@@ -41,13 +41,32 @@ void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PopClipRect();
 }
 
+// The same path, of no more than four points in each column of pixels.
+std::vector<ImVec2> by_columns(const std::vector<ImVec2>& points) {
+    std::vector<ImVec2> path;
+    for (std::size_t k = 0; k < points.size();) {
+        const float column = std::floor(points[k].x);
+        std::size_t end = k;
+        while (end < points.size() && std::floor(points[end].x) == column) ++end;
+        const std::span<const ImVec2> here(points.data() + k, end - k);
+        const auto [high, low] = std::ranges::minmax_element(here, {}, &ImVec2::y);
+        if (here.size() > 4) {
+            path.insert(path.end(), {here.front(), *high, *low, here.back()});
+        } else {
+            path.insert(path.end(), here.begin(), here.end());
+        }
+        k = end;
+    }
+    return path;
+}
+
 // The curve of each lane, held before its first and after its last point.
 void draw_lines(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Pattern& pattern = scene.pattern;
     const auto draw = [&](const Plot& lane, GripKind line, const std::vector<ImVec2>& points) {
         const bool lit = scene.under && scene.under->kind == line;
         list.PushClipRect(lane.area.min, lane.area.max, true);
-        draw_path(list, points, theme.text, (lit ? 2.0F : 1.0F) * theme.trace_px);
+        draw_path(list, by_columns(points), theme.text, (lit ? 2.0F : 1.0F) * theme.trace_px);
         list.PopClipRect();
     };
     std::vector<ImVec2> points;

@@ -12,6 +12,7 @@
 #include "app/wave_strip/chosen_fields.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/strip_picture.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -93,7 +94,9 @@ void put_transient(Ui& ui, Workspace& work, StripState& strip, double time_s, do
     if (pattern == nullptr) return;
     Pattern changed = *pattern;
     const auto added = add_transient(changed, time_s, amplitude_g);
-    if (!added) return complain(ui, "A pattern has at most 500 transients.");
+    if (!added)
+        return complain(
+            ui, "A pattern has at most " + grouped_digits(limits::kMaxTransients) + " transients.");
     edit_current_pattern(work, changed);
     commit_step(ui, work, label_of(work, "Add", added->kind));
     choose(ui, strip, *added);

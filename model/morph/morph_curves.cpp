@@ -54,7 +54,13 @@ BentLine line_of(const Pattern& pattern, const NoteSide& side) {
     if (ramps_s > note.length_s) {
         times_s = {note.onset_s + note.length_s * pattern.attack_s / ramps_s};
     }
-    for (const AmplitudePoint& point : pattern.amplitude_curve) times_s.push_back(point.time_s);
+    // Of many notes and many points each note takes its own.
+    const auto first = std::ranges::lower_bound(pattern.amplitude_curve, side.begin_s, {},
+                                                &AmplitudePoint::time_s);
+    for (auto point = first; point != pattern.amplitude_curve.end(); ++point) {
+        if (point->time_s > side.end_s) break;
+        times_s.push_back(point->time_s);
+    }
     add_bends_of_ramps(pattern, note, times_s);
     BentLine line;
     for (const double t_s : times_s) line.bends.push_back((t_s - begin_s) / extent_s);

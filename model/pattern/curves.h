@@ -51,8 +51,9 @@ using FrequencyCurve = std::vector<FrequencyPoint>;
 namespace limits {
 inline constexpr Range kCurveValue{0.0, 1.0};
 inline constexpr Range kTransientS{0.001, 1.0};
-inline constexpr std::size_t kMaxCurvePoints = 500;  // of each curve
-inline constexpr std::size_t kMaxTransients = 500;
+// So many that a minute of any rhythm keeps its notes.
+inline constexpr std::size_t kMaxCurvePoints = 100'000;  // of each curve
+inline constexpr std::size_t kMaxTransients = 10'000;
 }  // namespace limits
 
 // Of no points: 1.

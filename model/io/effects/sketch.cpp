@@ -110,35 +110,6 @@ void set_amplitude(Pattern& pattern, AmplitudeCurve curve, double unit_g,
     pattern.amplitude_curve = std::move(curve);
 }
 
-// Thinned further than that, a rhythm would become another one.
-constexpr double kMostThinned = 0.05;  // of the curve's peak
-
-// How many points from the first one on are the same line with as many as a pattern can hold.
-template <class Point>
-std::size_t points_held(const std::vector<Point>& curve) {
-    std::size_t low = limits::kMaxCurvePoints;
-    std::size_t high = curve.size();
-    while (high - low > 1) {
-        const std::size_t middle = low + (high - low) / 2;
-        std::vector<Point> part(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(middle));
-        const bool same = thin(part, limits::kMaxCurvePoints, 0.0) == 0.0;
-        (same ? low : high) = middle;
-    }
-    return low;
-}
-
-// Leaves out the end of a curve that cannot be thinned, and gives the time of what is held.
-template <class Point>
-double hold(std::vector<Point>& curve, double end_s) {
-    if (curve.size() <= limits::kMaxCurvePoints) return end_s;
-    double peak = 0.0;
-    for (const Point& point : curve) peak = std::max(peak, height_of(point));
-    std::vector<Point> whole = curve;
-    if (thin(whole, limits::kMaxCurvePoints, 0.0) <= kMostThinned * peak) return end_s;
-    curve.resize(points_held(curve));
-    return std::min(end_s, curve.back().time_s);
-}
-
 // Cut where a limit is reached: what was left out in between would make another rhythm of it.
 void cut_short(Pattern& pattern, double at_s, const std::string& held,
                std::vector<std::string>& remarks) {
@@ -150,26 +121,24 @@ void cut_short(Pattern& pattern, double at_s, const std::string& held,
     pattern = with_duration(std::move(pattern), held_s);
 }
 
-void cut_to_limit(Pattern& pattern, std::vector<std::string>& remarks) {
-    const double end_s = pattern.duration_s;
-    const double held_s =
-        std::min(hold(pattern.amplitude_curve, end_s), hold(pattern.frequency_curve, end_s));
-    if (held_s < end_s) {
-        cut_short(pattern, held_s, grouped_digits(limits::kMaxCurvePoints) + " points of a curve",
-                  remarks);
-    }
+// Where the first point is that a pattern cannot hold.
+template <class Point>
+double held_s(const std::vector<Point>& curve, double end_s) {
+    if (curve.size() <= limits::kMaxCurvePoints) return end_s;
+    return std::min(end_s, curve[limits::kMaxCurvePoints - 1].time_s);
 }
 
-template <class Point>
-void thin_to_limit(std::vector<Point>& curve, const std::string& what, double unit,
-                   const std::string& unit_text, std::vector<std::string>& remarks) {
-    const std::size_t before = curve.size();
-    if (before <= limits::kMaxCurvePoints) return;
-    const double error = thin(curve, limits::kMaxCurvePoints, 0.0);
-    if (!(error > 0.0)) return;
-    remarks.push_back(grouped_digits(before) + " points of " + what + " are thinned to " +
-                      grouped_digits(curve.size()) + ", at most " +
-                      significant_digits(error * unit, 2) + unit_text + " off");
+void cut_to_limit(Pattern& pattern, std::vector<std::string>& remarks) {
+    const double end_s = pattern.duration_s;
+    const double at_s =
+        std::min(held_s(pattern.amplitude_curve, end_s), held_s(pattern.frequency_curve, end_s));
+    if (at_s >= end_s) return;
+    cut_short(pattern, at_s, grouped_digits(limits::kMaxCurvePoints) + " points of a curve",
+              remarks);
+    pattern.amplitude_curve.resize(
+        std::min(pattern.amplitude_curve.size(), limits::kMaxCurvePoints));
+    pattern.frequency_curve.resize(
+        std::min(pattern.frequency_curve.size(), limits::kMaxCurvePoints));
 }
 
 void set_transients(Pattern& pattern, std::vector<Transient> all,
@@ -287,8 +256,6 @@ Expected<Pattern> pattern_of(const Sketch& sketch, std::vector<std::string>& rem
         pattern = with_duration(std::move(pattern), limits::kDurationS.high);
     }
     cut_to_limit(pattern, remarks);
-    thin_to_limit(pattern.amplitude_curve, "amplitude", 100.0, " % of full scale", remarks);
-    thin_to_limit(pattern.frequency_curve, "frequency", 1.0, " Hz", remarks);
     if (const auto fault = drawn_fault(pattern)) return Error{sentence(*fault)};
     return pattern;
 }

@@ -5,7 +5,8 @@
 //   - the same envelope and a fixed ratio of frequencies make them carriers of one pattern;
 //   - else the amplitude is the root of the sum of their squares, where any of them has a point and
 //     straight between, and the frequency that of the strongest; a remark says so.
-// What exceeds the limits of a pattern is thinned or cut, and a remark says that, too.
+// What exceeds the limits of a pattern is cut in time, never thinned into another rhythm, and a
+// remark says that, too.
 //
 // Valid     times of 0 s or more; at most kMostVoices, kMostVoicePoints in all of them, and
 //           kMostAtOnce at one time

@@ -47,9 +47,8 @@ std::vector<Stretch> silent_stretches(const AmplitudeCurve& curve) {
 
 std::vector<Stretch> with_taps(std::vector<Stretch> all, const std::vector<TapShares>& taps) {
     std::erase_if(all, [&](const Stretch& one) {
-        return std::ranges::none_of(taps, [&](const TapShares& tap) {
-            return tap.time_s >= one.start_s && tap.time_s < one.end_s;
-        });
+        const auto tap = std::ranges::lower_bound(taps, one.start_s, {}, &TapShares::time_s);
+        return tap == taps.end() || tap->time_s >= one.end_s;
     });
     return all;
 }

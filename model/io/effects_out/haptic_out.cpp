@@ -5,6 +5,7 @@
 //           beneath an emphasis and cuts it with the next one.
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/effect.h"
@@ -32,23 +33,27 @@ struct EmphasisLosses {
 
 std::vector<HapticPoint> points_with(const Shares& shares, EmphasisLosses& losses) {
     std::vector<HapticPoint> points;
-    for (const AmplitudePoint& point : shares.amplitude) {
-        points.push_back({point.time_s, point.value, std::nullopt});
-    }
+    auto next = shares.amplitude.begin();
+    const auto add_until = [&](double time_s) {
+        for (; next != shares.amplitude.end() && next->time_s <= time_s; ++next) {
+            points.push_back({next->time_s, next->value, std::nullopt});
+        }
+    };
     for (TapShares tap : shares.taps) {
-        auto next = std::ranges::upper_bound(points, tap.time_s, {}, &HapticPoint::time_s);
+        add_until(tap.time_s);
         const bool is_there =
-            next != points.begin() && (next - 1)->time_s == tap.time_s && !(next - 1)->emphasis;
+            !points.empty() && points.back().time_s == tap.time_s && !points.back().emphasis;
         if (!is_there) {
             const double beneath = sides_at(shares.amplitude, tap.time_s).behind;
-            next = points.insert(next, {tap.time_s, beneath, std::nullopt}) + 1;
+            points.push_back({tap.time_s, beneath, std::nullopt});
         }
-        HapticPoint& point = *(next - 1);
+        HapticPoint& point = points.back();
         if (tap.amplitude < point.amplitude) ++losses.raised;
         if (point.amplitude > 0.0) ++losses.ducking;
         tap.amplitude = std::max(tap.amplitude, point.amplitude);
         point.emphasis = tap;
     }
+    add_until(std::numeric_limits<double>::infinity());
     return points;
 }
 

@@ -123,16 +123,6 @@ Json tap_event(const TapShares& tap) {
                     {{"Intensity", percent(tap.amplitude)}, {"Frequency", percent(tap.frequency)}});
 }
 
-void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
-                    std::vector<std::string>& remarks) {
-    if (taps.size() <= most) return;
-    remarks.push_back("of " + grouped_digits(taps.size()) + " transients the strongest " +
-                      grouped_digits(most) + " are kept");
-    std::ranges::stable_sort(taps, std::ranges::greater{}, &TapShares::amplitude);
-    taps.resize(most);
-    std::ranges::stable_sort(taps, {}, &TapShares::time_s);
-}
-
 void remark_steps(const Shares& shares, std::vector<std::string>& coarse) {
     coarse.push_back("frequency is in steps of 1/100 of the band");
     if (shares.taps.empty()) return;

@@ -18,6 +18,7 @@ namespace tact {
 namespace {
 
 constexpr std::size_t kMostXrPoints = 500;
+constexpr std::size_t kMostXrTaps = 500;
 
 std::int64_t whole_ns(double t_s) { return std::llround(t_s * 1e9); }
 
@@ -84,6 +85,7 @@ WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target) {
         shares.frequency.push_back({shares.duration_s, shares.frequency.front().value});
     }
     thin_shares(shares, kMostXrPoints, map, written.coarse);
+    keep_strongest(shares.taps, kMostXrTaps, written.remarks);
     remark_merged_taps(shares.taps, written.remarks);
     const std::string name = identifier(target.name);
     written.text = point_array(name + "_amplitude", shares.amplitude) +

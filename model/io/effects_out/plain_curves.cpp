@@ -251,6 +251,35 @@ std::vector<Point> with_stretch(const std::vector<Point>& curve, double from_s, 
     return result;
 }
 
+// A curve that is changed from its beginning on: what lies behind the changes is not looked at.
+template <class Point>
+struct Growing {
+    const std::vector<Point>& whole;
+    std::size_t taken = 0;
+    std::vector<Point> changed{};
+
+    void reach(double to_s) {
+        while (taken < whole.size() && (changed.empty() || changed.back().time_s <= to_s)) {
+            changed.push_back(whole[taken++]);
+        }
+    }
+    template <class Value>
+    void stretch(double from_s, double to_s, double end_s, const Value& value) {
+        reach(to_s);
+        auto first = std::ranges::lower_bound(changed, from_s, {}, &Point::time_s);
+        if (first != changed.begin()) --first;
+        const std::vector<Point> part(first, changed.end());
+        changed.erase(first, changed.end());
+        const std::vector<Point> other = with_stretch(part, from_s, to_s, end_s, value);
+        changed.insert(changed.end(), other.begin(), other.end());
+    }
+    std::vector<Point> all() && {
+        changed.insert(changed.end(), whole.begin() + static_cast<std::ptrdiff_t>(taken),
+                       whole.end());
+        return std::move(changed);
+    }
+};
+
 }  // namespace
 
 PlainCurves as_curves(const Pattern& pattern, WrittenEffect& written) {
@@ -294,17 +323,21 @@ PlainCurves as_curves(const Pattern& pattern, WrittenEffect& written) {
 
 PlainCurves with_pulses(PlainCurves curves, std::vector<std::string>& remarks) {
     if (curves.transients.empty()) return curves;
+    Growing<AmplitudePoint> amplitude{curves.amplitude};
+    Growing<FrequencyPoint> frequency{curves.frequency};
     for (const Transient& one : curves.transients) {
         const double end_s = std::min(one.time_s + one.duration_s, curves.duration_s);
         if (!(end_s > one.time_s)) continue;
-        const bool louder = one.amplitude_g > sides_at(curves.amplitude, one.time_s).behind;
-        curves.amplitude =
-            with_stretch(curves.amplitude, one.time_s, end_s, curves.duration_s,
-                         [&](double beneath) { return std::max(beneath, one.amplitude_g); });
+        amplitude.reach(end_s);
+        const bool louder = one.amplitude_g > sides_at(amplitude.changed, one.time_s).behind;
+        amplitude.stretch(one.time_s, end_s, curves.duration_s,
+                          [&](double beneath) { return std::max(beneath, one.amplitude_g); });
         if (!louder) continue;
-        curves.frequency = with_stretch(curves.frequency, one.time_s, end_s, curves.duration_s,
-                                        [&](double) { return one.frequency_hz; });
+        frequency.stretch(one.time_s, end_s, curves.duration_s,
+                          [&](double) { return one.frequency_hz; });
     }
+    curves.amplitude = std::move(amplitude).all();
+    curves.frequency = std::move(frequency).all();
     const std::size_t count = curves.transients.size();
     remarks.push_back(count == 1 ? "a transient is written as a pulse of the amplitude"
                                  : grouped_digits(count) +

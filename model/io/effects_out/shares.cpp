@@ -166,6 +166,16 @@ Shares as_shares(const PlainCurves& curves, const ActuatorMap& map, WrittenEffec
     return shares;
 }
 
+void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
+                    std::vector<std::string>& remarks) {
+    if (taps.size() <= most) return;
+    remarks.push_back("of " + grouped_digits(taps.size()) + " transients the strongest " +
+                      grouped_digits(most) + " are kept");
+    std::ranges::stable_sort(taps, std::ranges::greater{}, &TapShares::amplitude);
+    taps.resize(most);
+    std::ranges::stable_sort(taps, {}, &TapShares::time_s);
+}
+
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& coarse) {
     const Shares all = shares;

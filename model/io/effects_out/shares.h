@@ -54,6 +54,10 @@ Shares as_shares(const PlainCurves& curves, const ActuatorMap& map, WrittenEffec
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& coarse);
 
+// At most so many taps, the strongest of all.
+void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
+                    std::vector<std::string>& remarks);
+
 // "1 transient", "3 transients".
 std::string transients_text(std::size_t count);
 

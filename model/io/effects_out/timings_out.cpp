@@ -24,7 +24,7 @@ namespace tact {
 namespace {
 
 constexpr std::array kSlopeStepsMs{1, 2, 5, 10};
-constexpr std::size_t kMostSteps = 240;  // whose curve of two points each has room in a pattern
+constexpr std::size_t kMostSteps = 10'000;  // of slopes: an effect is handed to a player whole
 constexpr double kSameStepS = 1e-9;
 
 // Positions of the points of a stretch.

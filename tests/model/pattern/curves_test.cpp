@@ -155,10 +155,10 @@ TEST_CASE("drawn fault: every rule is refused with its place, and what obeys all
     CHECK(with([](Pattern& p) {
               p.transients[1].frequency_hz = 1001.0;
           }).starts_with("transients/1/frequency_hz: "));
-    CHECK(with([](Pattern& p) { p.transients.resize(501); }) ==
-          "transients: expected at most 500 transients, got 501");
-    CHECK(with([](Pattern& p) { p.frequency_curve.resize(501); }) ==
-          "frequency_curve: expected at most 500 points, got 501");
+    CHECK(with([](Pattern& p) { p.transients.resize(10'001); }) ==
+          "transients: expected at most 10,000 transients, got 10001");
+    CHECK(with([](Pattern& p) { p.frequency_curve.resize(100'001); }) ==
+          "frequency_curve: expected at most 100,000 points, got 100001");
 }
 
 }  // namespace curves_test

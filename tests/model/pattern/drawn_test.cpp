@@ -160,8 +160,8 @@ TEST_CASE("drawn: clamping gives curves without fault, whatever they were") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Pattern wild;
     wild.amplitude_curve = {{0.5, 7.0}, {0.2, nan}, {0.2, 0.5}, {nan, -1.0}, {99.0, 0.1}};
-    wild.frequency_curve.assign(2000, {0.5, 1e9});
-    wild.transients.assign(2000, {nan, nan, nan, nan, TransientShape::square});
+    wild.frequency_curve.assign(200'000, {0.5, 1e9});
+    wild.transients.assign(20'000, {nan, nan, nan, nan, TransientShape::square});
     REQUIRE(drawn_fault(wild));
     const Pattern tame = clamped(wild);
     CHECK(!drawn_fault(tame));

@@ -1,0 +1,126 @@
+// Notes are notes: a rhythm of n notes is n notes in every format that can hold them, each as loud
+// as it was, and silent between. A format that cannot hold so many says so.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+#include "model/export/exported_set.h"
+#include "model/io/set/set_file.h"
+
+namespace notes_kept_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr double kStepS = 0.030;
+constexpr double kNoteS = 0.015;
+
+double level_of(int note) { return 0.6 + 0.1 * (note % 5); }
+
+// As an effect file's reader draws it: a jump up and a jump down for each note.
+Pattern rhythm_of(int notes) {
+    Pattern pattern;
+    pattern.amplitude_g = 0.4;
+    pattern.carriers.front().frequency_hz = 165.0;  // timings are read at it
+    pattern.duration_s = notes * kStepS;
+    pattern.amplitude_curve = {{0.0, level_of(0)}};
+    for (int note = 0; note < notes; ++note) {
+        const double start_s = note * kStepS;
+        if (note > 0) {
+            pattern.amplitude_curve.push_back({start_s, 0.0});
+            pattern.amplitude_curve.push_back({start_s, level_of(note)});
+        }
+        pattern.amplitude_curve.push_back({start_s + kNoteS, level_of(note)});
+        pattern.amplitude_curve.push_back({start_s + kNoteS, 0.0});
+    }
+    pattern.amplitude_curve.push_back({pattern.duration_s, 0.0});
+    return pattern;
+}
+
+// What comes back, over time; of samples the largest within half a period.
+double level_g(const std::variant<Pattern, Measurement>& back, double t_s) {
+    if (const auto* pattern = std::get_if<Pattern>(&back)) {
+        return pattern->amplitude_g * amplitude_factor(*pattern, t_s);
+    }
+    const Waveform& waveform = *std::get<Measurement>(back).waveform;
+    double largest = 0.0;
+    for (double since_s = -0.0033; since_s <= 0.0033; since_s += 1e-5) {
+        const auto n = static_cast<std::size_t>((t_s + since_s) * waveform.rate_hz);
+        if (n < waveform.samples_g.size()) {
+            largest = std::max(largest, std::abs(waveform.samples_g[n]));
+        }
+    }
+    return largest;
+}
+
+struct Kept {
+    int notes = 0;
+    int gaps = 0;
+};
+
+// Notes as loud beside the first one as they were, within 1 %; gaps within 1 % of silence.
+Kept kept_of(const std::variant<Pattern, Measurement>& back, int notes) {
+    Kept kept;
+    const double first_g = level_g(back, 0.5 * kNoteS);
+    for (int note = 0; note < notes; ++note) {
+        const double meant_g = first_g * level_of(note) / level_of(0);
+        const double got_g = level_g(back, note * kStepS + 0.5 * kNoteS);
+        if (std::abs(got_g - meant_g) <= 0.01 * meant_g) ++kept.notes;
+        const double gap_g = level_g(back, note * kStepS + kNoteS + 0.5 * (kStepS - kNoteS));
+        if (gap_g <= 0.01 * first_g) ++kept.gaps;
+    }
+    return kept;
+}
+
+// Their own limits are lower: 16 points of 16 events, 500 points in all.
+bool can_hold(TargetFormat format, int notes) {
+    if (format == TargetFormat::he) return notes <= 60;
+    if (format == TargetFormat::openxr) return notes <= 120;
+    return true;
+}
+
+bool says_thinned(const ExportedPattern& made) {
+    return std::ranges::any_of(made.remarks, [](const std::string& remark) {
+        return remark.find("thinned") != std::string::npos;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("notes: every note and every gap is in each file that can hold it" *
+          doctest::test_suite("long")) {
+    for (const int notes : {126, 210, 2000}) {
+        const Pattern pattern = rhythm_of(notes);
+        for (const TargetTraits& format : target_formats()) {
+            CAPTURE(notes);
+            CAPTURE(format.key);
+            ExportTarget target = own_target(*target_format_of(format.key));
+            PatternSet set;
+            set.vibrations.push_back({"rhythm", pattern});
+            target = with_full_scale(target, set);
+            const ExportedPattern made = exported(pattern, "rhythm", target);
+            const Kept kept = kept_of(made.back, notes);
+            if (!can_hold(target.format, notes)) {
+                CHECK(says_thinned(made));
+                continue;
+            }
+            CHECK(kept.notes == notes);
+            CHECK(kept.gaps == notes);
+            CHECK_FALSE(says_thinned(made));
+        }
+    }
+}
+
+TEST_CASE("notes: a set file keeps them as they are") {
+    for (const int notes : {126, 210, 2000}) {
+        PatternSet set;
+        set.vibrations.push_back({"rhythm", rhythm_of(notes)});
+        const auto read = parse_set(print_set(set), "rhythm", {});
+        REQUIRE(read);
+        CHECK(std::get<Pattern>(read->vibrations.front().source) == rhythm_of(notes));
+    }
+}
+
+}  // namespace notes_kept_test
