@@ -9,7 +9,6 @@
 #include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
-#include "model/io/tables/matrix_file.h"
 #include "model/set/felt_versions.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
@@ -155,10 +154,19 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
     return all;
 }
 
+Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file) {
+    Expected<LabelledMatrix> matrix = read_matrix_file(file);
+    if (!matrix) return matrix;
+    for (const std::string& remark : matrix->remarks) {
+        std::cerr << "tactspace: " << shown_text(file.string() + ": " + remark) << "\n";
+    }
+    return matrix;
+}
+
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
                                            const std::vector<std::string>& names,
                                            std::string* mark) {
-    const Expected<LabelledMatrix> matrix = read_matrix_file(file);
+    const Expected<LabelledMatrix> matrix = told_matrix(file);
     if (!matrix) return matrix.error();
     if (mark != nullptr) *mark = matrix->mark;
     std::vector<std::size_t> places;

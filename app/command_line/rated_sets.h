@@ -10,6 +10,7 @@
 #include "app/command_line/commands.h"
 #include "app/rendering/labels.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"
 
@@ -39,6 +40,9 @@ Expected<Done> record_who_counts(std::span<const std::filesystem::path> files,
 // without files, those of the set file. Remarks go to standard error.
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
+
+// A matrix file; how it was understood is told on standard error.
+Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file);
 
 // How far apart the patterns of these names are by a matrix that may have others and another order.
 // `mark`: what the file says of its numbers.

@@ -27,6 +27,12 @@ std::vector<std::string> words(std::string_view line) {
     while (!is_blank(line)) {
         line.remove_prefix(line.find_first_not_of(kBlanks));
         const bool is_last = result.size() + 1 == kMaxCsvFields;
+        const std::size_t quote = line[0] == '"' && !is_last ? line.find('"', 1) : line.npos;
+        if (quote != line.npos) {  // as R writes names
+            result.emplace_back(line.substr(1, quote - 1));
+            line.remove_prefix(quote + 1);
+            continue;
+        }
         const std::size_t end =
             is_last ? line.size() : std::min(line.find_first_of(kBlanks), line.size());
         result.emplace_back(line.substr(0, end));
@@ -82,12 +88,6 @@ std::string unguarded(std::string text) {
     const std::size_t first = text.find_first_not_of('\'');
     if (first > 0 && is_run_behind(text, first)) text.erase(0, 1);
     return text;
-}
-
-CsvReader reader_of(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    const std::string_view first = text.substr(begin, text.find('\n', begin) - begin);
-    return {text, 1, first.find(',') != first.npos ? ',' : ' '};
 }
 
 CsvRecord next_record(CsvReader& reader) {

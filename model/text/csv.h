@@ -1,6 +1,6 @@
 // Records of comma-separated values, and what is wrong with a line of a file.
 //
-// Source    RFC 4180; also blanks as separators, for bare numbers
+// Source    RFC 4180; also blanks as separators, for bare numbers and words in quotes
 // Valid     kMaxCsvFields a record; what follows them stays together in the last one
 #pragma once
 
@@ -27,9 +27,6 @@ struct CsvReader {
     std::size_t line = 1;
     char separator = ',';  // ' ': any run of blanks
 };
-
-// For a table of which only the kind is known: commas where its first line has one, else blanks.
-CsvReader reader_of(std::string_view text);
 
 CsvRecord next_record(CsvReader& reader);
 

@@ -10,6 +10,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/people/people_words.h"
 #include "app/command_line/people/study_files.h"
+#include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
@@ -72,7 +73,7 @@ Expected<Dissimilarity> in_order(const LabelledMatrix& matrix, const fs::path& f
 Expected<Dissimilarity> truth_for(const StudyCommand& command, const PatternSet& set,
                                   const std::vector<std::string>& names) {
     if (!command.from_matrix.empty()) {
-        const Expected<LabelledMatrix> matrix = read_matrix_file(command.from_matrix);
+        const Expected<LabelledMatrix> matrix = told_matrix(command.from_matrix);
         if (!matrix) return matrix.error();
         return in_order(*matrix, command.from_matrix, names);
     }

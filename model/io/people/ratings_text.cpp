@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "model/io/people/foreign_answers.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/table/dialect.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
@@ -66,34 +68,42 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
             into, records[0].line,
             "expected names that differ, got " + in_quotes(labels[equal->second]) + " twice");
     }
-    std::vector<std::vector<double>> rows;
+    std::vector<std::vector<double>> rows(labels.size());
+    bool is_permuted = false;
     for (std::size_t i = 1; i < records.size(); ++i) {
         const CsvRecord& record = records[i];
         const std::string name{trimmed(record.fields[0])};
         if (i > labels.size()) {
             return at_line(into, record.line, "expected as many rows as columns, got more");
         }
-        if (name != labels[i - 1]) {
+        const auto found = std::ranges::find(labels, name);
+        std::vector<double>& row = rows[found == labels.end() ? 0 : found - labels.begin()];
+        if (found == labels.end() || !row.empty()) {
             return at_line(
                 into, record.line,
                 "expected the row of " + in_quotes(labels[i - 1]) + ", got " + in_quotes(name));
         }
+        is_permuted |= name != labels[i - 1];
         if (record.fields.size() != labels.size() + 1) {
             return at_line(into, record.line,
                            "expected " + std::to_string(labels.size()) + " ratings, got " +
                                std::to_string(record.fields.size() - 1));
         }
-        if (auto fault = take_numbers(record, 1, rows.emplace_back()); !fault.empty()) {
+        if (auto fault = take_numbers(record, 1, row); !fault.empty()) {
             return at_line(into, record.line, fault);
         }
+    }
+    if (is_permuted) {
+        into.remarks.push_back(into.file + ": its rows are in another order than its columns");
     }
     if (trimmed(records[0].fields[0]).starts_with(kSyntheticMark)) {
         into.study.standings.push_back({.participant = {}, .synthetic = true});
     }
-    if (rows.size() != labels.size()) {
+    if (records.size() - 1 != labels.size()) {
         return at_line(into, records.back().line,
                        "expected " + std::to_string(labels.size()) +
-                           " rows, as there are columns, got " + std::to_string(rows.size()));
+                           " rows, as there are columns, got " +
+                           std::to_string(records.size() - 1));
     }
     take_square(into, rows);
     return into;
@@ -147,12 +157,11 @@ Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord
     return into;
 }
 
-Expected<std::vector<CsvRecord>> records_of(const RatingsText& into, std::string_view text) {
-    text = without_bom(text);
-    if (const auto invalid = first_invalid_utf8(text)) {
-        return at_line(into, position_of(text, *invalid).line, "expected text in UTF-8");
-    }
-    CsvReader reader = reader_of(text);
+// As they stand there, or as other programs' answers are understood; the remarks go into `into`.
+Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view bytes) {
+    const TableText table = table_text(std::string(bytes));
+    const TableDialect dialect = dialect_of(table.text);
+    CsvReader reader = reader_of(table.text, dialect);
     std::vector<CsvRecord> records;
     for (;;) {
         CsvRecord record = next_record(reader);
@@ -161,7 +170,19 @@ Expected<std::vector<CsvRecord>> records_of(const RatingsText& into, std::string
         records.push_back(std::move(record));
     }
     if (records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
-    return records;
+    if (dialect.is_doubtful) {
+        return at_line(into, records.front().line,
+                       "expected numbers of which one decimal sign can be told, got commas before "
+                       "three digits, which may be thousands");
+    }
+    OwnAnswers own = own_answers(std::move(records), dialect);
+    if (own.records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
+    const std::string words = words_on(dialect, table.encoding);
+    const bool is_bare = words == "blanks between cells";
+    if (!words.empty() && !is_bare) into.remarks.push_back(into.file + ": read with " + words);
+    for (const std::string& one : own.remarks) into.remarks.push_back(into.file + ": " + one);
+    into.scale = own.scale;
+    return std::move(own.records);
 }
 
 }  // namespace
@@ -179,6 +200,8 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     into.file = file;
     const auto records = records_of(into, text);
     if (!records) return records.error();
+    const std::vector<std::string> remarks = into.remarks;
+    const RatingScale scale = into.scale;
     const CsvRecord& head = records->front();
     const auto has_column = [&head](const char* name) {
         return std::ranges::any_of(
@@ -197,6 +220,10 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
                   : has_names   ? labelled_square(std::move(into), *records)
                                 : bare_numbers(std::move(into), *records);
     if (!answer) return answer;
+    if (has_columns) {  // its own reading began anew
+        answer->remarks.insert(answer->remarks.begin(), remarks.begin(), remarks.end());
+        if (answer->scale == RatingScale::guess) answer->scale = scale;
+    }
     if (answer->study.labels.size() < 2) {
         return Error{file + ": expected ratings of at least two patterns"};
     }

@@ -5,12 +5,16 @@
 //     name2,3.5,0
 //
 // Source    quoting as in RFC 4180; numbers in the shortest digits that read back as the same
-// Input     also bare numbers, separated by blanks or commas: their names are 1, 2, 3 ..
+// Input     any way in which a table is written (model/table/dialect.h); bare numbers, whose names
+//           are 1, 2, 3 ..; names in the first row alone; rows in another order; one triangle, also
+//           as R prints distances; nothing, NA or 0 on the diagonal; similarities, which have one
+//           number there that no other exceeds
 // Output    errors as "FILE:LINE: expected .."
 // Valid     at most 10,000 objects, in a file of at most kMaxFileBytes (0.4 GB of numbers beside
 // it);
-//           symmetric to 1e-9 of the larger value, 0 on the diagonal
-// Left out  other separators, triangular and rectangular matrices.
+//           symmetric to 1e-9 of the larger value, or to the digits written, four decimals at
+//           least
+// Left out  rectangular matrices; unknown pairs
 #pragma once
 
 #include <Eigen/Core>
@@ -30,6 +34,7 @@ struct LabelledMatrix {
     std::vector<std::string> labels;
     Dissimilarity dissimilarity;  // of values that differ by rounding, the ones above the diagonal
     std::string mark{};           // of the corner: what has to be said of the numbers
+    std::vector<std::string> remarks{};  // how the table was understood, where it could be misread
 };
 
 // A mark that begins so says that nobody was asked. It stands in the corner of a table, where

@@ -46,7 +46,7 @@ struct Reported {
 using Cells = std::vector<std::vector<std::string>>;
 
 Cells table_of(const std::string& text) {
-    tact::CsvReader reader = tact::reader_of(text);
+    tact::CsvReader reader{text, 1, ','};
     Cells rows;
     for (tact::CsvRecord row = next_record(reader); row.line > 0; row = next_record(reader)) {
         rows.push_back(row.fields);

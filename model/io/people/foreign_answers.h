@@ -1,0 +1,31 @@
+// Answers as other programs write them, turned into this program's own table: columns a, b and
+// rating, and participant where there is one.
+//
+//     stimA,stimB,slider.response,participant      participant,a-b,a-c,b-c
+//     low.wav,high.wav,80,p01                      p01,80,45,60
+//
+// Input     records of which the first names the columns, under names that experiments use
+//           (PsychoPy, jsPsych, also its array of two in `stimulus`), in any case; or a column for
+//           each pair, or a table that is this program's already
+// Output    the same records where nothing is foreign; a remark for whatever was taken as what
+// Left out  names in other languages than English
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/io/people/rating_scale.h"
+#include "model/table/dialect.h"
+#include "model/text/csv.h"
+
+namespace tact {
+
+struct OwnAnswers {
+    std::vector<CsvRecord> records;
+    std::vector<std::string> remarks;        // sentences without a full stop
+    RatingScale scale = RatingScale::guess;  // as the name of the column says it
+};
+
+OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect);
+
+}  // namespace tact

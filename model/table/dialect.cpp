@@ -1,0 +1,272 @@
+#include "model/table/dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+// Of the text that is looked at.
+constexpr std::size_t kMostSampledBytes = 1 << 18;
+constexpr std::size_t kMostSampledRows = 200;
+
+void append_utf8(std::string& text, char32_t character) {
+    const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
+    if (character < 0x80) return put(character);
+    if (character < 0x800) {
+        put(0xC0 | (character >> 6U));
+    } else {
+        if (character < 0x10000) {
+            put(0xE0 | (character >> 12U));
+        } else {
+            put(0xF0 | (character >> 18U));
+            put(0x80 | ((character >> 12U) & 0x3FU));
+        }
+        put(0x80 | ((character >> 6U) & 0x3FU));
+    }
+    put(0x80 | (character & 0x3FU));
+}
+
+// Windows-1252 where it is no Latin-1: 0x80 to 0x9F. What it does not know becomes U+FFFD.
+constexpr std::array<char16_t, 32> kWindows{
+    0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+    0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+
+std::string from_windows(std::string_view bytes) {
+    std::string text;
+    text.reserve(bytes.size() + bytes.size() / 8);
+    for (const char one : bytes) {
+        const auto byte = static_cast<unsigned char>(one);
+        append_utf8(text, byte >= 0x80 && byte < 0xA0 ? kWindows[byte - 0x80U] : byte);
+    }
+    return text;
+}
+
+std::string from_utf16(std::string_view bytes, bool is_big_endian) {
+    const auto unit = [&](std::size_t k) {
+        const auto low = static_cast<unsigned char>(bytes[k + (is_big_endian ? 1 : 0)]);
+        const auto high = static_cast<unsigned char>(bytes[k + (is_big_endian ? 0 : 1)]);
+        return static_cast<char32_t>(high << 8U | low);
+    };
+    std::string text;
+    text.reserve(bytes.size());
+    for (std::size_t k = 0; k + 1 < bytes.size(); k += 2) {
+        char32_t character = unit(k);
+        const bool is_first_half = character >= 0xD800 && character < 0xDC00;
+        if (is_first_half && k + 3 < bytes.size() && (unit(k + 2) & 0xFC00U) == 0xDC00U) {
+            character = 0x10000 + ((character - 0xD800) << 10U) + (unit(k + 2) - 0xDC00);
+            k += 2;
+        } else if (character >= 0xD800 && character < 0xE000) {
+            character = 0xFFFD;
+        }
+        append_utf8(text, character);
+    }
+    return text;
+}
+
+// Which half of a pair of bytes is 0 in ASCII; none where the bytes are no UTF-16.
+enum class Halves { none, low, high };
+
+Halves halves_of(std::string_view bytes) {
+    if (bytes.starts_with("\xFF\xFE")) return Halves::low;
+    if (bytes.starts_with("\xFE\xFF")) return Halves::high;
+    const std::size_t pairs = std::min<std::size_t>(bytes.size() / 2, 512);
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t k = 0; k < 2 * pairs; ++k) zeros[k % 2] += bytes[k] == '\0' ? 1 : 0;
+    if (pairs < 2) return Halves::none;
+    if (zeros[0] == 0 && 2 * zeros[1] > pairs) return Halves::low;
+    if (zeros[1] == 0 && 2 * zeros[0] > pairs) return Halves::high;
+    return Halves::none;
+}
+
+void end_lines_by_lf(std::string& text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '\r' && (k + 1 == text.size() || text[k + 1] != '\n')) text[k] = '\n';
+    }
+}
+
+std::string_view line_at(std::string_view text, std::size_t from) {
+    return trimmed(text.substr(from, text.find('\n', from) - from));
+}
+
+// Blank lines count to what follows them, as readers pass over them.
+bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
+
+struct Beginning {
+    std::size_t lines = 0;  // that are no rows
+    std::size_t bytes = 0;
+    char separator = '\0';  // as "sep=" says
+};
+
+Beginning beginning_of(std::string_view text) {
+    Beginning found;
+    std::size_t lines = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::string_view line = line_at(text, at);
+        const std::size_t end = text.find('\n', at);
+        const bool is_mark =
+            line.size() == 5 && lower_case(std::string(line.substr(0, 4))) == "sep=";
+        if (!line.empty() && !is_comment(line) && !is_mark) break;
+        at = end == text.npos ? text.size() : end + 1;
+        ++lines;
+        if (line.empty()) continue;
+        if (is_mark) found.separator = line[4];
+        found.lines = lines;
+        found.bytes = at;
+    }
+    return found;
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows sampled(std::string_view text, char separator) {
+    std::string_view head = text.substr(0, kMostSampledBytes);
+    if (head.size() < text.size() && head.find('\n') != head.npos) {
+        head = head.substr(0, head.rfind('\n'));
+    }
+    CsvReader reader{head, 1, separator};
+    Rows rows;
+    while (rows.size() < kMostSampledRows) {
+        CsvRecord record = next_record(reader);
+        if (record.line == 0) break;
+        rows.push_back(std::move(record.fields));
+    }
+    return rows;
+}
+
+bool is_split(const Rows& rows) {
+    const auto split = std::ranges::count_if(rows, [](const auto& row) { return row.size() > 1; });
+    return !rows.empty() && 10 * split >= 9 * std::ssize(rows);
+}
+
+// "5 0" between commas: the numbers are parted by blanks, and the commas are theirs.
+bool holds_two_numbers(const Rows& rows) {
+    return std::ranges::any_of(rows, [](const auto& row) {
+        return std::ranges::any_of(row, [](const std::string& cell) {
+            const std::string_view text = trimmed(cell);
+            const std::size_t blank = text.find(' ');
+            return blank != text.npos && finite_number_in(text.substr(0, blank)) &&
+                   finite_number_in(text.substr(blank + 1));
+        });
+    });
+}
+
+char separator_of(std::string_view text) {
+    for (const char one : {';', '\t'}) {
+        if (is_split(sampled(text, one))) return one;
+    }
+    const Rows by_comma = sampled(text, ',');
+    const bool any_comma =
+        std::ranges::any_of(by_comma, [](const auto& row) { return row.size() > 1; });
+    return any_comma && !holds_two_numbers(by_comma) ? ',' : ' ';
+}
+
+// What a cell says of the decimal sign.
+enum class Sign { none, point, comma, doubtful };
+
+bool are_digits(std::string_view text) {
+    return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+Sign sign_of(std::string_view cell) {
+    cell = trimmed(cell);
+    const std::size_t comma = cell.find(',');
+    if (comma == cell.npos) {
+        return cell.find('.') != cell.npos && finite_number_in(cell) ? Sign::point : Sign::none;
+    }
+    std::string as_point(cell);
+    as_point[comma] = '.';
+    if (!finite_number_in(as_point)) return Sign::none;
+    std::string_view whole = cell.substr(0, comma);
+    if (whole.starts_with('-') || whole.starts_with('+')) whole.remove_prefix(1);
+    const std::string_view part = cell.substr(comma + 1);
+    const bool may_be_thousands = part.size() == 3 && are_digits(part) && !whole.empty() &&
+                                  whole.size() <= 3 && whole[0] != '0';
+    return may_be_thousands ? Sign::doubtful : Sign::comma;
+}
+
+}  // namespace
+
+TableText table_text(std::string bytes) {
+    TableText table;
+    const Halves halves = halves_of(bytes);
+    if (halves != Halves::none) {
+        table.encoding = TableEncoding::utf16;
+        table.text = from_utf16(bytes, halves == Halves::high);
+    } else if (first_invalid_utf8(bytes)) {
+        table.encoding = TableEncoding::windows_1252;
+        table.text = from_windows(bytes);
+    } else {
+        table.text = std::move(bytes);
+    }
+    if (without_bom(table.text).size() != table.text.size()) table.text.erase(0, 3);
+    end_lines_by_lf(table.text);
+    return table;
+}
+
+TableDialect dialect_of(std::string_view text) {
+    const Beginning begin = beginning_of(text);
+    TableDialect dialect;
+    dialect.skipped_lines = begin.lines;
+    const std::string_view rows_text = text.substr(begin.bytes);
+    dialect.separator = begin.separator != '\0' ? begin.separator : separator_of(rows_text);
+    std::array<std::size_t, 4> signs{};
+    for (const auto& row : sampled(rows_text, dialect.separator)) {
+        for (const std::string& cell : row) ++signs[static_cast<std::size_t>(sign_of(cell))];
+    }
+    const auto count = [&signs](Sign sign) { return signs[static_cast<std::size_t>(sign)]; };
+    if (count(Sign::comma) > 0 && count(Sign::point) == 0) dialect.decimal = ',';
+    dialect.is_doubtful = count(Sign::doubtful) > 0 && count(Sign::comma) == 0;
+    return dialect;
+}
+
+CsvReader reader_of(std::string_view text, const TableDialect& dialect) {
+    CsvReader reader{text, 1, dialect.separator};
+    for (std::size_t k = 0; k < dialect.skipped_lines; ++k) {
+        const std::size_t end = reader.rest.find('\n');
+        reader.rest.remove_prefix(end == reader.rest.npos ? reader.rest.size() : end + 1);
+        ++reader.line;
+    }
+    return reader;
+}
+
+std::optional<double> number_in(std::string_view cell, const TableDialect& dialect) {
+    if (dialect.decimal == '.' || cell.find(',') == cell.npos) return finite_number_in(cell);
+    std::string text(trimmed(cell));
+    if (text.find('.') != text.npos) return std::nullopt;
+    text[text.find(',')] = '.';
+    return finite_number_in(text);
+}
+
+std::string words_on(const TableDialect& dialect, TableEncoding encoding) {
+    std::string words;
+    const auto say = [&words](const char* more) {
+        words += (words.empty() ? "" : ", ") + std::string(more);
+    };
+    if (dialect.separator == ';') say("semicolons between cells");
+    if (dialect.separator == '\t') say("tabs between cells");
+    if (dialect.separator == ' ') say("blanks between cells");
+    if (dialect.decimal == ',') say("decimal commas");
+    if (encoding == TableEncoding::utf16) say("UTF-16");
+    if (encoding == TableEncoding::windows_1252) say("Windows-1252");
+    return words;
+}
+
+std::string_view without_sound_ending(std::string_view name) {
+    for (const std::string_view ending : {".wav", ".mp3", ".ogg", ".flac", ".aiff", ".haptic"}) {
+        const bool ends =
+            name.size() > ending.size() &&
+            lower_case(std::string(name.substr(name.size() - ending.size()))) == ending;
+        if (ends) return name.substr(0, name.size() - ending.size());
+    }
+    return name;
+}
+
+}  // namespace tact

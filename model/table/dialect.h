@@ -1,0 +1,60 @@
+// How a table of another program is written: its encoding, what separates its cells, its decimal
+// sign, what stands before its first row.
+//
+//     a,b        "a";"b"        a<TAB>b        "a" "b"        # made by R
+//     0.5,1      0,5;1          0.5<TAB>1      0.5 1          sep=;
+//
+// Source    RFC 4180; R's write.csv, write.csv2 and write.table; Excel's "sep=" and Unicode text
+// Input     the bytes of a file
+// Output    its text in UTF-8, and what it was found to be, with words for remarks
+// Valid     UTF-8, UTF-16 with a mark or mostly of ASCII, else Windows-1252; lines that end by LF,
+//           CR LF or CR; comments that begin with # or %, before the first row
+// Left out  cells of fixed width; thousands with a sign between them, which are refused as doubtful
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/text/csv.h"
+
+namespace tact {
+
+enum class TableEncoding { utf8, utf16, windows_1252 };
+
+struct TableText {
+    std::string text;  // UTF-8 without a mark; CR alone has become LF
+    TableEncoding encoding = TableEncoding::utf8;
+};
+
+TableText table_text(std::string bytes);
+
+struct TableDialect {
+    char separator = ',';  // ' ': any run of blanks
+    char decimal = '.';
+    std::size_t skipped_lines = 0;  // comments, and a line "sep=;"
+    // Numbers such as 1,234 alone speak for the decimal sign: they may be thousands.
+    bool is_doubtful = false;
+
+    bool operator==(const TableDialect&) const = default;
+};
+
+// Of a text's first lines, as the whole is.
+TableDialect dialect_of(std::string_view text);
+
+// Records from the first row on; lines count from the head of the text.
+CsvReader reader_of(std::string_view text, const TableDialect& dialect);
+
+// A cell as a number, by the decimal sign of its table; "1.5" is one in every table whose sign is a
+// comma, too.
+std::optional<double> number_in(std::string_view cell, const TableDialect& dialect);
+
+// "semicolons between cells, decimal commas, Windows-1252"; empty: as a CSV file is written.
+std::string words_on(const TableDialect& dialect, TableEncoding encoding);
+
+// The file of another program that a cell names, as a pattern of a set would be called: without the
+// ending of a sound.
+std::string_view without_sound_ending(std::string_view name);
+
+}  // namespace tact
