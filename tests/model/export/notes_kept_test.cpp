@@ -98,7 +98,8 @@ TEST_CASE("notes: every note and every gap is in each file that can hold it" *
             CAPTURE(format.key);
             ExportTarget target = own_target(*target_format_of(format.key));
             PatternSet set;
-            set.vibrations.push_back({"rhythm", pattern});
+            set.vibrations.emplace_back().name = "rhythm";
+            set.vibrations.back().source = pattern;
             target = with_full_scale(target, set);
             const ExportedPattern made = exported(pattern, "rhythm", target);
             const Kept kept = kept_of(made.back, notes);
@@ -116,7 +117,8 @@ TEST_CASE("notes: every note and every gap is in each file that can hold it" *
 TEST_CASE("notes: a set file keeps them as they are") {
     for (const int notes : {126, 210, 2000}) {
         PatternSet set;
-        set.vibrations.push_back({"rhythm", rhythm_of(notes)});
+        set.vibrations.emplace_back().name = "rhythm";
+        set.vibrations.back().source = rhythm_of(notes);
         const auto read = parse_set(print_set(set), "rhythm", {});
         REQUIRE(read);
         CHECK(std::get<Pattern>(read->vibrations.front().source) == rhythm_of(notes));
