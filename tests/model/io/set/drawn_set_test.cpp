@@ -66,7 +66,8 @@ TEST_CASE("drawn sets: what is refused is told with its place") {
     CHECK(refusal_of(R"(, "transients": [{"time_s": 0.5, "duration_s": 2}])")
               .starts_with("s.json: /patterns/0/transients/0/duration_s: "));
     std::string many = R"({"time_s": 0.5, "value": 1})";
-    for (std::size_t k = 0; k < kMaxCurvePoints; ++k) many += R"(, {"time_s": 0.5, "value": 1})";
+    for (std::size_t k = 0; k < limits::kMaxCurvePoints; ++k)
+        many += R"(, {"time_s": 0.5, "value": 1})";
     CHECK(refusal_of(R"(, "amplitude_curve": [)" + many + "]")
               .starts_with("s.json: /patterns/0/amplitude_curve: "));
 }
