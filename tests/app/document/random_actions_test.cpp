@@ -67,6 +67,7 @@ class Person {
         App& app = program_.app;
         app.work.session = open_session(folder_.path / "state");
         make_jobs(app);
+        request_maps(app.work, app.shown_map, app.rendered);
         save_as(app.ui, app.work, folder_.path / "walk.tactspace.json");
         files_.push_back(app.work.document.path);
         program_.settle();
