@@ -94,7 +94,11 @@ std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
             central[step] = central_count(channel.layers.back().back().centre());
         } else {
             const RelayLayer spikes = spikes_of_step(channel, half_width, step);
-            const std::vector<RelayLayer> layers = relay(spikes, params, true);
+            // Networks hand on nothing of nothing.
+            const bool is_quiet =
+                std::ranges::all_of(spikes.cells, [](double count) { return count == 0.0; });
+            const std::vector<RelayLayer> layers =
+                is_quiet ? std::vector<RelayLayer>() : relay(spikes, params, true);
             central[step] =
                 central_count(layers.empty() ? spikes.centre() : layers.back().centre());
         }
