@@ -195,6 +195,11 @@ FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& 
     keep_pulse(fit.knots, candidates, missed_pulse(amplitude, frequency, times, rules), rules);
     while (fit.knots.size() < rules.most && add_worst(fit.knots, candidates, rules)) {
     }
+    // A jump is one point of the curves and two of those that it may take.
+    const bool is_short = std::ranges::any_of(candidates, [&](const Candidate& one) {
+        return one.has_room && one.off > rules.tolerance;
+    });
+    if (is_short && fit.knots.size() >= fit.points) fit.points = possible.size();
     fit.ramps = count_of_jumps(amplitude, frequency, times, rules);
     return fit;
 }
