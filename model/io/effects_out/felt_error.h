@@ -11,7 +11,12 @@
 // Left out  masking by what is before and beside it; the tables of a set's own model.
 #pragma once
 
+#include <cstddef>
+
 namespace tact {
+
+// So many points of a curve are weighed by it where fewer may be written: it is dear.
+inline constexpr std::size_t kMostWeighed = 4000;
 
 struct FeltTone {
     double amplitude_g = 0.0;

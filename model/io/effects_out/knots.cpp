@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/io/effects/sketch.h"
+#include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -32,6 +33,12 @@ Knot knot_between(const Knot& a, const Knot& b, double t_s) {
     const double share = length_s > 0.0 ? (t_s - a.time_s) / length_s : 0.0;
     return {t_s, a.amplitude + share * (b.amplitude - a.amplitude),
             a.frequency + share * (b.frequency - a.frequency)};
+}
+
+// What is felt of a point is dear to know: of very many, those are asked that are farthest off.
+AmplitudeCurve at_most(AmplitudeCurve curve, std::size_t most) {
+    if (curve.size() > most) thin(curve, most, 0.0);
+    return curve;
 }
 
 struct Off {
@@ -178,15 +185,17 @@ std::size_t count_of_jumps(const AmplitudeCurve& amplitude, const AmplitudeCurve
 
 }  // namespace
 
-FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
+FittedKnots fitted_knots(const AmplitudeCurve& all_amplitude, const AmplitudeCurve& all_frequency,
                          double duration_s, const KnotRules& rules) {
-    assert(!amplitude.empty() && !frequency.empty() && "curves have points");
+    assert(!all_amplitude.empty() && !all_frequency.empty() && "curves have points");
+    const AmplitudeCurve amplitude = at_most(all_amplitude, kMostWeighed);
+    const AmplitudeCurve frequency = at_most(all_frequency, kMostWeighed);
     const double end_s =
         std::max({whole_ticks_s(duration_s, rules.tick_s), rules.least_gap_s, rules.tick_s});
     const std::vector<double> times = times_of_both(amplitude, frequency, duration_s);
     const std::vector<Knot> possible = candidates_of(amplitude, frequency, times, end_s, rules);
     FittedKnots fit;
-    fit.points = times.size();
+    fit.points = times_of_both(all_amplitude, all_frequency, duration_s).size();
     fit.knots = {possible.front(), possible.back()};
     fit.knots.back().time_s = end_s;
     std::vector<Candidate> candidates;

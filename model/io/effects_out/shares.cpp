@@ -178,23 +178,26 @@ void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
 
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& coarse) {
+    const std::size_t points[] = {shares.amplitude.size(), shares.frequency.size()};
+    for (AmplitudeCurve* curve : {&shares.amplitude, &shares.frequency}) {
+        if (curve->size() > kMostWeighed) thin(*curve, std::max(most, kMostWeighed), 0.0);
+    }
     const Shares all = shares;
     const auto tone = [&](double intensity, double share) {
         return FeltTone{continuous_g(map, intensity), frequency_hz(map, share)};
     };
-    const auto thin_one = [&](AmplitudeCurve& curve, const std::string& what,
+    const auto thin_one = [&](AmplitudeCurve& curve, std::size_t before, const std::string& what,
                               const ThinningWeight& weight) {
         if (curve.size() <= most) return;
-        const std::size_t before = curve.size();
         thin_by(curve, most, 0.0, weight);
         coarse.push_back(grouped_digits(before) + " points of " + what + " thinned to " +
                          grouped_digits(curve.size()));
     };
-    thin_one(shares.amplitude, "amplitude", [&](std::size_t k, double line) {
+    thin_one(shares.amplitude, points[0], "amplitude", [&](std::size_t k, double line) {
         const double share = sides_at(all.frequency, all.amplitude[k].time_s).behind;
         return felt_error_db(tone(all.amplitude[k].value, share), tone(line, share));
     });
-    thin_one(shares.frequency, "frequency", [&](std::size_t k, double line) {
+    thin_one(shares.frequency, points[1], "frequency", [&](std::size_t k, double line) {
         const Sides sides = sides_at(all.amplitude, all.frequency[k].time_s);
         const double intensity = std::max(sides.before, sides.behind);
         return felt_error_db(tone(intensity, all.frequency[k].value), tone(intensity, line));
