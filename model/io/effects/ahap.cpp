@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/formats.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -42,12 +43,16 @@ struct AhapPattern {
     std::vector<Control> intensity;
     std::vector<Control> sharpness;
     std::vector<std::string> remarks;
+    double percent = 0.0;  // the largest value that may be one; 0: none
 };
+
+constexpr double kLeastPercent = 1.5;  // above it a share of 1 is none by rounding
 
 double clamped_to(AhapPattern& pattern, double value, Range range, const std::string& what) {
     if (!range.contains(value)) {
         remark_once(pattern.remarks, what + " out of range is clamped, as Core Haptics does");
     }
+    if (value > kLeastPercent && value <= 100.0) pattern.percent = std::max(pattern.percent, value);
     return std::clamp(value, range.low, range.high);
 }
 
@@ -272,6 +277,23 @@ std::string project_of(const Json& document) {
     return project != metadata->end() && project->is_string() ? project->get<std::string>() : "";
 }
 
+// Files whose numbers are in other units play, but not as they were meant.
+void remark_units(AhapPattern& pattern) {
+    if (pattern.percent > 0.0) {
+        remark_once(pattern.remarks, "values of up to " + significant_digits(pattern.percent, 4) +
+                                         " where 1 is the most: these may be percent");
+    }
+    double end_s = 0.0;
+    bool whole = true;
+    for (const AhapEvent& event : pattern.events) {
+        end_s = std::max(end_s, event.time_s + event.duration_s);
+        whole = whole && event.time_s == std::floor(event.time_s);
+    }
+    if (!whole || !(end_s > limits::kDurationS.high)) return;
+    remark_once(pattern.remarks, "times of up to " + significant_digits(end_s, 4) +
+                                     " s, all whole: these may be ms");
+}
+
 }  // namespace
 
 Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
@@ -286,6 +308,7 @@ Expected<Effects> read_ahap(const Json& document, const EffectFile& file) {
         return Error{file.path + ": /Pattern: expected at least one haptic event, got none"};
     }
     place_curves(pattern);
+    remark_units(pattern);
     const auto sketch = sketch_of(pattern, file);
     if (!sketch) return sketch.error();
     auto effect = finished(file, file.stem, *sketch, std::move(pattern.remarks));

@@ -8,11 +8,14 @@
 //           Hz of waveform-effects; the device's own amplitude: the greatest.
 // Refused   what the platform's parser refuses; predefined effects, primitives and effects of
 //           vendors: their courses are the device's.
-// Left out  repetition: once.
+// Left out  repetition: once; of a <vibration-select>, what is the device's own.
 
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <string_view>
 
 #include "model/common/portable.h"
 #include "model/io/effects/formats.h"
@@ -31,7 +34,8 @@ struct XmlReading {
     const EffectFile& file;
     std::string fault;
     std::vector<std::string> remarks;
-    Voice voice;  // of the effect that is read, as far as it is
+    Voice voice;                  // of the effect that is read, as far as it is
+    bool is_the_devices = false;  // the fault is no fault of the file's
 };
 
 void refuse_node(XmlReading& xml, const pugi::xml_node& node, const std::string& sentence) {
@@ -65,6 +69,15 @@ void line_to(Voice& voice, double time_s, double from_g, double from_hz, double 
     voice.end_s = time_s;
 }
 
+// The platform's parser refuses what it does not know.
+void check_attributes(XmlReading& xml, const pugi::xml_node& node,
+                      std::initializer_list<std::string_view> known) {
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+        if (std::ranges::find(known, attribute.name()) != known.end()) continue;
+        refuse_node(xml, node, "expected no attribute " + in_quotes(attribute.name()));
+    }
+}
+
 bool has_only(XmlReading& xml, const pugi::xml_node& node, const char* child_name) {
     for (const pugi::xml_node& child : node.children()) {
         if (child.type() == pugi::node_element && child_name == std::string(child.name())) continue;
@@ -80,6 +93,7 @@ bool has_only(XmlReading& xml, const pugi::xml_node& node, const char* child_nam
 }
 
 void read_waveform_envelope(XmlReading& xml, const pugi::xml_node& node) {
+    check_attributes(xml, node, {"initialFrequencyHz"});
     if (!has_only(xml, node, "control-point")) return;
     const bool initial = !node.attribute("initialFrequencyHz").empty();
     double hz = initial ? attribute_number(xml, node, "initialFrequencyHz", kXmlHz)
@@ -87,6 +101,7 @@ void read_waveform_envelope(XmlReading& xml, const pugi::xml_node& node) {
     double amplitude_g = 0.0;
     const ActuatorMap& map = xml.file.map;
     for (const pugi::xml_node& point : node.children()) {
+        check_attributes(xml, point, {"amplitude", "frequencyHz", "durationMs"});
         const double share = attribute_number(xml, point, "amplitude", kShare);
         const double to_hz = attribute_number(xml, point, "frequencyHz", kXmlHz);
         const double to_g = map.full_scale_g * map.continuous_gain * share;
@@ -104,6 +119,7 @@ double felt_g(const ActuatorMap& map, double intensity) {
 }
 
 void read_basic_envelope(XmlReading& xml, const pugi::xml_node& node) {
+    check_attributes(xml, node, {"initialSharpness"});
     if (!has_only(xml, node, "control-point")) return;
     const ActuatorMap& map = xml.file.map;
     const bool initial = !node.attribute("initialSharpness").empty();
@@ -113,6 +129,7 @@ void read_basic_envelope(XmlReading& xml, const pugi::xml_node& node) {
     AmplitudeCurve intensities{{xml.voice.end_s, 0.0}};
     AmplitudeCurve sharpnesses{{xml.voice.end_s, sharpness}};
     for (const pugi::xml_node& point : node.children()) {
+        check_attributes(xml, point, {"intensity", "sharpness", "durationMs"});
         xml.voice.end_s += length_s_of(xml, point, 1.0);
         intensities.push_back({xml.voice.end_s, attribute_number(xml, point, "intensity", kShare)});
         sharpnesses.push_back({xml.voice.end_s, attribute_number(xml, point, "sharpness", kShare)});
@@ -131,6 +148,7 @@ void read_basic_envelope(XmlReading& xml, const pugi::xml_node& node) {
 }
 
 void read_entry(XmlReading& xml, const pugi::xml_node& entry) {
+    check_attributes(xml, entry, {"durationMs", "amplitude"});
     const bool own = entry.attribute("amplitude").value() == std::string("default");
     if (own) remark_once(xml.remarks, "the device's own amplitude is taken as 255");
     const double amplitude = own ? 255.0 : attribute_number(xml, entry, "amplitude", {0.0, 255.0});
@@ -141,14 +159,25 @@ void read_entry(XmlReading& xml, const pugi::xml_node& entry) {
             kUnknownHz);
 }
 
+void read_entries(XmlReading& xml, const pugi::xml_node& node) {
+    if (!has_only(xml, node, "waveform-entry")) return;
+    for (const pugi::xml_node& entry : node.children()) read_entry(xml, entry);
+    remark_once(xml.remarks, "165 Hz are guessed: such effects have no frequency");
+}
+
+void remark_repeats(XmlReading& xml) {
+    remark_once(xml.remarks, "repeats for ever in its player; once here");
+}
+
 void read_waveform(XmlReading& xml, const pugi::xml_node& node) {
+    check_attributes(xml, node, {});
     const double start_s = xml.voice.end_s;
     for (const pugi::xml_node& child : node.children()) {
         const std::string name = child.name();
         if (name == "repeating" && child == node.last_child()) {
-            if (!has_only(xml, child, "waveform-entry")) return;
-            remark_once(xml.remarks, "repeats for ever in its player; once here");
-            for (const pugi::xml_node& entry : child.children()) read_entry(xml, entry);
+            check_attributes(xml, child, {});
+            read_entries(xml, child);
+            remark_repeats(xml);
         } else if (name == "waveform-entry") {
             read_entry(xml, child);
         } else {
@@ -163,17 +192,47 @@ void read_waveform(XmlReading& xml, const pugi::xml_node& node) {
 
 void read_one(XmlReading& xml, const pugi::xml_node& node);
 
+// Entries of a waveform, or one effect.
+void read_part(XmlReading& xml, const pugi::xml_node& part) {
+    check_attributes(xml, part, {});
+    const pugi::xml_node first = part.first_child();
+    if (!first) return refuse_node(xml, part, "expected an effect, got none");
+    if (first.name() == std::string("waveform-entry")) return read_entries(xml, part);
+    if (first != part.last_child())
+        return refuse_node(xml, part, "expected one effect, got several");
+    read_one(xml, first);
+}
+
+// <repeating>, a <preamble> before it or none.
 void read_repeating(XmlReading& xml, const pugi::xml_node& node) {
+    check_attributes(xml, node, {});
+    const double start_s = xml.voice.end_s;
     for (const pugi::xml_node& child : node.children()) {
         const std::string name = child.name();
-        if (name != "preamble" && name != "repeating") {
-            return refuse_node(xml, node,
-                               "expected <preamble> and <repeating>, got " + in_quotes(name));
+        const bool fits = child == node.last_child()
+                              ? name == "repeating"
+                              : name == "preamble" && child == node.first_child();
+        if (!fits) {
+            return refuse_node(
+                xml, node,
+                "expected <preamble> or none and one <repeating>, got " + in_quotes(name));
         }
-        for (const pugi::xml_node& effect : child.children()) read_one(xml, effect);
+        read_part(xml, child);
     }
-    if (!node.child("repeating")) return refuse_node(xml, node, "expected <repeating>, got none");
-    remark_once(xml.remarks, "repeats for ever in its player; once here");
+    if (!node.first_child()) return refuse_node(xml, node, "expected <repeating>, got none");
+    if (!(xml.voice.end_s > start_s)) refuse_node(xml, node, "expected more than 0 ms");
+    remark_repeats(xml);
+}
+
+bool is_the_devices(const pugi::xml_node& node) {
+    const std::string name = node.name();
+    return name == "predefined-effect" || name == "primitive-effect" || name == "vendor-effect";
+}
+
+void refuse_as_the_devices(XmlReading& xml, const pugi::xml_node& node) {
+    xml.is_the_devices = xml.fault.empty();
+    refuse_node(xml, node,
+                "expected an envelope or a waveform; this one's course is the device's own");
 }
 
 void read_one(XmlReading& xml, const pugi::xml_node& node) {
@@ -183,65 +242,104 @@ void read_one(XmlReading& xml, const pugi::xml_node& node) {
     if (name == "basic-envelope-effect") return read_basic_envelope(xml, node);
     if (name == "waveform-effect" && !nested) return read_waveform(xml, node);
     if (name == "repeating-effect" && !nested) return read_repeating(xml, node);
-    if (name == "predefined-effect" || name == "primitive-effect" || name == "vendor-effect") {
-        return refuse_node(xml, node,
-                           "expected an envelope or a waveform; this one's course is the device's "
-                           "own");
-    }
+    if (is_the_devices(node)) return refuse_as_the_devices(xml, node);
     refuse_node(xml, node.parent(),
                 "expected waveform-envelope-effect, basic-envelope-effect, waveform-effect or "
                 "repeating-effect, got " +
                     in_quotes(name));
 }
 
-Expected<Effect> read_vibration(const pugi::xml_node& node, const std::string& name,
-                                const EffectFile& file) {
+struct Vibration {
+    std::optional<Effect> effect;  // none: the device's own, for this reason
+    std::string reason;
+};
+
+Expected<Vibration> read_vibration(const pugi::xml_node& node, const std::string& name,
+                                   const EffectFile& file) {
     XmlReading xml{file, {}, {}, {}};
-    if (!node.first_child()) refuse_node(xml, node, "expected an effect, got none");
-    if (node.first_child() != node.last_child()) {
-        refuse_node(xml, node, "expected one effect, got several");
-    }
-    if (xml.fault.empty()) read_one(xml, node.first_child());
+    check_attributes(xml, node, {});
+    const pugi::xml_node first = node.first_child();
+    if (!first) refuse_node(xml, node, "expected an effect, got none");
+    const bool several = first != node.last_child();
+    if (several && is_the_devices(first)) refuse_as_the_devices(xml, first);
+    if (several) refuse_node(xml, node, "expected one effect, got several");
+    if (xml.fault.empty()) read_one(xml, first);
+    if (xml.is_the_devices) return Vibration{std::nullopt, xml.fault};
     if (!xml.fault.empty()) return Error{xml.fault};
     Sketch sketch;
     sketch.unit_g = continuous_g(file.map, 1.0);
     sketch.voices.push_back(std::move(xml.voice));
-    return finished(file, name, sketch, std::move(xml.remarks));
+    auto effect = finished(file, name, sketch, std::move(xml.remarks));
+    if (!effect) return effect.error();
+    return Vibration{*std::move(effect), {}};
+}
+
+// What is wrong with what stands around the root, or empty.
+std::string root_fault(const pugi::xml_document& document) {
+    const pugi::xml_node root = document.document_element();
+    const std::string name = root.name();
+    if (name == "vibration") {
+        return "/: expected <vibration-effect> or <vibration-select>, got \"vibration\", as older "
+               "versions of Android have it";
+    }
+    if (name != "vibration-select" && name != "vibration-effect") {
+        return "/: expected <vibration-effect> or <vibration-select>, got " + in_quotes(name);
+    }
+    for (const pugi::xml_node& node : document.children()) {
+        if (node == root) continue;
+        const bool is_element = node.type() == pugi::node_element;
+        return "/: expected one <" + name + "> and nothing else, got " +
+               in_quotes(is_element ? node.name() : trimmed(node.value()));
+    }
+    return {};
+}
+
+Expected<Effects> read_select(const pugi::xml_node& root, const EffectFile& file) {
+    UnusedNames names;
+    Effects effects;
+    std::vector<std::string> reasons;
+    for (const pugi::xml_node& node : root.children()) {
+        if (node.name() != std::string("vibration-effect")) {
+            return Error{file.path + ": " + root.path() + ": expected <vibration-effect>, got " +
+                         in_quotes(node.name())};
+        }
+        auto vibration = read_vibration(node, names.unused(file.stem), file);
+        if (!vibration) return vibration.error();
+        if (vibration->effect) effects.push_back(*std::move(vibration->effect));
+        if (!vibration->reason.empty()) reasons.push_back(vibration->reason);
+    }
+    if (effects.empty() && !reasons.empty()) return Error{reasons.front()};
+    if (effects.empty()) {
+        return Error{file.path + ": " + root.path() + ": expected <vibration-effect>, got none"};
+    }
+    if (reasons.empty()) return effects;
+    effects.front().remarks.push_back(
+        grouped_digits(reasons.size()) +
+        " of its vibrations are left out: their courses are the device's own");
+    return effects;
 }
 
 }  // namespace
 
 Expected<Effects> read_android_xml(std::string_view text, const EffectFile& file) {
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
+    const pugi::xml_parse_result parsed =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment);
     if (!parsed) {
         const TextPosition at =
             position_of(text, std::min(static_cast<std::size_t>(parsed.offset), text.size()));
         return Error{file.path + ", line " + std::to_string(at.line) + ", column " +
                      std::to_string(at.column) + ": expected XML: " + parsed.description()};
     }
+    if (const std::string fault = root_fault(document); !fault.empty()) {
+        return Error{file.path + ": " + fault};
+    }
     const pugi::xml_node root = document.document_element();
-    UnusedNames names;
-    Effects effects;
-    const bool several = root.name() == std::string("vibration-select");
-    if (!several && root.name() != std::string("vibration-effect")) {
-        return Error{file.path + ": /: expected <vibration-effect> or <vibration-select>, got " +
-                     in_quotes(root.name())};
-    }
-    for (pugi::xml_node node = several ? root.first_child() : root; node;
-         node = several ? node.next_sibling() : pugi::xml_node()) {
-        if (node.name() != std::string("vibration-effect")) {
-            return Error{file.path + ": " + root.path() + ": expected <vibration-effect>, got " +
-                         in_quotes(node.name())};
-        }
-        auto effect = read_vibration(node, names.unused(file.stem), file);
-        if (!effect) return effect.error();
-        effects.push_back(*std::move(effect));
-    }
-    if (effects.empty()) {
-        return Error{file.path + ": " + root.path() + ": expected <vibration-effect>, got none"};
-    }
-    return effects;
+    if (root.name() == std::string("vibration-select")) return read_select(root, file);
+    auto vibration = read_vibration(root, file.stem, file);
+    if (!vibration) return vibration.error();
+    if (!vibration->effect) return Error{vibration->reason};
+    return Effects{*std::move(vibration->effect)};
 }
 
 }  // namespace tact

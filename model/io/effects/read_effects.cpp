@@ -28,8 +28,9 @@ constexpr std::array<EffectFormatTraits, 9> kFormats{
      {"hla", ".hla of Hapticlabs", "android"}}};
 
 char first_sign(std::string_view text) {
-    const std::string_view rest = trimmed(without_bom(text));
-    return rest.empty() ? '\0' : rest.front();
+    const std::string_view rest = without_bom(text);
+    const std::size_t first = rest.find_first_not_of(" \t\r\n\v\f");
+    return first == rest.npos ? '\0' : rest[first];
 }
 
 // Of the first entry of "Pattern" that has one: what AHAP and the first version of .he differ by.
@@ -104,8 +105,10 @@ EffectFile file_of(const std::string& path, EffectFormat format,
 }
 
 bool is_vibration_xml(std::string_view text) {
-    return text.find("<vibration-effect") != text.npos ||
-           text.find("<vibration-select") != text.npos;
+    constexpr std::array<std::string_view, 4> kRoots{"<vibration-effect", "<vibration-select",
+                                                     "<vibration>", "<vibration "};
+    return std::ranges::any_of(kRoots,
+                               [&](std::string_view root) { return text.find(root) != text.npos; });
 }
 
 Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
