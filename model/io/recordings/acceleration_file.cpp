@@ -40,6 +40,9 @@ std::string printed(const char* format, double value) {
 // an hour of seconds looks like ms.
 constexpr Range kPlainRateHz{kLowestRateHz, 1e4};
 
+constexpr Range kGravityMPerS2{9.5, 10.1};  // of a sensor at rest, its own errors included
+constexpr double kMuchG = 4.0;              // that few actuators reach
+
 // Where the table does not say, the unit in which the rate is plain. Steps of a whole number are
 // counted in it; a step of 0.02 may be 50 Hz in seconds as well as 50 kHz in ms, and is refused.
 Expected<double> time_unit_s(const AccelerationTable& table, double mean_step,
@@ -232,15 +235,34 @@ bool is_constant(const Samples& samples) {
     return least == most;
 }
 
+double mean_length(const std::vector<Samples>& axes) {
+    double squares = 0.0;
+    for (const Samples& samples : axes) {
+        double sum = 0.0;
+        for (const double sample : samples) sum += sample;
+        const double mean = sum / static_cast<double>(samples.size());
+        squares += mean * mean;
+    }
+    return std::sqrt(squares);
+}
+
+double swing_of(const Samples& samples) {
+    const auto [least, most] = std::ranges::minmax(samples);
+    return (most - least) / 2.0;
+}
+
 // What is wrong with the values, or empty.
 std::string values_fault(const Axes& axes) {
     if (std::ranges::all_of(axes.samples, is_constant)) {
         return "expected a recording, got silence: all samples are alike";
     }
     if (!axes.is_assumed) return {};
+    if (const double still = mean_length(axes.samples); kGravityMPerS2.contains(still)) {
+        return "expected a name that says the unit (\"x (m/s2)\"): a mean of " +
+               significant_digits(still, 3) + " is gravity in m/s2, no vibration in g";
+    }
     for (const Samples& samples : axes.samples) {
-        const auto [least, most] = std::ranges::minmax(samples);
-        const double swing = (most - least) / 2.0;
+        const double swing = swing_of(samples);
         if (swing <= limits::kAmplitudeG.high) continue;
         return "expected a name that says the unit (\"x (g)\"): swings of " +
                significant_digits(swing, 4) +
@@ -270,6 +292,12 @@ void remark_on(const Axes& axes, std::vector<std::string>& remarks) {
     if (at_rail > 0) {
         remarks.push_back(grouped_digits(at_rail) +
                           " samples look cut off, at the limit of the sensor");
+    }
+    double swing = 0.0;
+    for (const Samples& samples : axes.samples) swing = std::max(swing, swing_of(samples));
+    if (axes.is_assumed && swing > kMuchG) {
+        remarks.push_back("swings of " + significant_digits(swing, 3) +
+                          " are much for g: these may be m/s2");
     }
     // A sensor's own filter begins below half its rate.
     constexpr double kUsable = 0.4;

@@ -141,7 +141,13 @@ std::pair<std::string, std::string> word_and_unit(const std::string& name) {
     // "Beschleunigung in m/s2", "time in ms".
     const std::size_t in = text.rfind(" in ");
     if (in != text.npos) return {text.substr(0, in), std::string(trimmed(text.substr(in + 4)))};
-    if (is_unit_name(text)) return {text, text};
+    if (is_unit_name(text) || (text.size() > 1 && is_unit_word(text))) return {text, text};
+    // "t/ms", "a / m/s2", "acc g": what stands last.
+    for (const std::size_t cut : {text.find('/'), text.rfind(' ')}) {
+        if (cut == text.npos || cut == 0) continue;
+        const std::string end(trimmed(text.substr(cut + 1)));
+        if (is_unit_word(end)) return {std::string(trimmed(text.substr(0, cut))), end};
+    }
     return {text, ""};
 }
 

@@ -132,7 +132,15 @@ Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::strin
     auto wave = std::make_unique<OpenWave>();
     wave->memory.bytes = std::move(stream).str();
     wave->sound.reset(open_for_reading(wave->memory, wave->info));
-    if (!wave->sound) return Error{name + ": expected a WAV file: " + sf_strerror(nullptr)};
+    if (!wave->sound) {
+        const std::string why = sf_strerror(nullptr);
+        // What the library says of a header without a rate, or with samples in two places.
+        const bool is_about_itself = why.find("SF_INFO") != why.npos;
+        return Error{name + ": expected a WAV file" +
+                     (is_about_itself
+                          ? " whose header has a rate, channels and one block of samples"
+                          : ": " + why)};
+    }
     return wave;
 }
 

@@ -59,6 +59,10 @@ TEST_CASE("wave size: a length that the writer of a stream left open is accepted
     CHECK(fault(bytes).empty());
     bytes.replace(size_at, 4, std::string(4, '\0'));
     CHECK(fault(bytes) == "expected at least one sample, got none");
+    // So has one that left open how long the whole is; but then there have to be samples.
+    bytes.replace(4, 4, std::string(4, '\0'));
+    CHECK(fault(bytes).empty());
+    CHECK(fault(bytes.substr(0, size_at + 4)) == "expected at least one sample, got none");
 }
 
 TEST_CASE("wave size: other files are none") {
