@@ -31,12 +31,11 @@ inline double strength_g(const Waveform& waveform, double t_s) {
 
 // How far the strength of what came back is from any that was meant within 1 ms, where what was
 // meant is well above threshold.
-inline double largest_db(const Pattern& meant, const Pattern& back) {
+inline double largest_db(const Waveform& asked, const Waveform& got) {
     constexpr double kFelt = 0.1;
-    const Waveform asked = render(meant);
-    const Waveform got = render(back);
+    const double duration_s = static_cast<double>(asked.samples_g.size()) / kModelRateHz;
     double worst_db = 0.0;
-    for (double t_s = 0.0; t_s < meant.duration_s; t_s += 0.007) {
+    for (double t_s = 0.0; t_s < duration_s; t_s += 0.007) {
         const double got_db = 20.0 * std::log10(std::max(strength_g(got, t_s), 1e-9));
         double low_db = 1e9;
         double high_db = -1e9;
@@ -49,6 +48,10 @@ inline double largest_db(const Pattern& meant, const Pattern& back) {
         worst_db = std::max({worst_db, low_db - got_db, got_db - high_db});
     }
     return worst_db;
+}
+
+inline double largest_db(const Pattern& meant, const Pattern& back) {
+    return largest_db(render(meant), render(back));
 }
 
 }  // namespace tact::strength_off

@@ -61,6 +61,42 @@ PatternSet designed() {
 
 }  // namespace
 
+TEST_CASE("gap: what is drawn around a number that no slider reaches stays around it") {
+    PatternSet set;
+    set.duration_s = 0.2;
+    Vibration vibration;
+    vibration.name = "far out";
+    Pattern pattern;
+    pattern.duration_s = 0.2;
+    pattern.amplitude_g = 20.0;
+    pattern.carriers[0].frequency_hz = 5.0;
+    pattern.carriers.push_back({900.0, 6.0, 0.0});
+    pattern.modulation.frequency_hz = 600.0;
+    pattern.attack_s = 3.0;
+    pattern.release_s = 2.0;
+    vibration.source = pattern;
+    set.vibrations.push_back(vibration);
+    for (const PatternParameter free :
+         {PatternParameter::amplitude, PatternParameter::carrier, PatternParameter::second_carrier,
+          PatternParameter::mix, PatternParameter::modulation, PatternParameter::attack,
+          PatternParameter::release}) {
+        CAPTURE(traits(free).key);
+        const double own = *value_of(pattern, free);
+        const GapCandidates drawn = gap_candidates(set, {0}, {free}, 7);
+        REQUIRE(!drawn.patterns.empty());
+        bool is_higher = false;
+        bool is_lower = false;
+        for (const Pattern& one : drawn.patterns) {
+            const double value = *value_of(one, free);
+            CHECK(steps_between(set.felt_steps, free, own, value) <= kFarthestDrawnSteps + 1e-9);
+            is_higher = is_higher || value > own;
+            is_lower = is_lower || value < own;
+        }
+        CHECK(is_higher);
+        CHECK(is_lower);
+    }
+}
+
 TEST_CASE("gap: no candidate is farther from all picked ones than the one that is proposed") {
     for (unsigned seed = 0; seed < 40; ++seed) {
         const std::size_t picked = 1 + seed % 5;

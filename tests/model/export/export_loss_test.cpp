@@ -165,6 +165,55 @@ TEST_CASE("export loss: what the target silences is named, and neither kept nor 
     CHECK(none.no_subset.starts_with("too few patterns can be felt on the target: 5 to pick"));
 }
 
+// For each format its own actuator, one that plays no transients, one that plays nothing else, and
+// one so weak that little is felt.
+std::vector<ExportTarget> hard_targets() {
+    std::vector<ExportTarget> all;
+    for (const TargetTraits& format : target_formats()) {
+        const ExportTarget own = own_target(*target_format_of(format.key));
+        for (std::size_t which = 0; which < 4; ++which) {
+            ExportTarget target = own;
+            if (which == 1) target.map.transient_gain = 0.0;
+            if (which == 2) target.map.continuous_gain = 0.0;
+            if (which == 3) target.map.full_scale_g = 0.01;
+            all.push_back(target);
+            if (is_sampled(target.format)) break;
+        }
+    }
+    return all;
+}
+
+TEST_CASE("export loss: in no format is anything silent kept, recommended, or unsaid" *
+          doctest::test_suite("long")) {
+    PatternSet set;
+    set.vibrations = {tone("low", 0.5, 80.0), tone("high", 0.5, 420.0),
+                      tone("pulses", 0.5, 80.0, "x-"), tone("faint", 0.02, 200.0)};
+    for (const double time_s : {0.0, 0.03}) {
+        Pattern taps = std::get<Pattern>(tone("taps", 0.0, 80.0).source);
+        taps.transients = {{time_s, 0.8, 120.0, 0.005}};
+        Vibration tapping;
+        tapping.name = "tap " + std::to_string(time_s);
+        tapping.source = taps;
+        set.vibrations.push_back(tapping);
+    }
+    ExportLossOptions options;
+    options.subset_count = 3;
+    for (const ExportTarget& target : hard_targets()) {
+        CAPTURE(traits(target.format).key);
+        CAPTURE(target.map.transient_gain);
+        CAPTURE(target.map.continuous_gain);
+        CAPTURE(target.map.full_scale_g);
+        const ExportLoss loss = loss_of(set, target, options);
+        const std::vector<std::size_t> best = best_for_target(loss);
+        for (std::size_t k = 0; k < loss.patterns.size(); ++k) {
+            if (!loss.patterns[k].silenced) continue;
+            CHECK(loss.patterns[k].remarks.back() == kSilenced);
+            CHECK_FALSE(std::ranges::binary_search(best, k));
+        }
+        if (!loss.subset) CHECK_FALSE(loss.no_subset.empty());
+    }
+}
+
 TEST_CASE("export loss: what is best for the target is what the exported set by itself says") {
     const PatternSet set = six_tones();
     const ExportTarget target = one_frequency(150.0);

@@ -159,6 +159,36 @@ TEST_CASE("written: no loss is silent" * doctest::test_suite("long")) {
     CHECK(lossless > 10);
 }
 
+TEST_CASE("written: samples lose nothing in silence, at any rate and in any encoding" *
+          doctest::test_suite("long")) {
+    std::mt19937 random(41);
+    int quiet = 0;
+    for (int k = 0; k < 20; ++k) {
+        CAPTURE(k);
+        const Pattern pattern = wild_pattern(random);
+        for (const TargetFormat format : {TargetFormat::wav, TargetFormat::csv}) {
+            for (const double rate_hz : {10'000.0, 44'100.0, 48'000.0}) {
+                for (const auto encoding :
+                     {WaveEncoding::int16, WaveEncoding::int24, WaveEncoding::float32}) {
+                    CAPTURE(rate_hz);
+                    CAPTURE(static_cast<int>(encoding));
+                    ExportTarget target = own_target(format);
+                    target.sampled = {rate_hz, encoding, 0.0};
+                    const ExportedPattern made = exported(pattern, "odd", target);
+                    if (!says_nothing(made)) continue;
+                    ++quiet;
+                    const Waveform& back = *std::get<Measurement>(made.back).waveform;
+                    const Waveform meant = render(pattern);
+                    CHECK(std::abs(static_cast<double>(back.samples_g.size()) -
+                                   static_cast<double>(meant.samples_g.size())) <= 10.0);
+                    CHECK(strength_off::largest_db(meant, back) <= 0.1 + strength_off::kOtherWayDb);
+                }
+            }
+        }
+    }
+    CHECK(quiet > 300);
+}
+
 // Zeros of a product lie between the whole ms of .he and the ticks of HJIF: that is said there.
 TEST_CASE("written: a slow modulation is held to 0.1 dB wherever points can hold it") {
     for (const double hz : {1.3, 5.0, 8.0, 10.0, 12.4, 15.0, 20.0, 24.0}) {
