@@ -37,6 +37,7 @@ struct CommonOptions {
 struct RatingFiles {
     std::vector<std::filesystem::path> files;  // of one set all; else a file or folder each
     std::string scale = "guess";               // guess, similarity, dissimilarity
+    std::string columns;                       // "a=stimA,b=stimB,.."; empty: the usual ones
     CountRule who;                             // participants by name
 };
 

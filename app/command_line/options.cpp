@@ -82,6 +82,9 @@ void add_ratings(CLI::App& command, RatingFiles& ratings) {
         .add_option("--scale", ratings.scale,
                     "what a high rating means: similarity (0-100), dissimilarity, or guess")
         ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+    command.add_option("--columns", ratings.columns,
+                       "which columns of --ratings hold what, where they go by other names than "
+                       "usual: a=stimA,b=stimB,rating=slider.response,participant=pid");
     add_who_counts(command, ratings.who);
 }
 

@@ -42,7 +42,9 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
                               std::span<const fs::path> files, const RatingFiles& how) {
     if (files.empty()) return own_ratings(set, path, how.who);
-    Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who);
+    const Expected<AnswerColumns> columns = answer_columns(how.columns);
+    if (!columns) return Error{"--columns: " + columns.error().message};
+    Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who, *columns);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     Expected<RatingStudy> study = matched(loaded->study, names_of(set));

@@ -227,13 +227,78 @@ void give_corner(std::vector<CsvRecord>& records) {
     head.insert(head.begin(), "");
 }
 
+// Gives the columns that somebody named this program's names, which no other column may have then;
+// what is wrong, or empty.
+std::string call_columns(OwnAnswers& own, const AnswerColumns& named) {
+    CsvRecord& head = own.records.front();
+    std::vector<std::string> fresh = head.fields;
+    for (const auto& [own_name, name] : {std::pair{"a", &named.a},
+                                         {"b", &named.b},
+                                         {"rating", &named.rating},
+                                         {"participant", &named.participant}}) {
+        if (name->empty()) continue;
+        const auto found = std::ranges::find_if(
+            head.fields, [&](const std::string& cell) { return trimmed(cell) == *name; });
+        if (found == head.fields.end()) {
+            return "expected a column " + in_quotes(*name) + ", the columns are " +
+                   column_names(head);
+        }
+        for (std::size_t k = 0; k < fresh.size(); ++k) {
+            const bool is_it = head.fields.begin() + static_cast<std::ptrdiff_t>(k) == found;
+            if (is_it) fresh[k] = own_name;
+            if (!is_it && known_form(head.fields[k]) == own_name) fresh[k] += " (not read)";
+        }
+    }
+    head.fields = std::move(fresh);
+    return {};
+}
+
 }  // namespace
 
-OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect) {
+std::string column_names(const CsvRecord& head) {
+    constexpr std::size_t kMost = 12;
+    std::string names;
+    for (std::size_t k = 0; k < std::min(head.fields.size(), kMost); ++k) {
+        names += (k == 0 ? "" : ", ") + shortened(trimmed(head.fields[k]));
+    }
+    if (head.fields.size() > kMost) {
+        names += " and " + grouped_digits(head.fields.size() - kMost) + " more";
+    }
+    return names;
+}
+
+Expected<AnswerColumns> answer_columns(std::string_view text) {
+    AnswerColumns columns;
+    const auto place_of = [&columns](std::string_view key) -> std::string* {
+        if (key == "a") return &columns.a;
+        if (key == "b") return &columns.b;
+        if (key == "rating") return &columns.rating;
+        return key == "participant" ? &columns.participant : nullptr;
+    };
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(text.size(), part.size() + 1));
+        const std::size_t equals = part.find('=');
+        const std::string_view key = trimmed(part.substr(0, equals));
+        std::string* place = equals == part.npos ? nullptr : place_of(key);
+        const std::string name{equals == part.npos ? "" : trimmed(part.substr(equals + 1))};
+        if (place == nullptr || name.empty() || !place->empty()) {
+            return Error{"expected a, b, rating and participant, each once as NAME=COLUMN, got " +
+                         in_quotes(part)};
+        }
+        *place = name;
+    }
+    return columns;
+}
+
+OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect,
+                       const AnswerColumns& named) {
     OwnAnswers own;
     tidy(records, dialect);
     own.records = std::move(records);
     if (own.records.empty()) return own;
+    own.fault = call_columns(own, named);
+    if (!own.fault.empty()) return own;
     give_corner(own.records);
     if (auto lines = lines_of_wide(own.records)) {
         own.records = *std::move(lines);

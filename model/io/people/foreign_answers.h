@@ -12,20 +12,37 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "model/common/expected.h"
 #include "model/io/people/rating_scale.h"
 #include "model/table/dialect.h"
 #include "model/text/csv.h"
 
 namespace tact {
 
+// The columns that somebody named; an empty one goes by its usual names.
+struct AnswerColumns {
+    std::string a, b, rating, participant;
+
+    bool operator==(const AnswerColumns&) const = default;
+};
+
+// From "a=stimA,b=stimB,rating=slider.response,participant=pid": any of them, once.
+Expected<AnswerColumns> answer_columns(std::string_view text);
+
 struct OwnAnswers {
     std::vector<CsvRecord> records;
-    std::vector<std::string> remarks;        // sentences without a full stop
+    std::string fault;                 // a named column that is not there; then nothing else counts
+    std::vector<std::string> remarks;  // sentences without a full stop
     RatingScale scale = RatingScale::guess;  // as the name of the column says it
 };
 
-OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect);
+OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect,
+                       const AnswerColumns& named = {});
+
+// The names of columns, for a sentence: "rt, stimulus, response".
+std::string column_names(const CsvRecord& head);
 
 }  // namespace tact

@@ -199,8 +199,9 @@ Expected<Done> take_file(RatingsText& all, RatingsText more) {
 }  // namespace
 
 Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& file,
-                                      RatingScale scale, const CountRule& who) {
-    auto reading = ratings_text(text, file);
+                                      RatingScale scale, const CountRule& who,
+                                      const AnswerColumns& columns) {
+    auto reading = ratings_text(text, file, columns);
     if (!reading) return reading.error();
     if (const std::string fault = fault_of_size(reading->study); !fault.empty()) {
         return Error{file + ": " + fault};
@@ -210,7 +211,7 @@ Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& 
 }
 
 Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScale scale,
-                                     const CountRule& who) {
+                                     const CountRule& who, const AnswerColumns& columns) {
     const auto studies = std::ranges::count_if(paths, is_study);
     if (studies > 0 && studies == std::ssize(paths)) return read_records(paths, who);
     std::vector<fs::path> files;
@@ -224,7 +225,7 @@ Expected<LoadedRatings> read_ratings(std::span<const fs::path> paths, RatingScal
     for (const fs::path& file : files) {
         const auto text = read_text_file(file);
         if (!text) return text.error();
-        auto reading = ratings_text(*text, file.string());
+        auto reading = ratings_text(*text, file.string(), columns);
         if (!reading) return reading.error();
         name_participants(reading->study, file, files.size() == 1);
         if (!all) {

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/io/people/foreign_answers.h"
 #include "model/io/people/rating_scale.h"
 #include "model/study/who_counts.h"
 
@@ -43,12 +44,14 @@ struct LoadedRatings {
 };
 
 Expected<LoadedRatings> parse_ratings(std::string_view text, const std::string& file,
-                                      RatingScale scale, const CountRule& who = {});
+                                      RatingScale scale, const CountRule& who = {},
+                                      const AnswerColumns& columns = {});
 
 // Several files as one study of the first one's patterns; a folder stands for its .csv and .txt
 // files, or of a study's report for kAnswersFile. The scale is guessed of all together. Or
 // participants' files of a study (study_file.h), and folders of them, which say all by themselves.
 Expected<LoadedRatings> read_ratings(std::span<const std::filesystem::path> paths,
-                                     RatingScale scale, const CountRule& who = {});
+                                     RatingScale scale, const CountRule& who = {},
+                                     const AnswerColumns& columns = {});
 
 }  // namespace tact

@@ -158,7 +158,8 @@ Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord
 }
 
 // As they stand there, or as other programs' answers are understood; the remarks go into `into`.
-Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view bytes) {
+Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view bytes,
+                                            const AnswerColumns& columns) {
     const TableText table = table_text(std::string(bytes));
     const TableDialect dialect = dialect_of(table.text);
     CsvReader reader = reader_of(table.text, dialect);
@@ -175,7 +176,8 @@ Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view 
                        "expected numbers of which one decimal sign can be told, got commas before "
                        "three digits, which may be thousands");
     }
-    OwnAnswers own = own_answers(std::move(records), dialect);
+    OwnAnswers own = own_answers(std::move(records), dialect, columns);
+    if (!own.fault.empty()) return at_line(into, own.records.front().line, own.fault);
     if (own.records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
     const std::string words = words_on(dialect, table.encoding);
     const bool is_bare = words == "blanks between cells";
@@ -195,10 +197,11 @@ std::string passes_fault(std::size_t passes, std::size_t patterns, std::size_t t
            " pairs, got " + grouped_digits(passes);
 }
 
-Expected<RatingsText> ratings_text(std::string_view text, const std::string& file) {
+Expected<RatingsText> ratings_text(std::string_view text, const std::string& file,
+                                   const AnswerColumns& columns) {
     RatingsText into;
     into.file = file;
-    const auto records = records_of(into, text);
+    const auto records = records_of(into, text, columns);
     if (!records) return records.error();
     const std::vector<std::string> remarks = into.remarks;
     const RatingScale scale = into.scale;
@@ -215,6 +218,17 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     const std::string_view corner = trimmed(head.fields[0]);
     const bool has_names =
         head.fields.size() > 1 && (corner.empty() || corner.starts_with(kSyntheticMark));
+    const bool are_words =
+        head.fields.size() > 1 && std::ranges::none_of(head.fields, [](const std::string& cell) {
+            return rating_in(cell).has_value();
+        });
+    if (!has_columns && !has_names && are_words) {
+        return at_line(into, head.line,
+                       "expected the columns a, b and rating, or a square of names; the columns "
+                       "are " +
+                           column_names(head) +
+                           "; call them so, or say --columns a=..,b=..,rating=.. in a terminal");
+    }
     auto answer = is_sorted     ? ratings_of_sortings(file, *records, text.size())
                   : has_columns ? ratings_of_lines(file, *records, text.size())
                   : has_names   ? labelled_square(std::move(into), *records)

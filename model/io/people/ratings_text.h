@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/io/people/foreign_answers.h"
 #include "model/io/people/rating_scale.h"
 #include "model/study/ratings.h"
 #include "model/text/csv.h"
@@ -42,7 +43,8 @@ struct RatingsText {
     std::vector<std::string> remarks{};  // sentences without a full stop
 };
 
-Expected<RatingsText> ratings_text(std::string_view text, const std::string& file);
+Expected<RatingsText> ratings_text(std::string_view text, const std::string& file,
+                                   const AnswerColumns& columns = {});
 
 // Its form with a line a rating; the first record names the columns. `text_bytes` of the whole.
 Expected<RatingsText> ratings_of_lines(const std::string& file,

@@ -149,6 +149,37 @@ TEST_CASE("foreign answers: what is no rating is refused by its words, names of 
     CHECK(mixed->study.labels == std::vector<std::string>{"x.wav", "y"});
 }
 
+TEST_CASE("foreign answers: columns under any name are read where they are named") {
+    const auto columns =
+        answer_columns("a = Left one, b=Right one,rating=how far, participant=code");
+    REQUIRE(columns);
+    CHECK(columns->a == "Left one");
+    const std::string text = table("code,a,Left one,Right one,how far", [](const Answer& one) {
+        return std::string("S1,x,") + one.a + "," + one.b + "," + one.rating;
+    });
+    const auto read = parse_ratings(text, "r.csv", RatingScale::dissimilarity, {}, *columns);
+    REQUIRE_MESSAGE(read, read.error().message);
+    CHECK(read->study.labels == kNames);
+    CHECK(read->study.judgements[0].participant == "S1");
+    CHECK(read->study.judgements[0].condensed == std::vector<double>{10, 35, 90.5, 25, 80, 43});
+
+    AnswerColumns nobody;
+    nobody.a = "Nobody";
+    const auto unknown = parse_ratings(text, "r.csv", RatingScale::guess, {}, nobody);
+    REQUIRE_FALSE(unknown);
+    CHECK(unknown.error().message ==
+          "r.csv:1: expected a column \"Nobody\", the columns are code, a, Left one, Right one, "
+          "how far");
+    const auto foreign = parse_ratings("one,other,how far\nx,y,3\n", "r.csv", RatingScale::guess);
+    REQUIRE_FALSE(foreign);
+    CHECK(contains(foreign.error().message, "the columns are one, other, how far"));
+    for (const char* wrong : {"a", "a=", "c=x", "a=x,a=y", "=x"}) {
+        CAPTURE(wrong);
+        CHECK_FALSE(answer_columns(wrong));
+    }
+    CHECK(*answer_columns("") == AnswerColumns{});
+}
+
 TEST_CASE("foreign answers: a column of similarities says which way its numbers run") {
     const auto read =
         parse_ratings("stim1,stim2,similarity\na,b,90\na,c,20\n", "r.csv", RatingScale::guess);
