@@ -9,6 +9,7 @@
 #include "model/signal/dft321.h"
 #include "model/signal/resample.h"
 #include "model/signal/waveform.h"
+#include "model/table/dialect.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
@@ -28,6 +29,7 @@ struct Axes {
     std::vector<Samples> samples;
     AccelerationUnit unit = AccelerationUnit::g;
     bool is_assumed = false;  // nothing says the unit
+    std::vector<std::string> names{};
 };
 
 std::string printed(const char* format, double value) {
@@ -107,12 +109,16 @@ Expected<double> rate_of(AccelerationTable& table, std::vector<std::string>& rem
 }
 
 // What is wrong with the number of axes, or empty.
-std::string axes_fault(std::size_t count, std::size_t axis) {
+std::string axes_fault(std::size_t count, std::size_t axis,
+                       const std::vector<std::string>& names = {}) {
     if (axis > count) {
         return "expected axis " + std::to_string(axis) + ", got a file of " + std::to_string(count);
     }
     if (axis == 0 && count != 1 && count != 3) {
-        return "expected 1 or 3 axes, got " + std::to_string(count) + ": one has to be chosen";
+        std::string all;
+        for (const std::string& name : names) all += (all.empty() ? " (" : ", ") + name;
+        return "expected 1 or 3 axes, got " + std::to_string(count) + all +
+               (all.empty() ? "" : ")") + ": one has to be chosen";
     }
     return {};
 }
@@ -133,8 +139,9 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
                           std::vector<std::string>& remarks) {
     auto text = read_text_file(path, kMaxTableBytes);
     if (!text) return text.error();
-    auto table = parse_acceleration_table(*text, path.string(), !options.rate_hz);
-    text = std::string();  // what follows needs the memory
+    TableText decoded = table_text(*std::move(text));
+    auto table = parse_acceleration_table(decoded.text, path.string(), !options.rate_hz);
+    decoded = {};  // what follows needs the memory
     if (!table) return table.error();
     Axes axes;
     if (options.rate_hz) {
@@ -153,8 +160,10 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
     axes.is_assumed = !options.unit && !table->unit;
     if (axes.is_assumed) remarks.emplace_back("accelerations taken as g");
     axes.unit = options.unit.value_or(table->unit.value_or(AccelerationUnit::g));
+    axes.names = std::move(table->axis_names);
     axes.samples = std::move(table->axes);
-    if (const auto fault = axes_fault(axes.samples.size(), options.axis); !fault.empty()) {
+    if (const auto fault = axes_fault(axes.samples.size(), options.axis, axes.names);
+        !fault.empty()) {
         return Error{path.string() + ": " + fault};
     }
     if (options.axis > 0) axes.samples = {std::move(axes.samples[options.axis - 1])};

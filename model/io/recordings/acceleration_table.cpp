@@ -43,9 +43,35 @@ std::optional<double> number_in(std::string field, char separator) {
     return finite_number_in(field);
 }
 
+// "2026-01-02T10:00:00.001000" as seconds, whose zero is nobody's concern; nothing where it is no
+// such time. The zone behind it is the same throughout a recording.
+std::optional<double> clock_s(std::string_view field) {
+    field = trimmed(field);
+    constexpr std::string_view kShape = "0000-00-00T00:00:00";
+    if (field.size() < kShape.size()) return std::nullopt;
+    for (std::size_t k = 0; k < kShape.size(); ++k) {
+        const bool is_digit = field[k] >= '0' && field[k] <= '9';
+        const bool fits = kShape[k] == '0'   ? is_digit
+                          : kShape[k] == 'T' ? field[k] == 'T' || field[k] == ' '
+                                             : field[k] == kShape[k];
+        if (!fits) return std::nullopt;
+    }
+    const auto part = [field](std::size_t from, std::size_t count) {
+        return finite_number_in(field.substr(from, count)).value_or(0.0);
+    };
+    const std::size_t end = std::min(field.find_first_not_of("0123456789.,", 17), field.size());
+    std::string seconds(field.substr(17, end - 17));
+    std::ranges::replace(seconds, ',', '.');
+    const std::optional<double> s = finite_number_in(seconds);
+    if (!s) return std::nullopt;
+    // Days of a month count as if each had 31: a recording over its end is refused as uneven.
+    const double days = 372.0 * (part(0, 4) - 2000.0) + 31.0 * part(5, 2) + part(8, 2);
+    return 86'400.0 * days + 3600.0 * part(11, 2) + 60.0 * part(14, 2) + *s;
+}
+
 // A number or what stands for a missing one: such a line is no heading.
 bool is_like_a_number(const std::string& field, char separator) {
-    if (number_in(field, separator)) return true;
+    if (number_in(field, separator) || clock_s(field)) return true;
     const std::string word = lower(std::string(trimmed(field)));
     return word == "nan" || word == "inf" || word == "-inf" || word == "-nan";
 }
@@ -183,13 +209,28 @@ bool is_time(const std::string& word) {
 // Names that stand for an axis in loggers' files; others ("sample", "temperature") are passed over
 // where some of these are there.
 bool is_axis(const std::string& word) {
+    if (word.empty()) return false;
     for (const char* letter : {"x", "y", "z"}) {
         for (const char* prefix : {"", "a", "acc", "acc ", "acc_", "accel_", "accel ", "accel",
                                    "acceleration ", "acceleration_", "axis "}) {
             if (word == std::string(prefix) + letter) return true;
         }
     }
+    // "linear acceleration x", "user acc y"; forces in g: "gfx".
+    const std::string_view last = std::string_view(word).substr(word.size() - 1);
+    const bool is_letter = last == "x" || last == "y" || last == "z";
+    const bool is_of_acceleration = word.find("acc") != word.npos || word.starts_with("gf");
+    const bool is_apart = word.size() > 1 && (word[word.size() - 2] == ' ' || word.size() == 3);
+    if (is_letter && is_of_acceleration && is_apart) return true;
     return word.starts_with("acc") || word == "a" || word == "g" || word.starts_with("volt");
+}
+
+// Made of the axes, and none itself.
+bool is_total(const std::string& word) {
+    for (const char* begin : {"abs", "total", "norm", "magnitude", "resultant", "tgf", "|a|"}) {
+        if (word.starts_with(begin)) return true;
+    }
+    return false;
 }
 
 bool is_digits(std::string_view text) {
@@ -234,6 +275,16 @@ std::string settle_commas(const CsvReader& numbers, Layout& layout) {
            "between columns: these commas may be decimal ones";
 }
 
+// One number a line, under names of which the first is that of a time.
+bool has_times_alone(const Layout& layout) {
+    if (layout.columns != 1 || layout.heading.empty()) return false;
+    for (const char separator : {';', '\t', ','}) {
+        const Fields names = record_of(layout.heading, separator).fields;
+        if (names.size() > 1) return is_time(word_and_unit(names[0]).first);
+    }
+    return is_time(word_and_unit(std::string(layout.heading)).first);
+}
+
 Columns columns_of(const Layout& layout) {
     Columns columns;
     std::vector<std::size_t> others;
@@ -243,7 +294,7 @@ Columns columns_of(const Layout& layout) {
             columns.time = k;
         } else if (is_axis(word)) {
             columns.axes.push_back(k);
-        } else {
+        } else if (!is_total(word)) {
             others.push_back(k);
         }
     }
@@ -301,7 +352,13 @@ std::string take(const CsvRecord& record, TableReading& reading) {
     for (std::size_t a = 0; a < columns.axes.size(); ++a) {
         number(columns.axes[a], "a finite number", table.axes[a]);
     }
-    if (columns.time) number(*columns.time, "a time", table.time);
+    const auto clock = columns.time ? clock_s(record.fields[*columns.time]) : std::nullopt;
+    if (clock) {
+        table.time.push_back(*clock);
+        table.time_unit_s = 1.0;
+    } else if (columns.time) {
+        number(*columns.time, "a time", table.time);
+    }
     const std::size_t rows = table.axes.front().size();
     if (fault.empty() && rows > kMaxDecodedSamples / (columns.axes.size() + 1)) {
         return "expected at most " + grouped_digits(kMaxDecodedSamples) + " numbers in all";
@@ -358,6 +415,14 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
     reader.separator = reading.layout.separator;
     reading.columns = columns_of(reading.layout);
     AccelerationTable& table = reading.table;
+    const auto& names = reading.layout.names;
+    if (has_times_alone(*layout)) {
+        return at_line(file, layout->first_line,
+                       "expected accelerations behind the times, got times alone");
+    }
+    for (const std::size_t axis : reading.columns.axes) {
+        if (!names.empty()) table.axis_names.emplace_back(trimmed(names[axis]));
+    }
     table.axes.resize(reading.columns.axes.size());
     if (const auto fault = take_units(reading.layout, reading.columns, table); !fault.empty()) {
         return at_line(file, layout->first_line, fault);

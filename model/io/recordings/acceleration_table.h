@@ -32,8 +32,9 @@ struct AccelerationTable {
     std::vector<double> time;           // as it is written; empty: no column of it
     std::optional<double> time_unit_s;  // that its name says
     std::vector<std::vector<double>> axes;
-    std::optional<AccelerationUnit> unit;  // that the names of the axes say ...
-    std::string unit_column;               // ... and the first of them that does
+    std::optional<AccelerationUnit> unit;   // that the names of the axes say ...
+    std::string unit_column;                // ... and the first of them that does
+    std::vector<std::string> axis_names{};  // of the columns; empty: they have none
 };
 
 inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 28;

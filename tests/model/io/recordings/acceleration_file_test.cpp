@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "model/signal/resample.h"
@@ -137,6 +138,58 @@ TEST_CASE("acceleration file: columns beside the axes are passed over") {
     REQUIRE_MESSAGE(recording, recording.error().message);
     CHECK(std::abs(recording->waveform.samples_g[0] - 1.0) < 1e-12);
     CHECK(std::abs(recording->waveform.samples_g[1] + 1.0) < 1e-12);
+}
+
+TEST_CASE("acceleration file: a total of the axes is none of them, and others are named") {
+    const Case files;
+    const auto wide = [](const std::string& heading, std::size_t axes) {
+        return table(heading, ",", 1.0, 0.0, 1.0, axes);
+    };
+    const auto three = files.read(wide("t,x (g),y (g),z (g)\n", 3));
+    REQUIRE(three);
+    for (const char* heading :
+         {"Time (s),Linear Acceleration x (g),Linear Acceleration y (g),Linear Acceleration z (g),"
+          "Absolute acceleration (g)\n",
+          "time,gFx,gFy,gFz,TgF\n", "time,user acc x,user acc y,user acc z,Magnitude\n"}) {
+        CAPTURE(heading);
+        const auto read = files.read(wide(heading, 4));
+        REQUIRE_MESSAGE(read, read.error().message);
+        CHECK(read->waveform.samples_g == three->waveform.samples_g);
+    }
+    CHECK(contains(files.fault(wide("t,north,east,up,down\n", 4)),
+                   "got 4 (north, east, up, down): one has to be chosen"));
+}
+
+TEST_CASE("acceleration file: encodings and the times of a clock are read, times alone refused") {
+    const Case files;
+    const std::string plain = table("t (s),x (g)\n", ",", 1.0, 0.0, 1.0);
+    const auto read = files.read(plain);
+    REQUIRE(read);
+    std::string wide = "\xFF\xFE";
+    for (const char one : plain) wide += std::string{one, '\0'};
+    const auto utf16 = files.read(wide);
+    REQUIRE_MESSAGE(utf16, utf16.error().message);
+    CHECK(utf16->waveform.samples_g == read->waveform.samples_g);
+    std::string old = plain;
+    std::ranges::replace(old, '\n', '\r');
+    const auto cr = files.read(old);
+    REQUIRE_MESSAGE(cr, cr.error().message);
+    CHECK(cr->waveform.samples_g == read->waveform.samples_g);
+    std::string clock = "timestamp,x (g)\n";
+    const Samples samples = sine(100.0, 1e4, 500);
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+        char time[64];
+        std::snprintf(time, sizeof time, "2026-01-02T10:00:%09.6fZ,", 59.98 + 1e-4 * double(n));
+        if (n >= 200) {
+            std::snprintf(time, sizeof time, "2026-01-02T10:01:%09.6fZ,", 1e-4 * double(n - 200));
+        }
+        clock += time + shortest_digits(samples[n]) + "\n";
+    }
+    const auto by_clock = files.read(clock);
+    REQUIRE_MESSAGE(by_clock, by_clock.error().message);
+    CHECK(by_clock->waveform.samples_g.size() == read->waveform.samples_g.size());
+    CHECK(contains(files.fault("Timestamp,X,Y,Z\n0.000\n0.001\n0.002\n"), "got times alone"));
+    CHECK(contains(files.fault("time (s)\n0.000\n0.001\n0.002\n"), "got times alone"));
 }
 
 TEST_CASE("acceleration file: times without a unit are seconds, unless no rate would be") {
