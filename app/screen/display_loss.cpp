@@ -1,12 +1,15 @@
 #include "app/screen/display_loss.h"
 
 #include <X11/Xlib.h>
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
+
+struct wl_display;
 
 namespace tact {
 
@@ -39,7 +42,23 @@ int display_is_gone(Display* /*display*/) {
                               : "unsaved changes could not be kept: " + fault);
 }
 
+// Of a GLFW that is for X11 alone, or where nothing is shown by Wayland, there are none of these.
+bool is_compositor_gone() {
+    void* const client = ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD);
+    const auto display_of =
+        reinterpret_cast<wl_display* (*)()>(::dlsym(RTLD_DEFAULT, "glfwGetWaylandDisplay"));
+    if (client == nullptr || display_of == nullptr) return false;
+    const auto error_of =
+        reinterpret_cast<int (*)(wl_display*)>(::dlsym(client, "wl_display_get_error"));
+    wl_display* const display = display_of();
+    return error_of != nullptr && display != nullptr && error_of(display) != 0;
+}
+
 }  // namespace
+
+void end_if_compositor_is_gone() {
+    if (is_compositor_gone()) display_is_gone(nullptr);
+}
 
 void end_with_display(std::function<std::string()> keep) {
     drawing_thread = std::this_thread::get_id();

@@ -4,7 +4,7 @@
 // beside the other thread crash it. The program's own thread, which is inside Xlib and so changes
 // nothing, does the keeping; any other waits for it.
 //
-// Left out  Wayland, where GLFW is told and ends the loop.
+// A Wayland compositor that is gone is noticed by GLFW, which asks every window to close.
 #pragma once
 
 #include <functional>
@@ -16,5 +16,8 @@ namespace tact {
 // screen is lost; it answers with what could not be kept, empty: all is. An empty `keep` saves
 // nothing.
 void end_with_display(std::function<std::string()> keep);
+
+// Ends so where a Wayland compositor is gone; else nothing happens. For whoever is asked to close.
+void end_if_compositor_is_gone();
 
 }  // namespace tact

@@ -1,4 +1,5 @@
 #include "app/screen/window_events.h"
+#include "app/screen/display_loss.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <span>
 
+#include "app/screen/display_loss.h"
 #include "app/screen/key_sign.h"
 
 namespace tact {
@@ -70,6 +72,7 @@ void on_drop(GLFWwindow* glfw, int count, const char** names) {
 }
 
 void on_close(GLFWwindow* glfw) {
+    end_if_compositor_is_gone();
     const WindowClient& client = *events_of(glfw).client;
     if (client.close && !client.close()) glfwSetWindowShouldClose(glfw, GLFW_FALSE);
 }
