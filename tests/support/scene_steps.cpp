@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "app/lesson/lesson.h"
@@ -124,7 +126,9 @@ void show_why(Program& program) {
 }
 
 void open_people(Program& program, StudyKind kind) {
-    static const TemporaryFolder folder;
+    // A study is of one set: another one has a folder of its own.
+    static std::map<std::string, TemporaryFolder> folders;
+    const TemporaryFolder& folder = folders[program.app.work.document.set.name];
     run(program, "Study");
     program.app.studying.kind = kind;
     set_study_folder(program.app.work, program.app.studying, folder.path);
