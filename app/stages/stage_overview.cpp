@@ -86,11 +86,28 @@ bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patte
            reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
 }
 
+// Wrapped within the size, "..." in the place of what has no room; in less than a line, one line.
+std::string fitted(const ImFont& font, const std::string& text, const ImVec2& size) {
+    const float room_px = std::max(size.y, font.FontSize) + 0.5F;
+    const auto fits = [&](const std::string& some) {
+        return font.CalcTextSizeA(font.FontSize, FLT_MAX, size.x, some.c_str()).y <= room_px;
+    };
+    std::string some = text;
+    while (!some.empty() && !fits(some == text ? text : some + "\u2026")) {
+        const auto is_middle = [&] { return (some.back() & '\xC0') == '\x80'; };
+        while (some.size() > 1 && is_middle()) some.pop_back();
+        some.pop_back();
+        while (some.ends_with(' ')) some.pop_back();
+    }
+    return some == text ? text : some + "\u2026";
+}
+
 // What misleads in the stage, under its name; what does not fit is in the tooltip with the rest.
 void draw_short_remark(Ui& ui, const ShownStages& shown, Stage stage, const Rect& area) {
-    const std::string text = short_remark(*shown.live, stage);
-    if (text.empty()) return;
+    const std::string whole = short_remark(*shown.live, stage);
+    if (whole.empty()) return;
     const ImFont& font = font_or_current(ui.theme.fonts.small);
+    const std::string text = fitted(font, whole, area.size());
     const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, area.width(), text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(area.min, area.max, true);
@@ -98,7 +115,7 @@ void draw_short_remark(Ui& ui, const ShownStages& shown, Stage stage, const Rect
                  area.width());
     list.PopClipRect();
     const ImVec2 end{area.min.x + size.x, std::min(area.max.y, area.min.y + size.y)};
-    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, area.min, end, text);
+    note_rect(ui.rects, std::string("remark:") + text_of(stage).key, area.min, end, whole);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::Dummy({std::max(1.0F, end.x - area.min.x), std::max(1.0F, end.y - area.min.y)});
     draw_tooltip(ui, stage_remark(*shown.live, stage).c_str());

@@ -78,13 +78,33 @@ std::string many_a_cycle(const LiveStages& live) {
     return text;
 }
 
+// "Merkel 391 of 872": impulses that are fired where nothing moves.
+std::string in_silence(const LiveStages& live) {
+    std::string text;
+    for (const Receptor receptor : kReceptors) {
+        const auto [silent, all] =
+            silent_firing(live.waveform, live.neural.channel[index_of(receptor)]);
+        if (silent == 0) continue;
+        text += std::string(text.empty() ? "" : ", ") + traits(receptor).name + " " +
+                std::to_string(silent) + " of " + std::to_string(all);
+    }
+    return text;
+}
+
+std::string joined(const std::string& first, const std::string& second) {
+    return first + (first.empty() || second.empty() ? "" : " ") + second;
+}
+
 std::string spike_text(const LiveStages& live) {
     std::string text = leak_text(live, true);
-    const std::string many = many_a_cycle(live);
-    if (many.empty()) return text;
-    text += text.empty() ? "" : " ";
-    return text + "Impulses a cycle: " + many +
-           ". A fibre fires about one; the model\u2019s rate knows no cycles.";
+    if (const std::string many = many_a_cycle(live); !many.empty()) {
+        text = joined(text, "Impulses a cycle: " + many +
+                                ". A fibre fires about one; the model\u2019s rate knows no "
+                                "cycles.");
+    }
+    const std::string silent = in_silence(live);
+    if (silent.empty()) return text;
+    return joined(text, "Paler: fired in silence, where the filters ring on (" + silent + ").");
 }
 
 std::string beyond_text(const LiveStages& live) {
@@ -104,6 +124,12 @@ std::string gate_text(const LiveStages& live) {
     return "A gate, nearly on or off: at the model\u2019s cap of " +
            std::to_string(live.request.model.coding.spike_cap) + " in 5 ms " + cap +
            " of the time.";
+}
+
+std::string ring_text(const LiveStages& live) {
+    const std::string silent = in_silence(live);
+    if (silent.empty()) return {};
+    return "What is sent in silence answers to filters that ring on (" + silent + " impulses).";
 }
 
 std::string on_text(const LiveStages& live) {
@@ -158,8 +184,9 @@ std::string stage_remark(const LiveStages& live, Stage stage) {
             return beyond.empty() ? leak_text(live, true) : beyond;
         }
         case Stage::networks:
-        case Stage::central:
             return gate_text(live);
+        case Stage::central:
+            return joined(gate_text(live), ring_text(live));
         case Stage::brain:
             return on_text(live);
         case Stage::spectrum:

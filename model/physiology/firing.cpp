@@ -59,6 +59,34 @@ bool only_leaks(const Waveform& waveform, const NeuralCodingStages& stages, Rece
     return strongest_in_band_g(stages, receptor) <= kLeakShare * strongest_g;
 }
 
+std::vector<char> silent_steps(const Waveform& waveform, const ChannelStages& channel) {
+    const std::size_t steps = channel.spike_count.empty() ? 0 : channel.spike_count.front().size();
+    const std::size_t samples = waveform.samples_g.size();
+    const auto at = [&](std::size_t step) {
+        return std::min(sample_count(static_cast<double>(step) * kStepS, waveform.rate_hz),
+                        samples);
+    };
+    std::vector<char> silent(steps, 0);
+    for (std::size_t step = 1; step < steps; ++step) {
+        const auto since = waveform.samples_g.begin() + static_cast<std::ptrdiff_t>(at(step - 1));
+        const auto until = waveform.samples_g.begin() + static_cast<std::ptrdiff_t>(at(step + 1));
+        silent[step] = std::all_of(since, until, [](double g) { return g == 0.0; }) ? 1 : 0;
+    }
+    return silent;
+}
+
+SilentFiring silent_firing(const Waveform& waveform, const ChannelStages& channel) {
+    const std::vector<char> silent = silent_steps(waveform, channel);
+    SilentFiring firing;
+    for (const std::vector<int>& counts : channel.spike_count) {
+        for (std::size_t step = 0; step < counts.size(); ++step) {
+            firing.all += counts[step];
+            if (silent[step] != 0) firing.in_silence += counts[step];
+        }
+    }
+    return firing;
+}
+
 std::span<const int> spikes_under_probe(const ChannelStages& channel) {
     const auto& all = channel.grid.receptors;
     const auto centre = std::ranges::min_element(all, {}, &GridReceptor::distance_mm);

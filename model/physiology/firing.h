@@ -7,7 +7,9 @@
 // part
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "model/physiology/neural_coding.h"
 
@@ -20,6 +22,16 @@ inline constexpr double kLeakShare = 0.05;
 
 // The type follows nothing but what its filter leaks.
 bool only_leaks(const Waveform& waveform, const NeuralCodingStages& stages, Receptor receptor);
+
+// The 5 ms steps of a type's impulses in which nothing has moved since the step before: what is
+// fired there answers to filters that ring on.
+std::vector<char> silent_steps(const Waveform& waveform, const ChannelStages& channel);
+
+struct SilentFiring {
+    std::int64_t in_silence = 0;  // impulses of all receptors of the type
+    std::int64_t all = 0;
+};
+SilentFiring silent_firing(const Waveform& waveform, const ChannelStages& channel);
 
 // Impulses of the receptor under the probe, in each 5 ms step; empty where there is none.
 std::span<const int> spikes_under_probe(const ChannelStages& channel);

@@ -43,6 +43,14 @@ std::vector<int> binned(const RasterChannel& channel, const RasterWindow& window
     return sums;
 }
 
+bool is_pale(const RasterChannel& channel, const RasterWindow& window, std::size_t column) {
+    const std::size_t end = step_of(window, column + 1);
+    for (std::size_t step = step_of(window, column); step < end; ++step) {
+        if (step >= channel.pale_steps.size() || channel.pale_steps[step] == 0) return false;
+    }
+    return true;
+}
+
 RasterTotals totals(const RasterChannel& channel) {
     RasterTotals result;
     if (channel.spike_count.empty()) return result;

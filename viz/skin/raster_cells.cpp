@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kTickStepPx = 16.0F;  // steps this wide show each spike
 constexpr float kGapStepPx = 5.0F;    // steps this wide are told apart
+constexpr float kPale = 0.35F;        // of the colour
 
 float step_px(const Plot& plot) {
     return static_cast<float>(kStepS / (plot.x.high - plot.x.low)) * plot.area.width();
@@ -60,30 +61,32 @@ void draw_shaded_row(const RasterInk& ink, std::span<const float> edges, std::sp
 
 // One row of single spikes, spread over their step as the model spreads them.
 void draw_ticked_row(const RasterInk& ink, const RasterWindow& window, std::span<const int> counts,
-                     ImVec2 top_bottom) {
+                     std::span<const char> pale, ImVec2 top_bottom) {
     const auto [top, bottom] = top_bottom;
     const float width = whole_px(1.25F * ink.theme.scale);
     for (std::size_t c = 0; c < window.columns; ++c) {
         const std::size_t step = window.first + c;
         const int count = counts[c];
+        const ImU32 colour = pale[c] != 0 ? ink.pale : ink.full;
         if (static_cast<float>(count) * 2.0F * width > step_px(ink.plot)) {
             // Too many to tell apart.
             add_rect(ink.list, left_of(ink.plot, step), top, left_of(ink.plot, step + 1), bottom,
-                     ink.full);
+                     colour);
             continue;
         }
         for (const std::size_t offset : spread_spikes(count)) {
             const double time_s =
                 static_cast<double>(step) * kStepS + static_cast<double>(offset) / kModelRateHz;
             const float left = std::round(to_pixel(ink.plot.x, time_s));
-            add_rect(ink.list, left, top, left + width, bottom, ink.full);
+            add_rect(ink.list, left, top, left + width, bottom, colour);
         }
     }
 }
 
 // From the sums of a row's blocks to what it is drawn from: counts where single spikes show, shades
 // otherwise. Roots make a lone spike among many silent neighbours visible.
-void to_strengths(std::span<int> sums, std::span<const int> cells, int largest, bool ticks) {
+void to_strengths(std::span<int> sums, std::span<const int> cells, std::span<const char> pale,
+                  int largest, bool ticks) {
     for (std::size_t c = 0; c < sums.size(); ++c) {
         if (sums[c] <= 0) continue;
         if (ticks) {
@@ -92,16 +95,19 @@ void to_strengths(std::span<int> sums, std::span<const int> cells, int largest, 
         }
         const float share = static_cast<float>(sums[c]) / static_cast<float>(cells[c] * largest);
         sums[c] = 1 + static_cast<int>((kShades - 1) * std::sqrt(std::min(1.0F, share)));
+        if (pale[c] != 0) sums[c] += kShades;
     }
 }
 
 }  // namespace
 
 RasterInk raster_ink(ImDrawList& list, const Theme& theme, const Plot& plot, ImU32 full) {
-    RasterInk ink{list, theme, plot, full};
+    RasterInk ink{list, theme, plot, full, mixed(theme.pane, full, kPale)};
     for (int i = 1; i <= kShades; ++i) {
-        ink.shades[static_cast<std::size_t>(i)] =
-            mixed(theme.pane, full, 0.28F + 0.72F * static_cast<float>(i) / kShades);
+        const float share = 0.28F + 0.72F * static_cast<float>(i) / kShades;
+        const auto at = static_cast<std::size_t>(i);
+        ink.shades[at] = mixed(theme.pane, full, share);
+        ink.shades[at + kShades] = mixed(theme.pane, full, kPale * share);
     }
     return ink;
 }
@@ -133,13 +139,15 @@ void draw_rows(const RasterInk& ink, const Rect& place, const RasterChannel& cha
         return std::span{sums}.subspan(row * window.columns, window.columns);
     };
     std::vector<int> cells(window.columns);
+    std::vector<char> pale(window.columns);
+    for (std::size_t c = 0; c < window.columns; ++c) pale[c] = is_pale(channel, window, c) ? 1 : 0;
     for (std::size_t row = 0; row < window.rows; ++row) {
         const std::size_t receptors =
             receptor_row_of(window, row + 1) - receptor_row_of(window, row);
         for (std::size_t c = 0; c < window.columns; ++c) {
             cells[c] = static_cast<int>(receptors * (step_of(window, c + 1) - step_of(window, c)));
         }
-        to_strengths(row_of(row), cells, largest, ticks);
+        to_strengths(row_of(row), cells, pale, largest, ticks);
     }
 
     const float row_px = place.height() / static_cast<float>(window.rows);
@@ -154,7 +162,7 @@ void draw_rows(const RasterInk& ink, const Rect& place, const RasterChannel& cha
         }
         const ImVec2 top_bottom{std::round(place.min.y + static_cast<float>(row) * row_px),
                                 std::round(place.min.y + static_cast<float>(end) * row_px) - gap};
-        ticks ? draw_ticked_row(ink, window, row_of(row), top_bottom)
+        ticks ? draw_ticked_row(ink, window, row_of(row), pale, top_bottom)
               : draw_shaded_row(ink, edges, row_of(row), top_bottom, runs);
         row = end;
     }

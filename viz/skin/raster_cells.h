@@ -17,8 +17,10 @@ struct RasterInk {
     ImDrawList& list;
     const Theme& theme;
     const Plot& plot;
-    ImU32 full;                               // of the most spikes
-    std::array<ImU32, kShades + 1> shades{};  // by strength, 0: none
+    ImU32 full;  // of the most spikes
+    ImU32 pale;  // the same, in pale steps
+    // By strength, 0: none; then the pale ones.
+    std::array<ImU32, 2 * kShades + 1> shades{};
 };
 
 RasterInk raster_ink(ImDrawList& list, const Theme& theme, const Plot& plot, ImU32 full);

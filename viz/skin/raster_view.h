@@ -23,6 +23,7 @@ struct RasterChannel {
     std::span<const std::vector<int>> spike_count{};  // receptor (as in the grid), 5 ms step
     std::span<const std::size_t> order{};  // receptors from the top row down; empty: as they come
     bool pale = false;                     // what fires here says nothing of the skin
+    std::span<const char> pale_steps{};    // those in which it does not; empty: none
 };
 
 struct RasterSpot {

@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "model/physiology/firing.h"
 #include "tests/support/physiology_program.h"
 #include "viz/skin/fingertip.h"
 
@@ -52,6 +53,40 @@ TEST_CASE("remarks: the networks of a strong tone are gates, and it is said how 
     CHECK(share_on(live, Receptor::pacinian) >= at_cap);
     CHECK(holds(stage_remark(live, Stage::networks), "Pacinian"));
     CHECK(holds(stage_remark(live, Stage::brain), "gates"));
+}
+
+TEST_CASE("remarks: what is fired after a pattern's end is told, and drawn paler step by step") {
+    PatternSet set = short_patterns(1);
+    Pattern& pattern = std::get<Pattern>(set.vibrations[0].source);
+    pattern.duration_s = 0.5;
+    pattern.amplitude_g = 0.8;
+    pattern.carriers[0].frequency_hz = 150.0;
+    pattern.modulation.frequency_hz = 0.0;
+    set.vibrations.push_back(set.vibrations[0]);
+    set.vibrations[1].name = "long";
+    std::get<Pattern>(set.vibrations[1].source).duration_s = 1.0;
+    std::atomic<float> progress = 0.0F;
+    const LiveStages live = *compute_live_stages(stages_request(set, 0), {}, progress);
+    std::int64_t in_silence = 0;
+    for (const Receptor receptor : kReceptors) {
+        const ChannelStages& channel = live.neural.channel[index_of(receptor)];
+        const std::vector<char> silent = silent_steps(live.waveform, channel);
+        std::int64_t behind = 0;
+        for (const std::vector<int>& counts : channel.spike_count) {
+            REQUIRE(silent.size() == counts.size());
+            for (std::size_t step = 101; step < counts.size(); ++step) behind += counts[step];
+        }
+        for (std::size_t step = 0; step < silent.size(); ++step) {
+            CHECK((silent[step] != 0) == (step >= 101));
+        }
+        CHECK(silent_firing(live.waveform, channel).in_silence == behind);
+        in_silence += behind;
+    }
+    REQUIRE(in_silence > 0);
+    CHECK(holds(stage_remark(live, Stage::spikes), "Paler: fired in silence"));
+    CHECK(holds(stage_remark(live, Stage::central), "answers to filters that ring on"));
+    const LiveStages steady = stages_of_tone(150.0, 0.8);
+    CHECK_FALSE(holds(stage_remark(steady, Stage::spikes), "Paler"));
 }
 
 TEST_CASE("remarks: silence has none") {

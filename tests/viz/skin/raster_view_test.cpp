@@ -93,6 +93,38 @@ TEST_CASE("raster: a block holds the spikes of its own receptors and steps, in d
     CHECK(binned(channel, {5, 6, 1, 0, 1, 1}) == std::vector<int>{3});
 }
 
+TEST_CASE("raster: a column is pale where all of its steps are") {
+    const Counts counts(1, std::vector<int>(6, 1));
+    const std::vector<char> pale{0, 0, 0, 1, 1, 1};
+    RasterChannel channel{Receptor::merkel, counts, {}};
+    CHECK_FALSE(is_pale(channel, {0, 6, 6, 0, 1, 1}, 5));
+    channel.pale_steps = pale;
+    CHECK_FALSE(is_pale(channel, {0, 6, 6, 0, 1, 1}, 2));
+    CHECK(is_pale(channel, {0, 6, 6, 0, 1, 1}, 3));
+    CHECK_FALSE(is_pale(channel, {0, 6, 3, 0, 1, 1}, 1));
+    CHECK(is_pale(channel, {0, 6, 3, 0, 1, 1}, 2));
+}
+
+TEST_CASE("raster: pale steps have none of the colour that others have") {
+    Example e;
+    const std::vector<char> pale(200, 1);
+    const Drawn full = drawn({.channels = e.channels});
+    for (RasterChannel& channel : e.channels) channel.pale_steps = pale;
+    const Drawn paler = drawn({.channels = e.channels});
+    const Rect& rows = full.layout.bands[0].rows;
+    const auto lit = [&](const Image& image) {
+        long sum = 0;
+        for (int y = static_cast<int>(rows.min.y); y < static_cast<int>(rows.max.y); ++y) {
+            for (int x = static_cast<int>(rows.min.x); x < static_cast<int>(rows.max.x); ++x) {
+                const ImU32 here = pixel(image, x, y);
+                for (int shift = 0; shift < 24; shift += 8) sum += (here >> shift) & 255U;
+            }
+        }
+        return sum;
+    };
+    CHECK(lit(paler.image) < lit(full.image));
+}
+
 TEST_CASE("raster: totals are sums over receptors") {
     Counts counts(3, std::vector<int>(2, 1));
     counts[1][1] = 4;
