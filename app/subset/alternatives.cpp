@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/subset/subset_follow.h"
+#include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -81,7 +82,7 @@ Alternative alternative_of(const Theme& theme, const Pick& pick, std::size_t k, 
     const bool as_good = worth == worth_of(pick, pick.answer.best);
     Alternative one;
     one.exchange = exchange_of(pick, other);
-    one.value = as_good ? "ties" : grouped(worth);
+    one.value = as_good ? "ties" : worth_text(worth);
     one.words = joined(one.exchange.in) + " " + kFor + joined(one.exchange.out);
     const ImFont* font = theme.fonts.regular;
     one.is_one_line =

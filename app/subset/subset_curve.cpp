@@ -51,7 +51,7 @@ void draw_chosen(Ui& ui, const Plot& plot, const CurvePoint& point, ImVec2 at) {
     const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_upright_line(list, at.x, at.y, plot.area.max.y, theme.hairline_px, theme.dim_text);
-    const std::string text = grouped(point.weakest);
+    const std::string text = worth_text(point.weakest);
     const ImVec2 size = text_size(theme.fonts.semibold, text);
     const float away = 0.75F * theme.gap_px;
     const ImVec2 corner{std::min(at.x + 0.5F * away, plot.area.max.x - size.x),
@@ -122,7 +122,7 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     }
     const CurvePoint& point = curve.points[*hovered];
     const std::vector<std::string> lines{std::to_string(point.count) + " picked",
-                                         "weakest pair " + grouped(point.weakest),
+                                         "weakest pair " + worth_text(point.weakest),
                                          point.bound > point.weakest ? "not proven" : "proven"};
     draw_readout(list, theme, area, line[*hovered], lines);
     if (pressed) picking.count = static_cast<int>(point.count);
@@ -131,6 +131,14 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
 bool is_busy(const SubsetState& picking) { return picking.curve_job && picking.curve_job->busy(); }
 
 }  // namespace
+
+std::string worth_text(double worth) {
+    std::string text = grouped(worth, 4);
+    if (text.find('.') == text.npos) return text;
+    while (text.ends_with('0')) text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
 
 bool has_curve(const SubsetState& picking) { return picking.curve || is_busy(picking); }
 

@@ -131,7 +131,7 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         colour = ui.theme.warning;
     } else if (answer.proof == SubsetProof::open) {
         text = std::string("The best found in time; no ") + (by_sum ? "sum" : "weakest pair") +
-               " is above " + grouped(answer.bound) + ".";
+               " is above " + worth_text(answer.bound) + ".";
         colour = ui.theme.warning;
     }
     if (is_of_preview(pick.request)) {
@@ -163,7 +163,7 @@ void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
     // Where the headline is the sum, this is beside it.
     const Subset& subset = *shown_subset(shown_map, picking);
     if (pick.request.problem.objective == SubsetObjective::max_sum) {
-        names = "weakest pair " + grouped(subset.weakest_dissimilarity) + ": " + names;
+        names = "weakest pair " + worth_text(subset.weakest_dissimilarity) + ": " + names;
     }
     const std::string shown =
         shortened(ui.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
@@ -198,7 +198,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     ImGui::PushFont(ui.theme.fonts.large);
     const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
     const double worth = by_sum ? subset.sum : subset.weakest_dissimilarity;
-    ImGui::TextUnformatted(grouped(worth).c_str());
+    ImGui::TextUnformatted(worth_text(worth).c_str());
     ImGui::PopFont();
     char exact[40];
     std::snprintf(exact, sizeof exact, "%.17g", worth);

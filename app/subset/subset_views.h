@@ -14,6 +14,9 @@
 
 namespace tact {
 
+// Of what a subset is worth and of its pairs: the digits that reports and exports show of the same.
+std::string worth_text(double worth);
+
 PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                            PlayState& play, SubsetState& picking);
 void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);

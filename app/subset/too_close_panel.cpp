@@ -142,7 +142,7 @@ void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePair
                const ConfusablePair& pair, float column_px, bool open) {
     const std::string& a = name_of(pairs, pair.a);
     const std::string& b = name_of(pairs, pair.b);
-    const std::string value = grouped(pair.dissimilarity);
+    const std::string value = worth_text(pair.dissimilarity);
     const std::string names = a + " \u2013 " + b;
     const ImFont* font = ui.theme.fonts.regular;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -176,7 +176,8 @@ void draw_unit(const Ui& ui, const TooClosePairs& pairs, float column_px) {
 float value_column_px(const Ui& ui, const TooClosePairs& pairs) {
     float widest = text_size(ui.theme.fonts.small, unit_of(pairs)).x;
     for (const ConfusablePair& pair : pairs.pairs) {
-        widest = std::max(widest, text_size(ui.theme.fonts.regular, grouped(pair.dissimilarity)).x);
+        widest =
+            std::max(widest, text_size(ui.theme.fonts.regular, worth_text(pair.dissimilarity)).x);
     }
     return widest;
 }
@@ -336,7 +337,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     ImGui::EndDisabled();
     const std::string from = asked.from.empty() ? "all others" : "the other picked ones";
     draw_tooltip(ui, ("The smallest change of one number that brings the pattern farther than " +
-                      grouped(asked.threshold) + " from " + from +
+                      worth_text(asked.threshold) + " from " + from +
                       ". PM depends on the set: it is ranked anew with each change.")
                          .c_str());
     if (!obstacle.empty()) {

@@ -10,11 +10,11 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/window/jobs.h"
+#include "model/export/loss_words.h"
 #include "model/subset/set_subset.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
-#include "viz/drawing/plot.h"
 
 namespace subset_panel_test {
 
@@ -124,7 +124,7 @@ TEST_CASE("subset panel: the chosen count says how far apart its weakest pair is
     SubsetBench bench;
     bench.program.hover({0.0F, 0.0F});
     CHECK(bench.program.at("curve chosen").value ==
-          grouped(std::stod(bench.program.at("subset:weakest").value)));
+          loss_number(std::stod(bench.program.at("subset:weakest").value)));
 }
 
 TEST_CASE("subset panel: a member has the menu that every pattern has") {
@@ -379,7 +379,8 @@ TEST_CASE("subset panel: by the sum, every sentence and every value is of the su
         const std::string words = program.at("alternative:" + std::to_string(k + 1)).value;
         const std::string value = words.substr(words.rfind(": ") + 2);
         CHECK(others[k].sum <= pick.answer.best.sum);
-        CHECK(value == (others[k].sum == pick.answer.best.sum ? "ties" : grouped(others[k].sum)));
+        CHECK(value ==
+              (others[k].sum == pick.answer.best.sum ? "ties" : loss_number(others[k].sum)));
     }
     // Another one that is looked at shows its own sum.
     app.picking.alternative = 0;
