@@ -46,6 +46,10 @@ TableDialect dialect_of(std::string_view text);
 // Records from the first row on; lines count from the head of the text.
 CsvReader reader_of(std::string_view text, const TableDialect& dialect);
 
+inline constexpr const char* kDoubtfulNumbers =
+    "expected numbers of which one decimal sign can be told, got commas before three digits, which "
+    "may be thousands";
+
 // A cell as a number, by the decimal sign of its table; "1.5" is one in every table whose sign is a
 // comma, too.
 std::optional<double> number_in(std::string_view cell, const TableDialect& dialect);

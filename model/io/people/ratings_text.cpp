@@ -172,9 +172,7 @@ Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view 
     }
     if (records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
     if (dialect.is_doubtful) {
-        return at_line(into, records.front().line,
-                       "expected numbers of which one decimal sign can be told, got commas before "
-                       "three digits, which may be thousands");
+        return at_line(into, records.front().line, kDoubtfulNumbers);
     }
     OwnAnswers own = own_answers(std::move(records), dialect, columns);
     if (!own.fault.empty()) return at_line(into, own.records.front().line, own.fault);

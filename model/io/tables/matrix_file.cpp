@@ -310,9 +310,7 @@ Expected<LabelledMatrix> matrix_of(const TableText& table, const std::string& fi
     const CsvRecord first = next_record(ahead);
     if (first.line == 0) return at_line(reading, 1, "expected a matrix, got an empty file");
     if (reading.dialect.is_doubtful) {
-        return at_line(reading, first.line,
-                       "expected numbers of which one decimal sign can be told, got commas before "
-                       "three digits, which may be thousands");
+        return at_line(reading, first.line, kDoubtfulNumbers);
     }
     const CsvReader behind_first = ahead;
     const CsvRecord second = next_record(ahead);

@@ -2,9 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <random>
 #include <sstream>
+#include <string>
 
+#include "model/text/numbers.h"
 #include "tests/support/mutations.h"
 #include "tests/support/temporary_folder.h"
 
@@ -198,6 +204,85 @@ TEST_CASE("matrix file: whichever way a table is written, it is the same matrix"
     // what is like itself by 7
     check(",a,b,c,d\na,7,5.5,5,4\nb,5.5,7,2.75,2\nc,5,2.75,7,1\nd,4,2,1,7\n",
           "taken as similarities from 0 to 7");
+}
+
+namespace {
+
+// A matrix as some program might write it.
+struct Writing {
+    char separator = ',';
+    bool has_decimal_commas = false;
+    bool has_corner = true;
+    bool has_names_beside = true;
+    bool is_lower = false;
+    bool has_quotes = false;
+    bool is_shuffled = false;
+    const char* line_end = "\n";
+    const char* diagonal = "0";
+};
+
+std::string written(const LabelledMatrix& matrix, const Writing& how, std::mt19937& random) {
+    const std::size_t n = matrix.labels.size();
+    const auto name = [&how](const std::string& plain) {
+        return how.has_quotes ? "\"" + plain + "\"" : plain;
+    };
+    const auto number = [&how](double value) {
+        std::string text = shortest_digits(value);
+        if (how.has_decimal_commas) std::ranges::replace(text, '.', ',');
+        return text;
+    };
+    std::string text = how.has_corner && how.has_names_beside ? name("") + how.separator : "";
+    for (std::size_t k = 0; k < n; ++k) {
+        text += (k == 0 ? "" : std::string(1, how.separator)) + name(matrix.labels[k]);
+    }
+    text += how.line_end;
+    std::vector<std::size_t> rows(n);
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    if (how.is_shuffled) std::shuffle(rows.begin(), rows.end(), random);
+    for (const std::size_t i : rows) {
+        std::string row = how.has_names_beside ? name(matrix.labels[i]) : "";
+        for (std::size_t j = 0; j < n; ++j) {
+            if (j > 0 || how.has_names_beside) row += how.separator;
+            if (i == j) row += how.diagonal;
+            if (i != j && !(how.is_lower && j > i)) row += number(matrix.dissimilarity(i, j));
+        }
+        text += row + how.line_end;
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("matrix file: a random matrix in any writing is read back equal") {
+    std::mt19937 random(7);
+    const auto one_of = [&random](std::size_t count) { return random() % count; };
+    for (int k = 0; k < 400; ++k) {
+        CAPTURE(k);
+        LabelledMatrix matrix;
+        const std::size_t n = 3 + one_of(8);
+        for (std::size_t i = 0; i < n; ++i) matrix.labels.push_back("p" + std::to_string(i + 1));
+        matrix.dissimilarity.size = n;
+        for (std::size_t p = 0; p < pair_count(n); ++p) {
+            matrix.dissimilarity.condensed.push_back(static_cast<double>(1 + one_of(100'000)) /
+                                                     (one_of(2) == 0 ? 10000.0 : 16.0));
+        }
+        Writing how;
+        how.separator = ",;\t "[one_of(4)];
+        how.has_decimal_commas = how.separator != ',' && one_of(2) == 0;
+        how.has_corner = how.separator != ' ' && one_of(2) == 0;
+        how.has_names_beside = how.has_corner || one_of(2) == 0;
+        how.is_lower = how.separator != ' ' && one_of(3) == 0;
+        how.has_quotes = one_of(2) == 0;
+        how.is_shuffled = how.has_names_beside && one_of(2) == 0;
+        how.line_end = std::array{"\n", "\r\n", "\r"}[one_of(3)];
+        how.diagonal = std::array{"0", "NA", "NaN"}[one_of(3)];
+        const std::string text = written(matrix, how, random);
+        CAPTURE(text);
+        const auto read = parse_matrix(one_of(3) == 0 ? "\xEF\xBB\xBF" + text : text, "m.csv");
+        REQUIRE_MESSAGE(read, read.error().message);
+        CHECK(read->labels == matrix.labels);
+        CHECK(read->dissimilarity.condensed == matrix.dissimilarity.condensed);
+    }
 }
 
 TEST_CASE("matrix file: numbers in reverse may be rounded to the digits that are written") {
