@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "model/common/fingerprint.h"
@@ -123,6 +124,16 @@ Expected<WaveText> read_wave_text(const fs::path& path) {
     return WaveText{*std::move(bytes), said->empty() ? " " : *std::move(said)};
 }
 
+// Sizes of 0 of a stream that its writer never closed, as those of one that says so: libsndfile
+// finds no samples else.
+void open_sizes(std::string& bytes) {
+    constexpr std::string_view kNoSize("\0\0\0\0", 4);
+    const std::string head = std::string("data") + std::string(kNoSize);
+    const std::size_t data = bytes.find(head);
+    if (data == bytes.npos || bytes.compare(4, 4, kNoSize) != 0) return;
+    for (const std::size_t at : {std::size_t{4}, data + 4}) bytes.replace(at, 4, 4, '\xFF');
+}
+
 Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::string& name) {
     const std::size_t size = bytes.size();
     std::istringstream stream(std::move(bytes));
@@ -131,6 +142,7 @@ Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::strin
     }
     auto wave = std::make_unique<OpenWave>();
     wave->memory.bytes = std::move(stream).str();
+    open_sizes(wave->memory.bytes);
     wave->sound.reset(open_for_reading(wave->memory, wave->info));
     if (!wave->sound) {
         const std::string why = sf_strerror(nullptr);

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "model/io/recordings/wave_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wave_bytes.h"
 
@@ -62,6 +63,9 @@ TEST_CASE("wave size: a length that the writer of a stream left open is accepted
     // So has one that left open how long the whole is; but then there have to be samples.
     bytes.replace(4, 4, std::string(4, '\0'));
     CHECK(fault(bytes).empty());
+    const auto read = tact::parse_wave({bytes, ""}, "open.wav");
+    REQUIRE(read);
+    CHECK(read->waveform.samples_g == std::vector<double>(10, 0.25));
     CHECK(fault(bytes.substr(0, size_at + 4)) == "expected at least one sample, got none");
 }
 
