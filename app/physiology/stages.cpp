@@ -96,7 +96,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "PBW = \u03a3 w s, w = 0.2 FA1, 0.7 FA2, 0 SA1, 0.5 SA2, section 4.3",
      "Attention, memory, what the vibration means.",
      "The weights were trained with the authors' own tables: with ours they are a starting "
-     "point.",
+     "point. Drawn: pauses of less than 6 pixels are filled, here and in the central signals, so "
+     "that a comb of pulses in a wide pane is a block in a narrow one.",
      "Saal & Bensmaia 2014, Touch is a team effort, Trends in Neurosciences 37, 689."},
     {"envelope", "Rhythm envelope", "Rhythm", "mean of 10 ms, scaled to its peak",
      "Rhythm is felt beside strength and quality, and a pattern that is late is still the same "

@@ -7,6 +7,7 @@
 
 #include "model/physiology/firing.h"
 #include "tests/support/physiology_program.h"
+#include "viz/drawing/wave_body.h"
 #include "viz/skin/fingertip.h"
 
 namespace stage_remarks_test {
@@ -30,6 +31,12 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 }  // namespace
+
+TEST_CASE("remarks: the explanation of the waveform says which pauses are drawn filled") {
+    const std::string widest = std::to_string(static_cast<int>(BodyScale().widest));
+    CHECK(
+        holds(text_of(Stage::brain).ours, "pauses of less than " + widest + " pixels are filled"));
+}
 
 TEST_CASE("remarks: Merkel cells follow what a filter leaks on 70 Hz, and a tone on 3 Hz") {
     const LiveStages high = stages_of_tone(70.0, 0.8);
