@@ -158,7 +158,9 @@ void draw_entries(FileChooser& chooser, bool& opened) {
     if (const std::string lack = lack_of_files(chooser); !lack.empty()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
+        ImGui::PushTextWrapPos(0.0F);  // in some fonts a list of kinds is wider than the column
         ImGui::TextDisabled("%s", shown_text(lack).c_str());
+        ImGui::PopTextWrapPos();
     }
     ImGui::EndTable();
 }
