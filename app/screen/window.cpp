@@ -10,8 +10,10 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <string_view>
 
 #include "app/screen/display_loss.h"
 #include "app/screen/escape_watch.h"
@@ -44,9 +46,26 @@ std::string glfw_reason() {
     return text == nullptr ? "unknown reason" : text;
 }
 
+// Whether Wayland may be asked for a display. Without a folder for its sockets its library writes
+// to the terminal what GLFW then says once more.
+[[maybe_unused]] bool has_wayland_folder() {
+    const auto is_path = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return value != nullptr && std::string_view(value).starts_with('/');
+    };
+    return is_path("XDG_RUNTIME_DIR") || is_path("WAYLAND_DISPLAY");
+}
+
+bool start_glfw() {
+#ifdef GLFW_PLATFORM_X11  // since GLFW 3.4, which knows both
+    if (!has_wayland_folder()) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    return glfwInit() == GLFW_TRUE;
+}
+
 // GLFW from here to the end of the scope.
 struct Glfw {
-    bool is_ready = glfwInit() == GLFW_TRUE;
+    bool is_ready = start_glfw();
 
     Glfw() {
         const std::lock_guard lock(glfw_mutex);
@@ -170,7 +189,8 @@ void heed(Window& window, const FrameRequest& request, double now_s) {
         glfwSetWindowTitle(window.glfw, shown_text(window.title).c_str());
     }
     const ImGuiIO& io = ImGui::GetIO();
-    const bool goes_on = request.animate || window.events.fonts_outdated || is_anything_held(window.events.input, io);
+    const bool goes_on = request.animate || window.events.fonts_outdated ||
+                         is_anything_held(window.events.input, io);
     window.frames_due = std::max(window.frames_due - 1, goes_on ? 1 : 0);
     const double wait_s = io.WantTextInput ? kCursorBlinkS : request.wake_after_s;
     window.next_wake_s = now_s + std::min(std::max(wait_s, 0.0), request.wake_after_s);
