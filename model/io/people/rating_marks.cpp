@@ -1,9 +1,11 @@
 // Which answers count, as the columns of a file with a line an answer say.
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "model/io/people/ratings_text.h"
 #include "model/study/who_counts.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -32,6 +34,24 @@ MarkColumns mark_columns(const CsvRecord& head) {
                         {"why", &columns.why},
                         {"fingerprint", &columns.fingerprint}});
     return columns;
+}
+
+std::string column_fault(const CsvRecord& head) {
+    constexpr std::array<std::string_view, 7> kKnown{
+        "participant", "excluded", "synthetic", "rehearsal", "whole", "fingerprint", "attention"};
+    const auto has = [&head](std::string_view name) {
+        return std::ranges::any_of(head.fields, [name](const std::string& cell) {
+            return std::string_view(trimmed(cell)) == name;
+        });
+    };
+    for (const std::string& cell : head.fields) {
+        const std::string name{trimmed(cell)};
+        const auto nearest = misspelt(name, kKnown);
+        if (!nearest || has(*nearest)) continue;
+        return "does not know the column " + in_quotes(name) + "; the nearest column is " +
+               in_quotes(std::string(*nearest));
+    }
+    return {};
 }
 
 Expected<Marks> marks_in(const MarkColumns& columns, const std::vector<std::string>& fields) {

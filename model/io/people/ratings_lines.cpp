@@ -153,6 +153,7 @@ Expected<RatingsText> ratings_of_lines(const std::string& file,
                        "expected the columns a, b and rating, and participant where there "
                        "are several");
     }
+    if (const std::string fault = column_fault(head); !fault.empty()) return at_line(head, fault);
     Lines lines;
     for (std::size_t k = 1; k < records.size(); ++k) {
         const auto& fields = records[k].fields;

@@ -98,6 +98,9 @@ Expected<RatingsText> ratings_of_sortings(const std::string& file,
                                           std::size_t text_bytes) {
     const CsvRecord& head = records.front();
     const SortingColumns columns = sorting_columns(head);
+    if (const std::string fault = column_fault(head); !fault.empty()) {
+        return Error{file + ":" + std::to_string(head.line) + ": " + fault};
+    }
     Sorters sorters;
     for (std::size_t k = 1; k < records.size(); ++k) {
         const auto& fields = records[k].fields;

@@ -69,6 +69,10 @@ struct MarkColumns {
 };
 MarkColumns mark_columns(const CsvRecord& head);
 
+// What is wrong with the head where a column that says who answered, or who counts, is misspelt, or
+// empty: left aside, it would count a simulation as a person, or all people as one.
+std::string column_fault(const CsvRecord& head);
+
 // What they say of one answer.
 struct Marks {
     bool excluded = false;

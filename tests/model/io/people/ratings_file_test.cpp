@@ -159,6 +159,31 @@ TEST_CASE("ratings file: who is excluded, or felt nothing, does not count, and i
                    "r.csv: expected a participant who counts, got none: P is not counted: "));
 }
 
+TEST_CASE("ratings file: a misspelt column that says who counts is refused by name") {
+    const std::string kRated = "\n1,x,y,70\n0,x,z,45\n1,y,z,80\n";
+    const std::string kSorted = "\n1,1,1,x\n0,1,1,y\n1,1,2,z\n";
+    for (const auto& [wrong, right] :
+         std::vector<std::pair<std::string, std::string>>{{"partcipant", "participant"},
+                                                          {"Participants", "participant"},
+                                                          {"synthtic", "synthetic"},
+                                                          {"Synthetic", "synthetic"},
+                                                          {"exclude", "excluded"},
+                                                          {"rehersal", "rehearsal"},
+                                                          {"wole", "whole"},
+                                                          {"fingerpint", "fingerprint"},
+                                                          {"atention", "attention"}}) {
+        const std::string expected = "r.csv:1: does not know the column \"" + wrong +
+                                     "\"; the nearest column is \"" + right + "\"";
+        CHECK(fault(wrong + ",a,b,rating" + kRated) == expected);
+        CHECK(fault(wrong + ",round,group,pattern" + kSorted) == expected);
+        // Beside the right one it is a column of its own.
+        CHECK_FALSE(
+            contains(fault("a,b,rating," + wrong + "," + right + "\nx,x,no,,\n"), "does not know"));
+    }
+    CHECK(parsed("a,b,rating,age,comment" + std::string("\nx,y,1,20,a\nx,z,2,20,b\ny,z,3,20,c\n"))
+              .remarks.empty());
+}
+
 TEST_CASE("ratings file: so many repetitions as a study can have, and no more, in no time") {
     std::string lines = "participant,a,b,rating\n";
     for (int k = 0; k < 100; ++k) lines += "P,x,y," + std::to_string(k) + "\n";
