@@ -44,6 +44,7 @@ HidDevice::HidDevice(HidActuator actuator, HidDoor door)
 }
 
 HidDevice::~HidDevice() {
+    *hurries_ = true;
     stop();
     thread_.request_stop();
     thread_.join();
@@ -148,7 +149,7 @@ Expected<Done> HidDevice::ready() {
     if (!allowed) return allowed;
     Expected<HidPort> opened = door_.open(actuator_.path);
     if (!opened) return opened.error();
-    HidPort port = patient_port(*std::move(opened));
+    HidPort port = patient_port(*std::move(opened), kWritePatience, hurries_);
     Expected<Encoder> encode = begin_protocol(actuator_, port);
     if (!encode) return encode.error();
     port_ = std::move(port);

@@ -19,9 +19,11 @@
 //           controller goes by its answers, what a crash says last (last_words.h) by nothing.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -120,6 +122,7 @@ class HidDevice final : public Device {
 
     HidActuator actuator_;  // after the constructor the thread's own
     HidDoor door_;
+    std::shared_ptr<std::atomic<bool>> hurries_ = std::make_shared<std::atomic<bool>>(false);
 
     // The thread's own.
     std::optional<HidPort> port_;

@@ -1,13 +1,18 @@
 #include "devices/hid/last_words.h"
 
 #include <fcntl.h>
+#include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <mutex>
+#include <system_error>
+#include <thread>
 
 #include "devices/device/halt.h"
 
@@ -46,18 +51,72 @@ void say_all() {
 
 std::atomic<bool> is_over = false;
 
-void say_at_exit() {
-    is_over = true;
-    say_all();
+// A driver that hangs keeps a write for good; the program is to end all the same.
+constexpr int kAnswerMs = 200;
+
+bool has_something_to_say() {
+    return std::ranges::any_of(places, [](const Place& place) { return place.size.load() > 0; });
 }
 
-void say_last_words(int signal) {
-    say_at_exit();
-    // The handler was for once: now the signal does what it would have done.
+void say_at_exit() {
+    is_over = true;
+    if (!has_something_to_say()) return;
+    static std::atomic<bool> is_said = false;
+    try {
+        std::thread([] {
+            say_all();
+            is_said = true;
+        }).detach();
+    } catch (const std::system_error&) {
+        return say_all();
+    }
+    constexpr timespec kMillisecond{0, 1'000'000};
+    for (int k = 0; k < kAnswerMs && !is_said; ++k) nanosleep(&kMillisecond, nullptr);
+}
+
+std::atomic<int> dying_of = 0;
+
+// The handler was for once: now the signal does what it would have done.
+void die() {
+    const int signal = dying_of.load();
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         if (kSignals[k] == signal) sigaction(signal, &others[k], nullptr);
     }
     raise(signal);
+}
+
+// On whatever thread, where the signal may be blocked.
+void die_unheard(int) {
+    sigset_t only_this;
+    sigemptyset(&only_this);
+    sigaddset(&only_this, dying_of.load());
+    pthread_sigmask(SIG_UNBLOCK, &only_this, nullptr);
+    die();
+}
+
+void set_time_limit(int limit_ms) {
+    struct sigaction action {};
+    action.sa_handler = die_unheard;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGALRM, &action, nullptr);
+    sigset_t only_this;
+    sigemptyset(&only_this);
+    sigaddset(&only_this, SIGALRM);
+    pthread_sigmask(SIG_UNBLOCK, &only_this, nullptr);
+    const itimerval limit{{0, 0}, {0, 1000 * limit_ms}};
+    setitimer(ITIMER_REAL, &limit, nullptr);
+}
+
+void say_last_words(int signal) {
+    is_over = true;
+    dying_of = signal;
+    if (has_something_to_say()) {
+        set_time_limit(kAnswerMs);
+        say_all();
+        const itimerval none{};
+        setitimer(ITIMER_REAL, &none, nullptr);
+    }
+    die();
 }
 
 // What answers a crash by writing a report, and by nothing else, comes after the last words. A

@@ -3,10 +3,13 @@
 //
 // A controller goes on with what it was told last. When the program crashes, or is ended from
 // outside, nobody is left to tell it but the signal's handler, and a handler may do little: here
-// write() on a descriptor that is open already, with bytes that were laid out before.
+// write() on a descriptor that is open already, with bytes that were laid out before. A write that
+// does not return is waited for a fifth of a second.
 //
 // Source    signal-safety(7)
-// Left out  SIGKILL and a loss of power, which nothing can answer.
+// Left out  SIGKILL and a loss of power, which nothing can answer; a halt while a driver hangs,
+// which
+//           comes once that is over.
 #pragma once
 
 #include <cstdint>

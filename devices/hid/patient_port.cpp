@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -60,16 +61,36 @@ struct Server {
     Server& operator=(const Server&) = delete;
 };
 
-bool hand_over(Desk& desk, std::span<const std::uint8_t> packet,
-               std::chrono::milliseconds patience) {
-    const auto until = std::chrono::steady_clock::now() + patience;
-    const auto is_free = [&desk] { return !desk.is_busy; };
+// How long a packet is waited for, as things stand.
+struct Patience {
+    std::chrono::milliseconds whole;
+    std::shared_ptr<const std::atomic<bool>> hurries;
+
+    bool is_over(std::chrono::steady_clock::time_point since, bool was_late) const {
+        const bool is_short = was_late || (hurries && *hurries);
+        const auto now = is_short ? std::min(whole, kHurriedPatience) : whole;
+        return std::chrono::steady_clock::now() >= since + now;
+    }
+};
+
+// In short turns: it may become urgent meanwhile.
+bool becomes_free(Desk& desk, std::unique_lock<std::mutex>& lock, const Patience& patience,
+                  bool was_late) {
+    const auto since = std::chrono::steady_clock::now();
+    while (desk.is_busy) {
+        if (patience.is_over(since, was_late)) return false;
+        desk.changed.wait_for(lock, std::chrono::milliseconds(5));
+    }
+    return true;
+}
+
+bool hand_over(Desk& desk, std::span<const std::uint8_t> packet, const Patience& patience) {
     std::unique_lock lock(desk.mutex);
-    if (!desk.changed.wait_until(lock, until, is_free)) return false;
+    if (!becomes_free(desk, lock, patience, true)) return false;
     desk.next = Packet(packet.begin(), packet.end());
     desk.is_busy = true;
     desk.changed.notify_all();
-    return desk.changed.wait_until(lock, until, is_free) && desk.was_taken;
+    return becomes_free(desk, lock, patience, false) && desk.was_taken;
 }
 
 }  // namespace
@@ -80,13 +101,15 @@ void rank_before_drawing() {
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
 }
 
-HidPort patient_port(HidPort port, std::chrono::milliseconds patience) {
+HidPort patient_port(HidPort port, std::chrono::milliseconds patience,
+                     std::shared_ptr<const std::atomic<bool>> hurries) {
     auto desk = std::make_shared<Desk>();
     desk->write = std::move(port.write);
-    port.write = [server = std::make_shared<Server>(std::move(desk)),
-                  patience](std::span<const std::uint8_t> packet) {
-        return hand_over(*server->desk, packet, patience);
-    };
+    port.write =
+        [server = std::make_shared<Server>(std::move(desk)),
+         waits = Patience{patience, std::move(hurries)}](std::span<const std::uint8_t> packet) {
+            return hand_over(*server->desk, packet, waits);
+        };
     return port;
 }
 

@@ -140,10 +140,62 @@ gboolean MockBench::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gp
         umockdev_ioctl_client_complete(client, -1, ENODEV);
         return TRUE;
     }
+    if (plugged.refuses > 0) {
+        --plugged.refuses;
+        umockdev_ioctl_client_complete(client, -1, EIO);
+    } else if (plugged.holds) {
+        plugged.held.push_back({UMOCKDEV_IOCTL_CLIENT(g_object_ref(client)), packet});
+    } else {
+        take(plugged, client, packet);
+    }
+    return TRUE;
+}
+
+void MockBench::take(Plugged& plugged, UMockdevIoctlClient* client, const Packet& packet) {
     plugged.written.push_back({packet, std::chrono::steady_clock::now()});
     if (plugged.pad.answers_switch) plugged.bench->answer(plugged, packet);
     umockdev_ioctl_client_complete(client, static_cast<long>(packet.size()), 0);
-    return TRUE;
+}
+
+void MockBench::with(const std::string& node, const std::function<void(Plugged&)>& change) {
+    const std::lock_guard lock(mutex_);
+    for (Plugged& plugged : plugged_) {
+        if (plugged.pad.node == node) change(plugged);
+    }
+}
+
+void MockBench::refuse(const std::string& node, int count) {
+    with(node, [count](Plugged& plugged) { plugged.refuses = count; });
+}
+
+bool MockBench::has_refused(const std::string& node) {
+    bool all = false;
+    with(node, [&all](const Plugged& plugged) { all = plugged.refuses == 0; });
+    return all;
+}
+
+void MockBench::hold(const std::string& node) {
+    with(node, [](Plugged& plugged) { plugged.holds = true; });
+}
+
+// In the loop's own turn, where all else is answered.
+void MockBench::let_go(const std::string& node) {
+    with(node, [](Plugged& plugged) { plugged.holds = false; });
+    g_main_context_invoke(context_, &MockBench::let_all_go, this);
+}
+
+gboolean MockBench::let_all_go(gpointer data) {
+    auto& bench = *static_cast<MockBench*>(data);
+    const std::lock_guard lock(bench.mutex_);
+    for (Plugged& plugged : bench.plugged_) {
+        if (plugged.holds) continue;
+        for (const Held& held : plugged.held) {
+            take(plugged, held.client, held.packet);
+            g_object_unref(held.client);
+        }
+        plugged.held.clear();
+    }
+    return G_SOURCE_REMOVE;
 }
 
 // One report at a time: the node is a stream here, without borders between them.
@@ -170,12 +222,7 @@ std::vector<Written> MockBench::written(const std::string& node) const {
 }
 
 void MockBench::unplug(const std::string& node) {
-    {
-        const std::lock_guard lock(mutex_);
-        for (Plugged& plugged : plugged_) {
-            if (plugged.pad.node == node) plugged.gone = true;
-        }
-    }
+    with(node, [](Plugged& plugged) { plugged.gone = true; });
     const std::string hid = "/sys" + folder(node);
     umockdev_testbed_remove_device(testbed_, (hid + "/hidraw/" + node).c_str());
     umockdev_testbed_remove_device(testbed_, hid.c_str());

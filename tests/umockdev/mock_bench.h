@@ -2,7 +2,7 @@
 // it writes is kept.
 //
 // Source    umockdev: a sysfs and device nodes of its own, for programs run by umockdev-wrapper
-// Left out  input reports that come by themselves.
+// Left out  input reports that come by themselves; that two writes of one program are in turn.
 #pragma once
 
 #include <umockdev.h>
@@ -10,6 +10,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -49,19 +50,37 @@ class MockBench {
 
     void unplug(const std::string& node);
 
+    // The next `count` reports are an error, EIO.
+    void refuse(const std::string& node, int count);
+    bool has_refused(const std::string& node);  // all of them
+    // From now on a write does not come back until it is let go; its report counts as taken then.
+    void hold(const std::string& node);
+    void let_go(const std::string& node);
+
   private:
+    struct Held {
+        UMockdevIoctlClient* client = nullptr;
+        Packet packet;
+    };
+
     struct Plugged {
         MockBench* bench = nullptr;
         MockPad pad;
         UMockdevIoctlBase* handler = nullptr;
         std::vector<Written> written;
         bool gone = false;
+        int refuses = 0;
+        bool holds = false;
+        std::vector<Held> held{};
     };
 
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plugged);
+    static gboolean let_all_go(gpointer bench);
     static gboolean on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plugged);
 
     void add(Plugged& plugged);
+    void with(const std::string& node, const std::function<void(Plugged&)>& change);
+    static void take(Plugged& plugged, UMockdevIoctlClient* client, const Packet& packet);
     void answer(const Plugged& plugged, const Packet& packet);
 
     UMockdevTestbed* testbed_ = nullptr;
