@@ -79,6 +79,12 @@ bool same_choices(PerceptualModelParams a, const PerceptualModelParams& b) {
     return a == b;
 }
 
+// Which search it is: cheap to tell, in every frame.
+bool is_another_search(const TrainingRequest& asked, const TrainingRequest& now) {
+    return asked.units != now.units || asked.objective != now.objective ||
+           asked.leave_out_participants != now.leave_out_participants;
+}
+
 bool differ(const TrainingRequest& asked, const TrainingRequest& now) {
     if (!same_choices(asked.model, now.model)) return true;
     return !std::ranges::equal(asked.sets, now.sets, [](const SetToFit& a, const SetToFit& b) {
@@ -164,7 +170,7 @@ bool is_training_stale(const Workspace& work, ModelBench& model_bench) {
     const bool is_known =
         fresh.of == found && fresh.revision == work.revision && fresh.sets == sets;
     if (!is_known) fresh = {found, work.revision, sets, differ(found->request, now)};
-    return fresh.is_stale;
+    return fresh.is_stale || is_another_search(found->request, now);
 }
 
 void add_training_set_dialog(Ui& ui, const Workspace& work) {

@@ -1,6 +1,8 @@
 // Training in the model bench, in the program's real frames: from ratings to parameters in use.
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
 #include "app/window/jobs.h"
@@ -196,6 +198,27 @@ TEST_CASE("training panel: what was found is stale once the ratings or the patte
     document_changed(app.work);
     bench.program.settle();
     CHECK(bench.program.shows("train:stale"));
+}
+
+TEST_CASE("training panel: what was found is stale while another search is chosen") {
+    TrainingBench bench;
+    bench.train();
+    TrainingState& state = bench.app.model_bench.training;
+    const auto is_stale = [&] {
+        bench.program.settle();
+        return bench.program.shows("train:stale");
+    };
+    const auto check_other = [&](auto& choice, auto other) {
+        CHECK_FALSE(is_stale());
+        const auto before = std::exchange(choice, other);
+        CHECK(is_stale());
+        CHECK(bench.program.at("button:use trained").value == "stale");
+        choice = before;
+        CHECK_FALSE(is_stale());
+    };
+    check_other(state.units, 20);
+    check_other(state.leave_out_participants, !state.leave_out_participants);
+    check_other(state.objective, TrainingObjective::mean_absolute_rho);
 }
 
 TEST_CASE("training panel: several sets, each of which may be left aside") {
