@@ -93,6 +93,12 @@ Expected<Done> tell_left_out(const Loaded& loaded, bool strict) {
     return Done{};
 }
 
+// Zeros that look like an answer: every pair is as good as another, and each of them "optimal".
+void tell_of_weights(const PerceptualModelParams& model) {
+    if (model.nc_weight > 0.0 || model.oc_weight > 0.0) return;
+    std::cerr << "tactspace: the model weighs neither NC nor OC: all patterns are alike to it\n";
+}
+
 // The side of the sets that is asked for, and what is to be said of it.
 Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
     std::optional<ActuatorMap> actuator;
@@ -120,6 +126,7 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
             options.model.empty() ? "the set's model" : options.model.string();
         std::cerr << "tactspace: " << whose << ": " << remark << "\n";
     }
+    tell_of_weights(loaded->set.model);
     labels.only = options.only;
     PatternSet side = one_side(loaded->set, options.only);
     labels.synthetic_patterns = has_synthetic_patterns(side);

@@ -77,6 +77,27 @@ TEST_CASE("space --json: that a model is synthetic is said once, by the key of o
     CHECK_FALSE(of_matrix.contains("synthetic_model"));
 }
 
+TEST_CASE("commands: zeros of a model that weighs nothing are said to be no answer") {
+    const Maps maps;
+    auto loaded = *tact::read_set_file(maps.set);
+    const std::vector<std::string> names{loaded.set.vibrations[0].name,
+                                         loaded.set.vibrations[1].name};
+    for (const double weight : {0.0, 0.3}) {
+        loaded.set.model.nc_weight = weight;
+        loaded.set.model.oc_weight = 0.0;
+        REQUIRE(tact::write_set_file(maps.set, loaded.set));
+        for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+                 {"predict", maps.set},
+                 {"subset", maps.set, "-k", "2"},
+                 {"space", maps.set},
+                 {"separate", maps.set, "--pair", names[0] + "," + names[1]}}) {
+            CAPTURE(command.front());
+            CHECK(contains(run_program(command).err, "weighs neither NC nor OC") ==
+                  (weight == 0.0));
+        }
+    }
+}
+
 TEST_CASE("space --align-to: a map turned onto itself stays, and another is told by how much") {
     const Maps maps;
     const std::string pm = maps.made("pm.csv", {"space", maps.set});
