@@ -276,6 +276,8 @@ std::vector<std::string> unrated_patterns(const RatingStudy& study) {
 
 std::string remark_on_unrated(const std::vector<std::string>& unrated, std::size_t patterns) {
     if (unrated.empty()) return {};
+    // As after a rehearsal: nothing is left that they could be left out of.
+    if (unrated.size() == patterns) return "No pattern was rated by anyone who counts";
     return std::to_string(unrated.size()) + " of " + std::to_string(patterns) +
            " patterns were not rated and are left out: " + first_names(unrated);
 }

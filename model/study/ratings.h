@@ -89,7 +89,8 @@ Expected<RatingStudy> matched(const RatingStudy& study, const std::vector<std::s
 // Names of the patterns without any rated pair, in their order.
 std::vector<std::string> unrated_patterns(const RatingStudy& study);
 
-// A sentence on them without a full stop, with names and the number; empty for none.
+// A sentence on them without a full stop, with names and the number; empty for none. Where it is
+// all of them, nobody counts, which is what it says.
 std::string remark_on_unrated(const std::vector<std::string>& unrated, std::size_t patterns);
 
 // The mean over repetitions, then over participants, of those who rated the pair; NaN where nobody

@@ -108,6 +108,9 @@ TEST_CASE("ratings: those of some of the patterns serve, and the others are name
     CHECK(unrated_patterns(*study) == std::vector<std::string>{"d", "e"});
     CHECK(remark_on_unrated({"d", "e"}, 5) ==
           "2 of 5 patterns were not rated and are left out: \"d\", \"e\"");
+    // After a rehearsal none is left that they could be left out of.
+    CHECK(remark_on_unrated({"a", "b"}, 2) == "No pattern was rated by anyone who counts");
+    CHECK(remark_on_unrated({}, 0).empty());
     const Dissimilarity all = mean_ratings(*study);
     const Dissimilarity own = mean_ratings(small_study());
     for (std::size_t i = 0; i < 3; ++i) {
