@@ -165,6 +165,20 @@ TEST_CASE("gestures: the palette tells the shortcuts of what it finds") {
     CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
+TEST_CASE("gestures: calibrating is found in the palette and in the Play menu") {
+    Program program(short_patterns(2));
+    program.press('p', true);
+    program.window.type("calib");
+    program.settle();
+    CHECK(program.shows("palette:Calibrate..."));
+    program.press_key(key::kEscape);
+    program.click("menu:Play");
+    CHECK(program.shows("menu:Calibrate..."));
+    program.click("menu:Calibrate...");
+    // An actuator is measured through a sound output, which is asked for where none is chosen.
+    CHECK((program.app.ui.dialog == Dialog::calibrate || program.app.ui.dialog == Dialog::devices));
+}
+
 TEST_CASE("gestures: the palette says why a command cannot be done, below those that can") {
     Program program(short_patterns(2));
     program.press('p', true);
