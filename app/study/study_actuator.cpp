@@ -88,7 +88,9 @@ StudyDevice study_device(const PlayState& play, const StudyState& studying,
                        " dB, as the strongest is too strong for the output";
     }
     // One that is listed and cannot play is felt as little as none.
-    return {actuator.is_there ? studying.device->status().name : kNoDevice, calibration, {}};
+    if (!actuator.is_there) return {kNoDevice, calibration, {}};
+    const double buffer_ms = is_controller(play) ? 0.0 : 1e3 * play.whole_buffer_s;
+    return {studying.device->status().name, calibration, {}, buffer_ms};
 }
 
 std::string strength_words(const StudyActuator& actuator) {

@@ -34,6 +34,7 @@ struct StudyDevice {
     std::string name;
     std::string calibration;  // its name, or "uncalibrated"
     std::string masking;  // the noise against hearing it, or why there was none; empty: not asked
+    double buffer_ms = 0.0;  // of a sound output, ahead of what is heard; 0: none, or not known
 
     bool operator==(const StudyDevice&) const = default;
 };

@@ -17,18 +17,20 @@ constexpr const char* kFeltFirst[] = {"unknown", "left", "right"};
 constexpr Range kPlays{0, 1e6};
 constexpr Range kSeconds{0, 1e9};
 constexpr Range kTurnedDownDb{0, 1000};
+constexpr Range kBufferMs{0, 1e6};
 constexpr Range kSerial{1, 1e6};  // of a trial or a round; nobody answers more
 
 Json json_of(const StudyDevice& device) {
     Json fields = {{"name", device.name}, {"calibration", device.calibration}};
     if (!device.masking.empty()) fields["masking"] = device.masking;
+    if (device.buffer_ms > 0.0) fields["buffer_ms"] = device.buffer_ms;
     if (is_rehearsal(device)) fields["rehearsal"] = true;
     return fields;
 }
 
 StudyDevice device_in(JsonObject object) {
     return {name_field(object, "name", ""), name_field(object, "calibration", ""),
-            name_field(object, "masking", "")};
+            name_field(object, "masking", ""), number_field(object, "buffer_ms", 0.0, kBufferMs)};
 }
 
 Json json_of_head(const StudyHeader& header) {

@@ -188,6 +188,24 @@ TEST_CASE("actuator: where one pattern is too strong, all are turned down alike,
     CHECK(contains(program.record().header.device.calibration, "all patterns turned down by"));
 }
 
+TEST_CASE("actuator: the buffer of the output is kept with the study, a new one from then on") {
+    Felt program;
+    program.app.play.whole_buffer_s = 0.25;
+    program.begin();
+    CHECK(program.record().header.device.buffer_ms == 250.0);
+    program.feel('a');
+    program.feel('b');
+    program.answer();
+    program.leave();
+    program.wait_for("link:go on P1");
+    program.app.play.whole_buffer_s = 0.5;
+    program.click("link:go on P1");
+    const StudyRecord record = program.record();
+    REQUIRE(record.devices.size() == 1);
+    CHECK(record.devices[0].before == 1);
+    CHECK(record.devices[0].device.buffer_ms == 500.0);
+}
+
 TEST_CASE("actuator: going on with another device asks, and the file says what it is now") {
     Felt program;
     program.begin();

@@ -85,7 +85,8 @@ StudyRecord any_record(std::uint64_t seed) {
     record.header = header();
     record.header.kind = seed % 2 == 0 ? StudyKind::pairwise : StudyKind::sorting;
     record.header.synthetic = next_index(random, 2) == 1;
-    record.header.device = {any_text(random), any_text(random), any_text(random)};
+    record.header.device = {any_text(random), any_text(random), any_text(random),
+                            100.0 * static_cast<double>(seed % 3)};
     record.header.seed = random_bits(78, seed);
     record.header.participant = {any_text(random), {{"age", any_text(random)}}};
     const std::size_t n = record.header.patterns.size();
@@ -108,7 +109,8 @@ StudyRecord any_record(std::uint64_t seed) {
         }
         if (next_index(random, 3) == 0) {
             record.devices.push_back({answers_given(record),
-                                      {any_text(random), any_text(random), any_text(random)},
+                                      {any_text(random), any_text(random), any_text(random),
+                                       static_cast<double>(seed % 4)},
                                       any_text(random)});
         }
     }
