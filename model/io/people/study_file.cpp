@@ -63,10 +63,24 @@ Expected<std::vector<StudyRecord>> read_alone(const fs::path& path) {
     return std::vector<StudyRecord>{*std::move(record)};
 }
 
+bool is_numbered(const Json& line) { return line.contains("trial") || line.contains("round"); }
+
 // How often a participant has answered; what is too often is refused as it is read, as comparing
 // every answer to a pair with every other takes the square of them.
 struct AnswerCount {
     std::unordered_map<std::size_t, std::size_t> of_pair;
+    std::unordered_map<std::string, std::size_t> line_of;  // of each numbered answer
+
+    // What is wrong with a line of the file, or empty. The same number, answer and moment again is
+    // one answer that a copy has doubled; without a number it may be a second repetition.
+    std::string take_line(const Json& fields, std::size_t line) {
+        if (!is_numbered(fields)) return {};
+        const auto [known, is_new] =
+            line_of.emplace(fields.dump(-1, ' ', false, Json::error_handler_t::replace), line);
+        if (is_new) return {};
+        return "expected each answer once, got that of line " + std::to_string(known->second) +
+               " again";
+    }
 
     // What is wrong with the last answer of the record, or empty.
     std::string take_last(const StudyRecord& record) {
@@ -126,7 +140,8 @@ Expected<StudyRecord> parse_study(std::string_view text, const std::string& file
         std::string fault;
         if (has_header) {
             fault = take_line(record, *value, place);
-            const std::string often = fault.empty() ? count.take_last(record) : "";
+            std::string often = fault.empty() ? count.take_last(record) : "";
+            if (fault.empty() && often.empty()) often = count.take_line(*value, line);
             if (!often.empty()) fault = place + ": " + often;
         } else {
             fault = take_header(record, *value, place);

@@ -193,6 +193,27 @@ TEST_CASE("study file: after an accident it is refused by its line, or kept as i
     CHECK(accepted[1] > 20);
 }
 
+TEST_CASE("study file: an answer that a copy has doubled is refused by both of its lines") {
+    StudyHeader sorting = header();
+    sorting.kind = StudyKind::sorting;
+    const std::string rated = answer_line(header(), 0, kAnswer) + "\n";
+    const std::string next = answer_line(header(), 1, kAnswer) + "\n";
+    const std::string sorted =
+        answer_line(sorting, 0, SortingAnswer{2, {0, 1, 0}, 3.0, "t"}) + "\n";
+    for (const std::string& twice : {header_line(header()) + "\n" + rated + next + rated,
+                                     header_line(sorting) + "\n" + sorted + "\n\n" + sorted,
+                                     header_line(header()) + "\n" + rated + "\n\n " + rated}) {
+        CAPTURE(twice);
+        CHECK(contains(fault_of(twice), "P1.jsonl:"));
+        CHECK(contains(fault_of(twice), "expected each answer once, got that of line 2 again"));
+    }
+    CHECK(contains(fault_of(header_line(header()) + "\n" + rated + next + rated), "P1.jsonl:4: "));
+    // The same pair once more, and answers by hand that have no numbers, are answers of their own.
+    const std::string by_hand = "{\"left\":\"low\",\"right\":\"low\",\"rating\":5}\n";
+    CHECK(parse_study(header_line(header()) + "\n" + rated + next, "P1.jsonl"));
+    CHECK(parse_study(header_line(header()) + "\n" + by_hand + by_hand, "P1.jsonl"));
+}
+
 TEST_CASE("study file: torn anywhere in its last line, it loses that line alone and goes on") {
     const TemporaryFolder folder;
     const auto whole = folder.path / "P1.jsonl";
@@ -213,7 +234,7 @@ TEST_CASE("study file: torn anywhere in its last line, it loses that line alone 
         {
             auto log = StudyLog::resume(path, *record);
             REQUIRE(log);
-            REQUIRE(log->append(answer_line(header(), 1, kOther)));
+            REQUIRE(log->append(answer_line(header(), record->answers.size(), kOther)));
         }
         const auto after = read_study_file(path);
         REQUIRE(after);
