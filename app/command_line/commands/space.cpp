@@ -41,6 +41,7 @@ struct OnOtherMap {
     ProcrustesFit fit;
     double k = 0.0;
     PermutationTest protest;
+    std::string mark{};  // of the other map
 };
 
 constexpr PermutationParams kProtest{10'000, 6, 0};
@@ -146,6 +147,7 @@ Expected<OnOtherMap> aligned_to(const std::filesystem::path& file,
     const auto k = alienation(own, result.target);
     const auto test = protest(result.target, own, params);
     if (!k || !test) return Error{where + (k ? test.error() : k.error()).message};
+    result.mark = other->mark;
     result.k = *k;
     result.protest = *test;
     result.fit = procrustes(own, result.target);
@@ -153,11 +155,20 @@ Expected<OnOtherMap> aligned_to(const std::filesystem::path& file,
 }
 
 nlohmann::json json_of(const OnOtherMap& on) {
-    return {{"patterns", on.rows.size()},
-            {"procrustes_r", on.fit.correlation},
-            {"procrustes_m2", 1.0 - on.fit.correlation * on.fit.correlation},
-            {"protest_p", on.protest.p},
-            {"K", on.k}};
+    nlohmann::json json{{"patterns", on.rows.size()},
+                        {"procrustes_r", on.fit.correlation},
+                        {"procrustes_m2", 1.0 - on.fit.correlation * on.fit.correlation},
+                        {"protest_p", on.protest.p},
+                        {"K", on.k}};
+    if (!on.mark.empty()) json["mark"] = on.mark;
+    return json;
+}
+
+// What has to be said of the coordinates: of the map, and of the one that it is turned onto.
+std::string mark_of(const Mappable& of, const std::optional<OnOtherMap>& on) {
+    if (!on || on->mark.empty()) return of.mark;
+    const std::string turned = "turned onto a map: " + on->mark;
+    return of.mark.empty() ? turned : of.mark + "; " + turned;
 }
 
 nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
@@ -194,6 +205,7 @@ void print_remarks(const PerceptualSpace& space, const std::optional<OnOtherMap>
         on->protest.is_exact ? "all orders of the patterns"
                              : (grouped_digits(on->protest.orders) + " orders").c_str(),
         on->protest.is_exact ? "" : ", seed 6");
+    if (!on->mark.empty()) std::cerr << "tactspace: the other map: " << on->mark << "\n";
 }
 
 Expected<Done> draw(const SpaceCommand& command, const Mappable& of, const PerceptualSpace& space,
@@ -202,7 +214,7 @@ Expected<Done> draw(const SpaceCommand& command, const Mappable& of, const Perce
     marks.quantity = of.quantity;
     if (of.of_people) marks.source = of.synthetic ? "synthetic ratings" : "rated by people";
     if (!command.matrix.empty()) marks.source = "by " + of.quantity;
-    marks.mark = of.mark;
+    marks.mark = mark_of(of, alignment);
     // Arrows from where the other map has them, if it has all.
     const bool has_all = alignment && alignment->target.rows() == space.points.rows();
     if (has_all) marks.before = &alignment->target;
@@ -238,7 +250,7 @@ Expected<Done> run(const SpaceCommand& command) {
         if (command.common.json) {
             stream << json_of(*of, space, alignment).dump() << "\n";
         } else {
-            write_coordinates_csv(stream, labels, space.points, of->mark);
+            write_coordinates_csv(stream, labels, space.points, mark_of(*of, alignment));
         }
     });
     if (!written || command.image.empty()) return written;

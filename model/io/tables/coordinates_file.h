@@ -3,6 +3,7 @@
 //     name,D1,D2,D3
 //     low,0.1,-0.2,0.3
 //
+// In the place of "name" may stand what is false about all of them, which is handed on.
 // Output    errors as "FILE:LINE: expected .."
 // Valid     finite numbers, in UTF-8, kMaxCoordinatesBytes: a row of four bytes takes a hundred
 #pragma once
@@ -22,6 +23,7 @@ inline constexpr std::size_t kMaxCoordinatesBytes = std::size_t{1} << 25;
 struct LabelledPoints {
     std::vector<std::string> labels;
     Eigen::MatrixXd points;  // one row a label
+    std::string mark{};      // of SYNTHETIC or CHANGED; else the corner is a heading
 };
 
 Expected<LabelledPoints> parse_coordinates(std::string_view text, const std::string& file);

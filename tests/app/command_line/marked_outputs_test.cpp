@@ -129,6 +129,16 @@ const Checks& checks() {
                  words.insert(words.end(), {"--out", b.at("s.csv"), "--image", b.at("s.svg")});
                  b.check_says(words);
              }
+             // The map itself is nobody's invention; what it is turned onto, and held against, is.
+             const std::string other = (b.folder.path / "of nobody.csv").string();
+             Bench::ran({"space", b.plain, "--ratings", b.people, "--out", other});
+             b.check_says({"space", b.plain, "--align-to", other});
+             b.check_says({"space", b.plain, "--align-to", other, "--json"});
+             b.check_says({"space", b.plain, "--align-to", other, "--out", b.at("s.csv"), "--image",
+                           b.at("s.svg")});
+             const std::string turned = (b.folder.path / "turned.csv").string();
+             Bench::ran({"space", b.plain, "--align-to", other, "--out", turned});
+             b.check_says({"space", b.plain, "--align-to", turned});
          }},
         {"stages",
          [](const Bench& b) {
