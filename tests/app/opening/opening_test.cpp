@@ -66,6 +66,10 @@ struct SlowDisk {
         program.wait_for_opening();
     }
     std::size_t count() const { return app.work.document.set.vibrations.size(); }
+    // Until the disk is being read.
+    void wait_for_reader() {
+        wait_until(program, [this] { return app.opening.job->progress() > 0.0F; });
+    }
     // So long that it is said.
     void rest() {
         for (int k = 0; k < 30; ++k) program.frame();
@@ -83,6 +87,7 @@ TEST_CASE("opening: frames go on while a file is read, which says how far it is"
     disk.open(disk.set_of(5));
     disk.program.frame();
     CHECK_FALSE(disk.program.shows("progress:reading"));  // most files need no word
+    disk.wait_for_reader();
     disk.rest();
     CHECK(disk.count() == 2);
     CHECK(disk.program.at("progress:reading").value == "Reading 5.tactspace.json, 40 %");
