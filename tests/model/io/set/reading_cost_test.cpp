@@ -87,12 +87,14 @@ std::string ratings(std::size_t labels, std::size_t people, std::size_t passes) 
     return text;
 }
 
-std::string study(std::size_t answers, const std::string& trial = "1") {
+// `trial`: of all of them; empty: numbered.
+std::string study(std::size_t answers, const std::string& trial = "") {
     std::string text =
         R"({"tactspace_study":1,"kind":"pairwise","participant":{"code":"S01"},"patterns":["a","b","c"]})"
         "\n";
     for (std::size_t k = 0; k < answers; ++k) {
-        text += R"({"trial":)" + trial + R"(,"left":"c","right":")" + (k % 2 == 0 ? "a" : "b") +
+        const std::string number = trial.empty() ? std::to_string(k + 1) : trial;
+        text += R"({"trial":)" + number + R"(,"left":"c","right":")" + (k % 2 == 0 ? "a" : "b") +
                 R"(","rating":1})"
                 "\n";
     }
