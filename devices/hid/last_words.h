@@ -8,8 +8,7 @@
 //
 // Source    signal-safety(7)
 // Left out  SIGKILL and a loss of power, which nothing can answer; a halt while a driver hangs,
-// which
-//           comes once that is over.
+//           which comes once that is over.
 #pragma once
 
 #include <cstdint>

@@ -3,10 +3,10 @@
 //
 // Source    de Silva & Tenenbaum 2004, landmark MDS
 // Input     a dissimilarity matrix; NaN pairs count as the mean of the others
-// Output    n x k coordinates, about the centre of the landmarks, columns of vanished eigenvalues
-// zero Exact     Torgerson's coordinates up to a motion where the dissimilarities are distances in
-// k
-//           dimensions; and always where there are no more objects than landmarks
+// Output    n x k coordinates about the centre of the landmarks; zeros in the columns of vanished
+//           eigenvalues
+// Exact     Torgerson's coordinates up to a motion, where the dissimilarities are distances in k
+//           dimensions, and always where there are no more objects than landmarks
 #pragma once
 
 #include <Eigen/Core>

@@ -10,8 +10,7 @@
 //           as R prints distances; nothing, NA or 0 on the diagonal; similarities, which have one
 //           number there that no other exceeds
 // Output    errors as "FILE:LINE: expected .."
-// Valid     at most 10,000 objects, in a file of at most kMaxFileBytes (0.4 GB of numbers beside
-// it);
+// Valid     at most 10,000 objects, in a file of at most kMaxFileBytes (and 0.4 GB of numbers);
 //           symmetric to 1e-9 of the larger value, or to the digits written, four decimals at
 //           least
 // Left out  rectangular matrices; unknown pairs
