@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "devices/device/halt.h"
+
 struct wl_display;
 
 namespace tact {
@@ -30,6 +32,7 @@ constexpr unsigned kLongestKeepingS = 20;
 }
 
 int display_is_gone(Display* /*display*/) {
+    rest_all();
     // The drawing thread hears of it as soon as it asks the screen for anything.
     if (std::this_thread::get_id() != drawing_thread) {
         ::sleep(kLongestKeepingS);

@@ -1,4 +1,5 @@
-// The X server is gone: what is to be kept is kept, one sentence is said, the program ends with 1.
+// The X server is gone: actuators come to rest, what is to be kept is kept, one sentence is said,
+// the program ends with 1.
 //
 // Xlib ends the program by itself, with whichever thread found out; destructors that then run
 // beside the other thread crash it. The program's own thread, which is inside Xlib and so changes

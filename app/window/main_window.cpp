@@ -108,8 +108,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
         return draw_window_frame(app, stop, context);
     };
     client.escape = [&stop] { stop.stop(); };
-    client.display_gone = [&app, &stop] {
-        stop.stop();
+    client.display_gone = [&app] {
         const Expected<Done> kept = keep_before_end(app);
         return kept ? std::string() : kept.error().message;
     };

@@ -9,6 +9,7 @@
 
 #include "devices/audio/audio_host.h"
 #include "devices/device/bounds.h"
+#include "devices/device/halt.h"
 
 namespace tact {
 
@@ -32,6 +33,7 @@ double steady_s() {
 std::uint64_t AudioStream::ask() {
     const std::lock_guard lock(mutex_);
     trouble_.clear();
+    halts_ = halts();
     const std::uint64_t serial = ++asked_;
     superseded_ = serial;
     plays_ = {{serial}};
@@ -123,6 +125,7 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
 
 bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
                        std::optional<double> rest_s) {
+    rest_before_halts();
     if (serial <= stopped_.load() || serial < superseded_.load()) return port_.has_value();
     if (port_) settle_cut();
     if (!port_) {
@@ -216,6 +219,14 @@ StreamState AudioStream::lose(const std::string& why) {
     return StreamState::closed;
 }
 
+// A halted program renders nothing: a server may then repeat for good what it was given last. What
+// was asked for before stays at rest when the program goes on.
+void AudioStream::rest_if_halted() {
+    if (halts() == halts_.load() || !is_sounding()) return;
+    tell(place_.name + kHalted);  // first: what ends without a word is followed by the next one
+    stop();
+}
+
 bool AudioStream::is_sounding() const {
     if (!port_ || !clip_ || playback_.ended.load() >= clip_->serial) return false;
     return playback_.begun.load() >= clip_->serial || clip_->serial > stopped_.load();
@@ -223,6 +234,7 @@ bool AudioStream::is_sounding() const {
 
 StreamState AudioStream::poll() {
     if (!port_) return StreamState::closed;
+    rest_if_halted();
     if (playback_.cut == Cut::done) {
         close();
         return StreamState::closed;

@@ -93,6 +93,7 @@ class AudioStream {
     Expected<Done> claim_channels();
     void lay_out(double rate_hz, bool clock_tells_gaps);
     void settle_cut();
+    void rest_if_halted();
     void start(std::unique_ptr<const Clip> clip, double duration_s);
     void free_clips();
     void tell(const std::string& trouble);
@@ -106,7 +107,8 @@ class AudioStream {
     std::atomic<std::uint64_t> stopped_ = 0;     // this play and all before it
     std::atomic<double> clock_offset_s_ = 0.0;   // stream time - steady time
     std::atomic<bool> connected_ = true;
-    std::mutex mutex_;  // guards the next three
+    std::atomic<std::uint64_t> halts_ = 0;  // of the program, when the newest play was asked for
+    std::mutex mutex_;                      // guards the next three
     std::optional<Change> change_;
     std::string trouble_;
     std::vector<Asked> plays_;  // the one to be felt now, and what waits for its end

@@ -26,14 +26,9 @@ void listen_for(int signal, void (*answer)(int)) {
     sigaction(signal, &action, nullptr);
 }
 
-// The other threads run on meanwhile: they see the count, and put to rest what they drive. The last
-// words come after whatever was on its way.
 void rest_and_halt(int signal) {
     const int fault_before = errno;
-    counted.fetch_add(1);
-    if (const auto say = say_last.load()) say();
-    nanosleep(&kTimeToRest, nullptr);
-    if (const auto say = say_last.load()) say();
+    rest_all();
     listen_for(signal, SIG_DFL);
     sigset_t only_this;
     sigset_t before;
@@ -56,6 +51,15 @@ void rest_before_halts() {
         if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
         listen_for(signal, rest_and_halt);
     }
+}
+
+// The other threads run on meanwhile: they see the count, and put to rest what they drive. The last
+// words come after whatever was on its way.
+void rest_all() {
+    counted.fetch_add(1);
+    if (const auto say = say_last.load()) say();
+    nanosleep(&kTimeToRest, nullptr);
+    if (const auto say = say_last.load()) say();
 }
 
 void call_before_halts(void (*last_words)()) { say_last = last_words; }

@@ -2,8 +2,8 @@
 // before, and stays at rest when the program goes on.
 //
 // Source    signal-safety(7); SIGTSTP, SIGTTIN and SIGTTOU, where nobody else answers them
-// Left out  SIGSTOP, which no program hears: a controller goes on with what it was told last, an
-//           output of sound falls silent within what was rendered ahead.
+// Left out  SIGSTOP, which no program hears: a controller goes on with what it was told last, JACK
+//           repeats its last period, other outputs fall silent within what was rendered ahead.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,10 @@ namespace tact {
 
 // Handles every signal to halt that still has its default action. A second call changes nothing.
 void rest_before_halts();
+
+// The same for who ends the program without its destructors, from any thread: returns when all is
+// at rest.
+void rest_all();
 
 // Called by the signal's handler, which may do little; null: nothing.
 void call_before_halts(void (*last_words)());
