@@ -11,7 +11,8 @@ inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sb
     ${https_proxy:+https_proxy="$https_proxy"} "$@"; }
 finish() {
     local code=$?
-    umount "$root/dev/shm" "$root/proc" 2>/dev/null || true
+    local mounted
+    for mounted in dev/pts dev/shm proc; do umount "$root/$mounted" 2>/dev/null || true; done
     rm -rf --one-file-system "$scratch"
     exit "$code"
 }
@@ -26,8 +27,10 @@ bare_system() {
     debootstrap --variant=minbase --include="$2" "$1" "$root" >"$scratch/log" 2>&1 ||
         { tail -5 "$scratch/log"; fail "no Debian was made"; }
     mount -t proc proc "$root/proc"
-    mkdir -p "$root/dev/shm"
+    mkdir -p "$root/dev/shm" "$root/dev/pts"
     mount -t tmpfs tmpfs "$root/dev/shm"
+    # Terminals of its own, which tests write to and umockdev makes devices of.
+    mount -t devpts -o newinstance,ptmxmode=0666,mode=0620,gid=5 devpts "$root/dev/pts"
     cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
     inside apt-get update -q >"$scratch/log" 2>&1 || { tail -5 "$scratch/log"; fail "no package lists"; }
 }
