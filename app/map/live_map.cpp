@@ -76,7 +76,7 @@ std::vector<double> own_durations_s(const PatternSet& set) {
     return durations_s;
 }
 
-// Of the pairs of all envelopes.
+// The cells that DTW fills for all pairs of envelopes.
 double cells_of(std::vector<double> durations_s) {
     if (durations_s.size() < 2) return 0.0;
     const double tail_s = static_cast<double>(kEnvelopeSamples) / kModelRateHz;

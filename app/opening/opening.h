@@ -1,7 +1,7 @@
 // Opening files, and adding them to the set, beside the window: a frame never waits for a file.
 //
 // Input     paths of sets, folders, recordings and effects, as model/io/set/load.h takes them
-// Output    another document, or a step of the open one; an error leaves the document as it is
+// Output    another document, or one undoable step in the open one; an error changes nothing
 // Valid     One opening at a time. A newer one takes the place of an older; what is to be added
 //           while something is read is refused. What was read waits while a question, a dialog or
 //           a hand is on the document, and is added to no other set than it was asked for.

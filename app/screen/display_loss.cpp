@@ -45,7 +45,7 @@ int display_is_gone(Display* /*display*/) {
                               : "unsaved changes could not be kept: " + fault);
 }
 
-// Of a GLFW that is for X11 alone, or where nothing is shown by Wayland, there are none of these.
+// False without Wayland: a GLFW built for X11 alone has none of these functions.
 bool is_compositor_gone() {
     void* const client = ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD);
     const auto display_of =

@@ -14,7 +14,7 @@
 
 namespace tact {
 
-// Of what a subset is worth and of its pairs: the digits that reports and exports show of the same.
+// The worth of a subset or a pair, with the digits that reports and exports show.
 std::string worth_text(double worth);
 
 PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

@@ -149,7 +149,7 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
 
 namespace {
 
-// Of those in view: none where there are too many to be told apart.
+// The points in view, or nothing where there are too many to be told apart.
 template <class Point>
 std::vector<std::size_t> singles_in_view(const std::vector<Point>& all, const Axis& time) {
     const auto is_seen = [&](const Point& point) {

@@ -32,8 +32,7 @@ class Scaled {
     double unit() const { return unit_ > 0.0 ? unit_ : 1.0; }
 
     double operator()(std::size_t i, std::size_t j) const {
-        if (i == j) return 0.0;
-        const double value = all_.condensed[pair_index(all_.size, std::min(i, j), std::max(i, j))];
+        const double value = all_(i, j);
         return (std::isnan(value) ? mean_ : value) / unit();
     }
 

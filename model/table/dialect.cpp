@@ -245,6 +245,11 @@ std::optional<double> number_in(std::string_view cell, const TableDialect& diale
     return finite_number_in(text);
 }
 
+bool says_unknown(std::string_view cell) {
+    constexpr std::array<std::string_view, 6> kWords{"", "NA", "NaN", "nan", "na", "-"};
+    return std::ranges::find(kWords, trimmed(cell)) != kWords.end();
+}
+
 std::string words_on(const TableDialect& dialect, TableEncoding encoding) {
     std::string words;
     const auto say = [&words](const char* more) {

@@ -54,6 +54,9 @@ inline constexpr const char* kDoubtfulNumbers =
 // comma, too.
 std::optional<double> number_in(std::string_view cell, const TableDialect& dialect);
 
+// Whether a cell says that its number is not known: blank, "NA", "NaN" or "-".
+bool says_unknown(std::string_view cell);
+
 // "semicolons between cells, decimal commas, Windows-1252"; empty: as a CSV file is written.
 std::string words_on(const TableDialect& dialect, TableEncoding encoding);
 

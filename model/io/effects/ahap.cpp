@@ -46,7 +46,7 @@ struct AhapPattern {
     double percent = 0.0;  // the largest value that may be one; 0: none
 };
 
-constexpr double kLeastPercent = 1.5;  // above it a share of 1 is none by rounding
+constexpr double kLeastPercent = 1.5;  // above it, a share of 1 is not one by rounding
 
 double clamped_to(AhapPattern& pattern, double value, Range range, const std::string& what) {
     if (!range.contains(value)) {

@@ -34,7 +34,7 @@ struct XmlReading {
     const EffectFile& file;
     std::string fault;
     std::vector<std::string> remarks;
-    Voice voice;                  // of the effect that is read, as far as it is
+    Voice voice;                  // of the effect being read, so far
     bool is_the_devices = false;  // the fault is no fault of the file's
 };
 

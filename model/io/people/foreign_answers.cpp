@@ -94,7 +94,7 @@ std::string words_on_columns(const CsvRecord& head, const Columns& columns) {
     return words;
 }
 
-// The two that an array in a cell names; none where it is none.
+// The two names in a cell that holds an array of two.
 std::optional<std::pair<std::string, std::string>> two_in(const std::string& cell) {
     const std::string_view text = trimmed(cell);
     if (!text.starts_with('[') || text.size() > 4096) return std::nullopt;
@@ -110,18 +110,18 @@ bool part_stimuli(std::vector<CsvRecord>& records) {
     constexpr std::array<std::string_view, 2> kStimuli{"stimulus", "stimuli"};
     const auto place = column_of(records.front(), kStimuli);
     if (!place) return false;
-    const auto has_two = [&](const CsvRecord& one) {
-        return one.fields.size() > *place && two_in(one.fields[*place]);
-    };
-    if (std::none_of(records.begin() + 1, records.end(), has_two)) return false;
+    std::vector<std::optional<std::pair<std::string, std::string>>> pairs(records.size());
+    for (std::size_t k = 1; k < records.size(); ++k) {
+        if (records[k].fields.size() > *place) pairs[k] = two_in(records[k].fields[*place]);
+    }
+    if (std::ranges::none_of(pairs, [](const auto& one) { return one.has_value(); })) return false;
     const std::size_t columns = records.front().fields.size();
     records.front().fields.insert(records.front().fields.end(), {"a", "b"});
     for (std::size_t k = 1; k < records.size(); ++k) {
         auto& fields = records[k].fields;
-        const auto two = has_two(records[k]) ? two_in(fields[*place]) : std::nullopt;
         fields.resize(columns);
-        fields.push_back(two ? two->first : "");
-        fields.push_back(two ? two->second : "");
+        fields.push_back(pairs[k] ? std::move(pairs[k]->first) : "");
+        fields.push_back(pairs[k] ? std::move(pairs[k]->second) : "");
     }
     return true;
 }

@@ -16,10 +16,6 @@ namespace tact {
 
 namespace {
 
-Error at_line(const RatingsText& into, std::size_t line, const std::string& fault) {
-    return Error{into.file + ":" + std::to_string(line) + ": " + fault};
-}
-
 // Numbers of a row from a column on; what is wrong with it, or empty.
 std::string take_numbers(const CsvRecord& record, std::size_t from, std::vector<double>& numbers) {
     for (std::size_t k = from; k < record.fields.size(); ++k) {
@@ -55,17 +51,20 @@ void take_square(RatingsText& into, const std::vector<std::vector<double>>& rows
     into.study.judgements.push_back(std::move(judgement));
 }
 
-Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRecord>& records) {
+Expected<RatingsText> labelled_square(const std::string& file,
+                                      const std::vector<CsvRecord>& records) {
+    RatingsText into;
+    into.file = file;
     std::vector<std::string>& labels = into.study.labels;
     for (std::size_t k = 1; k < records[0].fields.size(); ++k) {
         labels.emplace_back(trimmed(records[0].fields[k]));
         if (const std::string fault = name_fault(labels.back()); !fault.empty()) {
-            return at_line(into, records[0].line, fault);
+            return at_line(file, records[0].line, fault);
         }
     }
     if (const auto equal = first_equal(labels)) {
         return at_line(
-            into, records[0].line,
+            file, records[0].line,
             "expected names that differ, got " + in_quotes(labels[equal->second]) + " twice");
     }
     std::vector<std::vector<double>> rows(labels.size());
@@ -74,23 +73,23 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
         const CsvRecord& record = records[i];
         const std::string name{trimmed(record.fields[0])};
         if (i > labels.size()) {
-            return at_line(into, record.line, "expected as many rows as columns, got more");
+            return at_line(file, record.line, "expected as many rows as columns, got more");
         }
         const auto found = std::ranges::find(labels, name);
         std::vector<double>& row = rows[found == labels.end() ? 0 : found - labels.begin()];
         if (found == labels.end() || !row.empty()) {
             return at_line(
-                into, record.line,
+                file, record.line,
                 "expected the row of " + in_quotes(labels[i - 1]) + ", got " + in_quotes(name));
         }
         is_permuted |= name != labels[i - 1];
         if (record.fields.size() != labels.size() + 1) {
-            return at_line(into, record.line,
+            return at_line(file, record.line,
                            "expected " + std::to_string(labels.size()) + " ratings, got " +
                                std::to_string(record.fields.size() - 1));
         }
         if (auto fault = take_numbers(record, 1, row); !fault.empty()) {
-            return at_line(into, record.line, fault);
+            return at_line(file, record.line, fault);
         }
     }
     if (is_permuted) {
@@ -100,7 +99,7 @@ Expected<RatingsText> labelled_square(RatingsText into, const std::vector<CsvRec
         into.study.standings.push_back({.participant = {}, .synthetic = true});
     }
     if (records.size() - 1 != labels.size()) {
-        return at_line(into, records.back().line,
+        return at_line(file, records.back().line,
                        "expected " + std::to_string(labels.size()) +
                            " rows, as there are columns, got " +
                            std::to_string(records.size() - 1));
@@ -117,15 +116,17 @@ std::size_t patterns_of(std::size_t pairs) {
 }
 
 // Numbers without names: a square, or a judgement a row, or one in a column.
-Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord>& records) {
+Expected<RatingsText> bare_numbers(const std::string& file, const std::vector<CsvRecord>& records) {
+    RatingsText into;
+    into.file = file;
     into.study.is_named = false;
     std::vector<std::vector<double>> rows;
     for (const CsvRecord& record : records) {
         if (auto fault = take_numbers(record, 0, rows.emplace_back()); !fault.empty()) {
-            return at_line(into, record.line, fault);
+            return at_line(file, record.line, fault);
         }
         if (rows.back().size() == rows[0].size()) continue;
-        return at_line(into, record.line,
+        return at_line(file, record.line,
                        "expected " + std::to_string(rows[0].size()) +
                            " ratings, as in the first row, got " +
                            std::to_string(rows.back().size()));
@@ -139,7 +140,7 @@ Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord
     const bool is_column = columns == 1;
     const std::size_t n = patterns_of(is_column ? rows.size() : columns);
     if (n < 2) {
-        return at_line(into, records[0].line,
+        return at_line(file, records[0].line,
                        "expected a square, or the n(n-1)/2 pairs of n patterns in every row, got " +
                            std::to_string(rows.size()) + " rows of " + std::to_string(columns));
     }
@@ -157,9 +158,9 @@ Expected<RatingsText> bare_numbers(RatingsText into, const std::vector<CsvRecord
     return into;
 }
 
-// As they stand there, or as other programs' answers are understood; the remarks go into `into`.
-Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view bytes,
-                                            const AnswerColumns& columns) {
+// The records as they stand there, or as other programs' answers are understood.
+Expected<OwnAnswers> records_of(const std::string& file, std::string_view bytes,
+                                const AnswerColumns& columns) {
     const TableText table = table_text(std::string(bytes));
     const TableDialect dialect = dialect_of(table.text);
     CsvReader reader = reader_of(table.text, dialect);
@@ -167,22 +168,22 @@ Expected<std::vector<CsvRecord>> records_of(RatingsText& into, std::string_view 
     for (;;) {
         CsvRecord record = next_record(reader);
         if (record.line == 0) break;
-        if (record.is_quote_open) return at_line(into, record.line, "expected a closing quote");
+        if (record.is_quote_open) return at_line(file, record.line, "expected a closing quote");
         records.push_back(std::move(record));
     }
-    if (records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
+    if (records.empty()) return at_line(file, 1, "expected ratings, got an empty file");
     if (dialect.is_doubtful) {
-        return at_line(into, records.front().line, kDoubtfulNumbers);
+        return at_line(file, records.front().line, kDoubtfulNumbers);
     }
     OwnAnswers own = own_answers(std::move(records), dialect, columns);
-    if (!own.fault.empty()) return at_line(into, own.records.front().line, own.fault);
-    if (own.records.empty()) return at_line(into, 1, "expected ratings, got an empty file");
+    if (!own.fault.empty()) return at_line(file, own.records.front().line, own.fault);
+    if (own.records.empty()) return at_line(file, 1, "expected ratings, got an empty file");
+    // Numbers between blanks are this program's own form, too.
+    const bool is_own =
+        dialect.separator == ' ' && dialect.decimal == '.' && table.encoding == TableEncoding::utf8;
     const std::string words = words_on(dialect, table.encoding);
-    const bool is_bare = words == "blanks between cells";
-    if (!words.empty() && !is_bare) into.remarks.push_back(into.file + ": read with " + words);
-    for (const std::string& one : own.remarks) into.remarks.push_back(into.file + ": " + one);
-    into.scale = own.scale;
-    return std::move(own.records);
+    if (!words.empty() && !is_own) own.remarks.insert(own.remarks.begin(), "read with " + words);
+    return own;
 }
 
 }  // namespace
@@ -197,13 +198,10 @@ std::string passes_fault(std::size_t passes, std::size_t patterns, std::size_t t
 
 Expected<RatingsText> ratings_text(std::string_view text, const std::string& file,
                                    const AnswerColumns& columns) {
-    RatingsText into;
-    into.file = file;
-    const auto records = records_of(into, text, columns);
-    if (!records) return records.error();
-    const std::vector<std::string> remarks = into.remarks;
-    const RatingScale scale = into.scale;
-    const CsvRecord& head = records->front();
+    const auto own = records_of(file, text, columns);
+    if (!own) return own.error();
+    const std::vector<CsvRecord>& records = own->records;
+    const CsvRecord& head = records.front();
     const auto has_column = [&head](const char* name) {
         return std::ranges::any_of(
             head.fields, [name](const std::string& field) { return trimmed(field) == name; });
@@ -211,7 +209,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     const bool is_sorted = has_column("group") && has_column("pattern");
     const bool has_columns = is_sorted || has_column("rating");
     if (!has_columns && head.fields.size() > pair_count(kMaxRatedPatterns)) {
-        return at_line(into, head.line, "expected at most 500 patterns");
+        return at_line(file, head.line, "expected at most 500 patterns");
     }
     const std::string_view corner = trimmed(head.fields[0]);
     const bool has_names =
@@ -221,21 +219,21 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
             return rating_in(cell).has_value();
         });
     if (!has_columns && !has_names && are_words) {
-        return at_line(into, head.line,
+        return at_line(file, head.line,
                        "expected the columns a, b and rating, or a square of names; the columns "
                        "are " +
                            column_names(head) +
                            "; call them so, or say --columns a=..,b=..,rating=.. in a terminal");
     }
-    auto answer = is_sorted     ? ratings_of_sortings(file, *records, text.size())
-                  : has_columns ? ratings_of_lines(file, *records, text.size())
-                  : has_names   ? labelled_square(std::move(into), *records)
-                                : bare_numbers(std::move(into), *records);
+    auto answer = is_sorted     ? ratings_of_sortings(file, records, text.size())
+                  : has_columns ? ratings_of_lines(file, records, text.size())
+                  : has_names   ? labelled_square(file, records)
+                                : bare_numbers(file, records);
     if (!answer) return answer;
-    if (has_columns) {  // its own reading began anew
-        answer->remarks.insert(answer->remarks.begin(), remarks.begin(), remarks.end());
-        if (answer->scale == RatingScale::guess) answer->scale = scale;
-    }
+    if (answer->scale == RatingScale::guess) answer->scale = own->scale;
+    std::vector<std::string> remarks;
+    for (const std::string& one : own->remarks) remarks.push_back(file + ": " + one);
+    answer->remarks.insert(answer->remarks.begin(), remarks.begin(), remarks.end());
     if (answer->study.labels.size() < 2) {
         return Error{file + ": expected ratings of at least two patterns"};
     }
@@ -247,11 +245,8 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
 
 // A rating, NaN where the cell says that there is none, nothing where it is neither.
 std::optional<double> rating_in(const std::string& field) {
-    const std::string text{trimmed(field)};
-    for (const char* unknown : {"", "NaN", "nan", "NA", "na", "-"}) {
-        if (text == unknown) return std::numeric_limits<double>::quiet_NaN();
-    }
-    return finite_number_in(text);
+    if (says_unknown(field)) return std::numeric_limits<double>::quiet_NaN();
+    return finite_number_in(trimmed(field));
 }
 
 std::string expected_rating(const std::string& field) {

@@ -75,15 +75,8 @@ Error at_line(const MatrixReading& reading, std::size_t line, const std::string&
     return Error{reading.file + ":" + std::to_string(line) + ": " + fault};
 }
 
-bool is_unknown(std::string_view cell) {
-    for (const char* word : {"", "NA", "NaN", "nan", "na", "-"}) {
-        if (trimmed(cell) == word) return true;
-    }
-    return false;
-}
-
 bool is_value(const MatrixReading& reading, std::string_view cell) {
-    return is_unknown(cell) || number_in(cell, reading.dialect).has_value();
+    return says_unknown(cell) || number_in(cell, reading.dialect).has_value();
 }
 
 MatrixShape shape_of(const MatrixReading& reading, const CsvRecord& first,
@@ -162,7 +155,7 @@ bool is_reverse(double value, double other, int decimals) {
 std::string take_number(MatrixReading& reading, std::size_t i, std::size_t j,
                         const CsvRecord& record, const std::string& cell) {
     const auto& labels = reading.matrix.labels;
-    if (is_unknown(cell)) return {};
+    if (says_unknown(cell)) return {};
     const auto value = number_in(cell, reading.dialect);
     if (!value) {
         return "column " + in_quotes(labels[j]) + ": expected a finite number, got " +
@@ -242,7 +235,8 @@ std::string take_row(MatrixReading& reading, const CsvRecord& record) {
     return {};
 }
 
-// Similarities say themselves so: nothing is as like another as it is to itself.
+// A diagonal that no other number exceeds is one of similarities: nothing is as like another
+// as it is to itself.
 std::optional<Error> judge_diagonal(MatrixReading& reading) {
     if (reading.diagonal_line == 0) return std::nullopt;
     auto& values = reading.matrix.dissimilarity.condensed;
