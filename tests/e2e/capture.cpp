@@ -5,7 +5,8 @@
 // Output    one line of findings; exit code 1 and a sentence where something is not as it must be
 //
 //     capture read CHANNELS RAW STAMPS          from standard input, stamped as it arrives
-//     capture jack CHANNELS RAW STAMPS          as JACK's client "actuator", until SIGTERM
+//     capture jack CHANNELS RAW STAMPS          as JACK's client "actuator", until SIGTERM; prints
+//         "ready", and then how many channels have sounded so far, as often as that changes
 //     capture lines RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...    a sum of sines, and whole
 //     capture middle RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...   the same, 0.3 s from its ends
 //     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
@@ -16,12 +17,16 @@
 //     stronger
 //         or weaker at these times: how long after each that is heard, and never as a click
 //     capture silent RAW STAMPS CHANNELS CHANNEL SINCE MS   nothing is heard MS after SINCE
+//     capture rest RAW STAMPS CHANNELS CHANNEL SINCE   prints how many ms after SINCE the last
+//     sound
+//         was heard, and how many ms were recorded after that; exit code 1 where none was
 #include <jack/jack.h>
 #include <unistd.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -31,6 +36,7 @@
 #include <iostream>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/e2e/heard_changes.h"
@@ -181,6 +187,34 @@ int silent(const std::vector<std::string>& words) {
     return 1e3 * late_s > std::stod(words[5]) ? failed("that is too late") : 0;
 }
 
+struct Stamp {
+    double frames = 0.0;  // that were recorded ...
+    double at_s = 0.0;    // ... by then
+};
+
+std::vector<Stamp> stamps_in(const std::string& file) {
+    std::ifstream stream(file);
+    std::vector<Stamp> stamps;
+    for (Stamp stamp; stream >> stamp.frames >> stamp.at_s;) stamps.push_back(stamp);
+    return stamps;
+}
+
+int last_sound(const std::vector<std::string>& words) {
+    const auto channels = static_cast<std::size_t>(std::stoi(words[2]));
+    const auto channel = static_cast<std::size_t>(std::stoi(words[3])) - 1;
+    const std::vector<double> one = channel_of(samples_in(words[0]), channels, channel);
+    const Span heard = heard_in(one);
+    if (heard.last < heard.first) return failed("nothing was heard");
+    const auto last = static_cast<double>(heard.last);
+    const std::vector<Stamp> stamps = stamps_in(words[1]);
+    const auto after =
+        std::ranges::find_if(stamps, [&](const Stamp& s) { return s.frames > last; });
+    if (after == stamps.end()) return failed("it never fell silent");
+    std::printf("%.1f %.0f\n", 1e3 * (after->at_s - std::stod(words[4])),
+                1e3 * (static_cast<double>(one.size()) - last - 1.0) / kRateHz);
+    return 0;
+}
+
 int read_input(const std::vector<std::string>& words) {
     const std::size_t frame = sizeof(float) * static_cast<std::size_t>(std::stoi(words[0]));
     std::ofstream raw(words[1], std::ios::binary);
@@ -203,11 +237,8 @@ struct JackRecorder {
     std::vector<jack_port_t*> ports;
     std::vector<float> samples;
     std::size_t used = 0;
-    struct Stamp {
-        std::size_t frames;
-        double at_s;
-    };
     std::vector<Stamp> stamps;
+    std::vector<std::atomic<bool>> has_sounded;
 };
 
 int jack_process(jack_nframes_t frames, void* self) {
@@ -219,14 +250,29 @@ int jack_process(jack_nframes_t frames, void* self) {
             static_cast<const float*>(jack_port_get_buffer(recorder.ports[channel], frames));
         for (std::size_t n = 0; n < frames; ++n) {
             recorder.samples[recorder.used + n * channels + channel] = from[n];
+            if (static_cast<double>(std::abs(from[n])) > kHeard) {
+                recorder.has_sounded[channel] = true;
+            }
         }
     }
     recorder.used += frames * channels;
     // The block's end. JACK's own clock strays where cycles are late.
     if (recorder.stamps.size() < recorder.stamps.capacity()) {
-        recorder.stamps.push_back({recorder.used / channels, monotonic_s() + frames / kRateHz});
+        recorder.stamps.push_back(
+            {static_cast<double>(recorder.used / channels), monotonic_s() + frames / kRateHz});
     }
     return 0;
+}
+
+void tell_sounding(const JackRecorder& recorder, const sigset_t& until) {
+    constexpr timespec kLook{0, 20'000'000};
+    std::ptrdiff_t told = 0;
+    while (sigtimedwait(&until, nullptr, &kLook) < 0) {
+        const auto sounding = std::ranges::count_if(
+            recorder.has_sounded, [](const std::atomic<bool>& has) { return has.load(); });
+        if (sounding == std::exchange(told, sounding)) continue;
+        std::cout << sounding << std::endl;
+    }
 }
 
 int record_jack(const std::vector<std::string>& words) {
@@ -238,6 +284,7 @@ int record_jack(const std::vector<std::string>& words) {
     const auto channels = static_cast<std::size_t>(std::stoi(words[0]));
     recorder.samples.resize(60 * 48'000 * channels);
     recorder.stamps.reserve(60'000);
+    recorder.has_sounded = std::vector<std::atomic<bool>>(channels);
     recorder.client = jack_client_open("actuator", JackNoStartServer, nullptr);
     if (recorder.client == nullptr) return failed("no JACK server");
     for (std::size_t channel = 0; channel < channels; ++channel) {
@@ -248,8 +295,7 @@ int record_jack(const std::vector<std::string>& words) {
     jack_set_process_callback(recorder.client, jack_process, &recorder);
     if (jack_activate(recorder.client) != 0) return failed("JACK does not take the client");
     std::cout << "ready" << std::endl;
-    int signal = 0;
-    sigwait(&wanted, &signal);
+    tell_sounding(recorder, wanted);
     jack_deactivate(recorder.client);
     std::ofstream raw(words[1], std::ios::binary);
     raw.write(reinterpret_cast<const char*>(recorder.samples.data()),
@@ -306,6 +352,7 @@ int main(int argc, char** argv) {
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
     if (what == "changes" && rest.size() >= 6) return heard_changes(rest);
+    if (what == "rest" && rest.size() == 5) return last_sound(rest);
     if (what == "silent" && rest.size() == 6) return silent(rest);
     std::cerr << "see the head of capture.cpp\n";
     return 2;
