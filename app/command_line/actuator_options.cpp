@@ -49,6 +49,24 @@ void add_recording_options(CLI::App& sub, AccelerationOptions& options, const ch
         ->check(CLI::IsMember({"1", "2", "3", "all"}));
     add_optional(sub, "--rate", options.rate_hz, {100.0, 1e7},
                  "of tables without a time column, Hz");
+    AccelerationTableOptions& table = options.table;
+    sub.add_option_function<std::string>(
+        "--columns",
+        [&table](const std::string& text) {
+            Expected<AccelerationColumns> columns = acceleration_columns(text);
+            if (!columns) throw CLI::ValidationError("--columns", columns.error().message);
+            table.columns = *std::move(columns);
+        },
+        "which columns of a table hold what, by name, or by number where they have none: "
+        "time=t,x=ax,y=ay,z=az");
+    const std::map<std::string, TimeUnit> time_units{
+        {"s", TimeUnit::s}, {"ms", TimeUnit::ms}, {"us", TimeUnit::us}, {"ns", TimeUnit::ns}};
+    sub.add_option_function<std::string>(
+           "--time-unit",
+           [&table, time_units](const std::string& unit) { table.time_unit = time_units.at(unit); },
+           "s, ms, us or ns; default: what the name of the column says")
+        ->check(CLI::IsMember(time_units));
+    add_table_hints(sub, table.written);
     add_optional(sub, full_scale, options.full_scale, limits::kScaleG,
                  "of .wav files, in the unit");
 }

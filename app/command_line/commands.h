@@ -38,6 +38,7 @@ struct RatingFiles {
     std::vector<std::filesystem::path> files;  // of one set all; else a file or folder each
     std::string scale = "guess";               // guess, similarity, dissimilarity
     std::string columns;                       // "a=stimA,b=stimB,.."; empty: the usual ones
+    TableHints written;                        // of matrices beside them, too
     CountRule who;                             // participants by name
 };
 
@@ -167,6 +168,7 @@ struct StudyCommand {
     double inattentive = 0.0;  // share of the participants who answer blindly
     std::filesystem::path from_map;
     std::filesystem::path from_matrix;
+    TableHints written;  // of that matrix
     // Of what is collected.
     std::optional<double> attention_above;
     std::optional<int> failures_allowed;
@@ -223,6 +225,8 @@ struct SubsetCommand {
     std::string metric = "pm";
     std::filesystem::path matrix;  // instead of a metric
     std::vector<std::filesystem::path> ratings;
+    std::string columns;  // of the ratings
+    TableHints written;   // of the matrix or the ratings
     double time_limit_s = 60.0;
     int alternatives = 0;
     bool curve = false;

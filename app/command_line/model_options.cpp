@@ -91,6 +91,8 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
         subset.add_option("--matrix", command.matrix, "dissimilarities from a CSV file, by names");
     CLI::Option* ratings =
         subset.add_option("--ratings", command.ratings, "dissimilarities as people rated them");
+    subset.add_option("--columns", command.columns, kAnswerColumnsHelp)->needs(ratings);
+    add_table_hints(subset, command.written);
     matrix->excludes(metric)->excludes(ratings);
     ratings->excludes(metric);
     subset.add_option("--time-limit", command.time_limit_s, "s; else 60")

@@ -1,6 +1,8 @@
 #include "app/command_line/options.h"
 
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
@@ -82,10 +84,26 @@ void add_ratings(CLI::App& command, RatingFiles& ratings) {
         .add_option("--scale", ratings.scale,
                     "what a high rating means: similarity (0-100), dissimilarity, or guess")
         ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
-    command.add_option("--columns", ratings.columns,
-                       "which columns of --ratings hold what, where they go by other names than "
-                       "usual: a=stimA,b=stimB,rating=slider.response,participant=pid");
+    command.add_option("--columns", ratings.columns, kAnswerColumnsHelp);
+    add_table_hints(command, ratings.written);
     add_who_counts(command, ratings.who);
+}
+
+void add_table_hints(CLI::App& command, TableHints& written) {
+    const auto add = [&command](const char* name, std::optional<char>& target,
+                                const std::map<std::string, char>& signs, const char* help) {
+        std::vector<std::string> words;
+        for (const auto& [word, sign] : signs) words.push_back(word);
+        command
+            .add_option_function<std::string>(
+                name, [&target, signs](const std::string& word) { target = signs.at(word); }, help)
+            ->check(CLI::IsMember(words));
+    };
+    add("--separator", written.separator,
+        {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"blank", ' '}},
+        "between the cells of tables that are read; default: found in the file");
+    add("--decimal", written.decimal, {{"point", '.'}, {"comma", ','}},
+        "sign of numbers in tables that are read; default: found in the file");
 }
 
 void add_who_counts(CLI::App& command, CountRule& who) {

@@ -28,6 +28,13 @@ CLI::Validator within(Range range);
 void add_threads(CLI::App& command, int& threads);
 void add_common(CLI::App& command, CommonOptions& options);
 void add_ratings(CLI::App& command, RatingFiles& ratings);
+
+inline constexpr const char* kAnswerColumnsHelp =
+    "which columns of --ratings hold what, where they go by other names than usual: "
+    "a=stimA,b=stimB,rating=slider.response,participant=pid";
+
+// --separator and --decimal, of the tables that the command reads.
+void add_table_hints(CLI::App& command, TableHints& written);
 void add_who_counts(CLI::App& command, CountRule& who);
 
 // The patterns as a device plays them, in the place of what was meant.

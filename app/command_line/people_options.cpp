@@ -100,6 +100,7 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
                                  "coordinates that they feel by, as of tactspace space");
     crowd.add_option("--from-matrix", command.from_matrix, "dissimilarities that they feel by")
         ->excludes(map);
+    add_table_hints(crowd, command.written);
     CLI::App& rule = *study.add_option_group("Collected", "who counts, and what is written");
     rule.add_option("--above", command.attention_above,
                     "similarity that identical patterns must exceed; the publication: 80")

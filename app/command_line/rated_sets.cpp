@@ -42,8 +42,9 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
                               std::span<const fs::path> files, const RatingFiles& how) {
     if (files.empty()) return own_ratings(set, path, how.who);
-    const Expected<AnswerColumns> columns = answer_columns(how.columns);
+    Expected<AnswerColumns> columns = answer_columns(how.columns);
     if (!columns) return Error{"--columns: " + columns.error().message};
+    columns->written = how.written;
     Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who, *columns);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
@@ -156,8 +157,8 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
     return all;
 }
 
-Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file) {
-    Expected<LabelledMatrix> matrix = read_matrix_file(file);
+Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written) {
+    Expected<LabelledMatrix> matrix = read_matrix_file(file, written);
     if (!matrix) return matrix;
     for (const std::string& remark : matrix->remarks) {
         std::cerr << "tactspace: " << shown_text(file.string() + ": " + remark) << "\n";
@@ -167,8 +168,8 @@ Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file) {
 
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
                                            const std::vector<std::string>& names,
-                                           std::string* mark) {
-    const Expected<LabelledMatrix> matrix = told_matrix(file);
+                                           const TableHints& written, std::string* mark) {
+    const Expected<LabelledMatrix> matrix = told_matrix(file, written);
     if (!matrix) return matrix.error();
     if (mark != nullptr) *mark = matrix->mark;
     std::vector<std::size_t> places;

@@ -42,12 +42,12 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
 
 // A matrix file; how it was understood is told on standard error.
-Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file);
+Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written);
 
 // How far apart the patterns of these names are by a matrix that may have others and another order.
 // `mark`: what the file says of its numbers.
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
                                            const std::vector<std::string>& names,
-                                           std::string* mark = nullptr);
+                                           const TableHints& written, std::string* mark = nullptr);
 
 }  // namespace tact

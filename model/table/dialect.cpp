@@ -211,12 +211,18 @@ TableText table_text(std::string bytes) {
     return table;
 }
 
-TableDialect dialect_of(std::string_view text) {
+TableDialect dialect_of(std::string_view text, const TableHints& hints) {
     const Beginning begin = beginning_of(text);
     TableDialect dialect;
     dialect.skipped_lines = begin.lines;
     const std::string_view rows_text = text.substr(begin.bytes);
-    dialect.separator = begin.separator != '\0' ? begin.separator : separator_of(rows_text);
+    dialect.separator = hints.separator           ? *hints.separator
+                        : begin.separator != '\0' ? begin.separator
+                                                  : separator_of(rows_text);
+    if (hints.decimal) {
+        dialect.decimal = *hints.decimal;
+        return dialect;
+    }
     std::array<std::size_t, 4> signs{};
     for (const auto& row : sampled(rows_text, dialect.separator)) {
         for (const std::string& cell : row) ++signs[static_cast<std::size_t>(sign_of(cell))];

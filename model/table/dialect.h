@@ -40,8 +40,16 @@ struct TableDialect {
     bool operator==(const TableDialect&) const = default;
 };
 
-// Of a text's first lines, as the whole is.
-TableDialect dialect_of(std::string_view text);
+// What somebody says of a table; what is not said is found.
+struct TableHints {
+    std::optional<char> separator;
+    std::optional<char> decimal;
+
+    bool operator==(const TableHints&) const = default;
+};
+
+// The dialect of a text's first lines, which is taken for that of the whole.
+TableDialect dialect_of(std::string_view text, const TableHints& hints = {});
 
 // Records from the first row on; lines count from the head of the text.
 CsvReader reader_of(std::string_view text, const TableDialect& dialect);

@@ -37,7 +37,8 @@ Expected<std::vector<Nuisance>> nuisances_of(const CompareCommand& command, cons
             nuisances.push_back({given, *std::move(named)});
             continue;
         }
-        Expected<Dissimilarity> read = dissimilarities_in(given, names_of(set));
+        Expected<Dissimilarity> read =
+            dissimilarities_in(given, names_of(set), command.ratings.written);
         if (!read) return read.error();
         nuisances.push_back({std::filesystem::path(given).stem().string(), *std::move(read)});
     }

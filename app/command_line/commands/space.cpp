@@ -97,7 +97,8 @@ Expected<Mappable> mappable(const SpaceCommand& command) {
     if (const Expected<Done> pair = need_a_pair(set, command.common); !pair) return pair.error();
     if (!command.matrix.empty()) {
         std::string mark;
-        Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(set), &mark);
+        Expected<Dissimilarity> read =
+            dissimilarities_in(command.matrix, names_of(set), command.ratings.written, &mark);
         if (!read) return read.error();
         return Mappable{set, *std::move(read), command.matrix.filename().string(), false, false, {},
                         mark};

@@ -73,7 +73,7 @@ Expected<Dissimilarity> in_order(const LabelledMatrix& matrix, const fs::path& f
 Expected<Dissimilarity> truth_for(const StudyCommand& command, const PatternSet& set,
                                   const std::vector<std::string>& names) {
     if (!command.from_matrix.empty()) {
-        const Expected<LabelledMatrix> matrix = told_matrix(command.from_matrix);
+        const Expected<LabelledMatrix> matrix = told_matrix(command.from_matrix, command.written);
         if (!matrix) return matrix.error();
         return in_order(*matrix, command.from_matrix, names);
     }

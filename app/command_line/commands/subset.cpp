@@ -47,9 +47,13 @@ struct Source {
     std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
 };
 
-Expected<Dissimilarity> of_ratings(const std::vector<fs::path>& files, const PatternSet& set,
+Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSet& set,
                                    Source& source) {
-    const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess);
+    const std::vector<fs::path>& files = command.ratings;
+    Expected<AnswerColumns> columns = answer_columns(command.columns);
+    if (!columns) return Error{"--columns: " + columns.error().message};
+    columns->written = command.written;
+    const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess, {}, *columns);
     if (!loaded) return loaded.error();
     for (const std::string& remark : loaded->remarks) {
         std::cerr << "tactspace: " << remark << "\n";
@@ -98,8 +102,9 @@ Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     Source source;
     source.labels = std::move(sets->labels);
     Expected<Dissimilarity> matrix =
-        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names, &source.mark)
-        : !command.ratings.empty() ? of_ratings(command.ratings, sets->meant, source)
+        !command.matrix.empty()
+            ? dissimilarities_in(command.matrix, names, command.written, &source.mark)
+        : !command.ratings.empty() ? of_ratings(command, sets->meant, source)
                                    : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
     source.set = std::move(sets->meant);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/io/people/ratings_text.h"
+#include "model/table/columns.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -237,16 +238,11 @@ std::string call_columns(OwnAnswers& own, const AnswerColumns& named) {
                                          {"rating", &named.rating},
                                          {"participant", &named.participant}}) {
         if (name->empty()) continue;
-        const auto found = std::ranges::find_if(
-            head.fields, [&](const std::string& cell) { return trimmed(cell) == *name; });
-        if (found == head.fields.end()) {
-            return "expected a column " + in_quotes(*name) + ", the columns are " +
-                   column_names(head);
-        }
+        const Expected<std::size_t> place = place_of_column(head.fields, *name);
+        if (!place) return place.error().message;
         for (std::size_t k = 0; k < fresh.size(); ++k) {
-            const bool is_it = head.fields.begin() + static_cast<std::ptrdiff_t>(k) == found;
-            if (is_it) fresh[k] = own_name;
-            if (!is_it && known_form(head.fields[k]) == own_name) fresh[k] += " (not read)";
+            if (k == *place) fresh[k] = own_name;
+            if (k != *place && known_form(head.fields[k]) == own_name) fresh[k] += " (not read)";
         }
     }
     head.fields = std::move(fresh);
@@ -255,39 +251,13 @@ std::string call_columns(OwnAnswers& own, const AnswerColumns& named) {
 
 }  // namespace
 
-std::string column_names(const CsvRecord& head) {
-    constexpr std::size_t kMost = 12;
-    std::string names;
-    for (std::size_t k = 0; k < std::min(head.fields.size(), kMost); ++k) {
-        names += (k == 0 ? "" : ", ") + shortened(trimmed(head.fields[k]));
-    }
-    if (head.fields.size() > kMost) {
-        names += " and " + grouped_digits(head.fields.size() - kMost) + " more";
-    }
-    return names;
-}
-
 Expected<AnswerColumns> answer_columns(std::string_view text) {
     AnswerColumns columns;
-    const auto place_of = [&columns](std::string_view key) -> std::string* {
-        if (key == "a") return &columns.a;
-        if (key == "b") return &columns.b;
-        if (key == "rating") return &columns.rating;
-        return key == "participant" ? &columns.participant : nullptr;
-    };
-    while (!text.empty()) {
-        const std::string_view part = text.substr(0, text.find(','));
-        text.remove_prefix(std::min(text.size(), part.size() + 1));
-        const std::size_t equals = part.find('=');
-        const std::string_view key = trimmed(part.substr(0, equals));
-        std::string* place = equals == part.npos ? nullptr : place_of(key);
-        const std::string name{equals == part.npos ? "" : trimmed(part.substr(equals + 1))};
-        if (place == nullptr || name.empty() || !place->empty()) {
-            return Error{"expected a, b, rating and participant, each once as NAME=COLUMN, got " +
-                         in_quotes(part)};
-        }
-        *place = name;
-    }
+    const std::string fault = take_column_roles(text, {{"a", &columns.a},
+                                                       {"b", &columns.b},
+                                                       {"rating", &columns.rating},
+                                                       {"participant", &columns.participant}});
+    if (!fault.empty()) return Error{fault};
     return columns;
 }
 

@@ -22,9 +22,10 @@
 
 namespace tact {
 
-// The columns that somebody named; an empty one goes by its usual names.
+// What somebody says of a table of answers; an empty column goes by its usual names.
 struct AnswerColumns {
     std::string a, b, rating, participant;
+    TableHints written;
 
     bool operator==(const AnswerColumns&) const = default;
 };
@@ -41,8 +42,5 @@ struct OwnAnswers {
 
 OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect,
                        const AnswerColumns& named = {});
-
-// The names of columns, for a sentence: "rt, stimulus, response".
-std::string column_names(const CsvRecord& head);
 
 }  // namespace tact

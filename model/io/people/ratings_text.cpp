@@ -7,6 +7,7 @@
 
 #include "model/io/people/foreign_answers.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/table/columns.h"
 #include "model/table/dialect.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
@@ -162,7 +163,7 @@ Expected<RatingsText> bare_numbers(const std::string& file, const std::vector<Cs
 Expected<OwnAnswers> records_of(const std::string& file, std::string_view bytes,
                                 const AnswerColumns& columns) {
     const TableText table = table_text(std::string(bytes));
-    const TableDialect dialect = dialect_of(table.text);
+    const TableDialect dialect = dialect_of(table.text, columns.written);
     CsvReader reader = reader_of(table.text, dialect);
     std::vector<CsvRecord> records;
     for (;;) {
@@ -222,7 +223,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
         return at_line(file, head.line,
                        "expected the columns a, b and rating, or a square of names; the columns "
                        "are " +
-                           column_names(head) +
+                           column_names(head.fields) +
                            "; call them so, or say --columns a=..,b=..,rating=.. in a terminal");
     }
     auto answer = is_sorted     ? ratings_of_sortings(file, records, text.size())

@@ -140,7 +140,8 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
     auto text = read_text_file(path, kMaxTableBytes);
     if (!text) return text.error();
     TableText decoded = table_text(*std::move(text));
-    auto table = parse_acceleration_table(decoded.text, path.string(), !options.rate_hz);
+    auto table =
+        parse_acceleration_table(decoded.text, path.string(), !options.rate_hz, options.table);
     decoded = {};  // what follows needs the memory
     if (!table) return table.error();
     Axes axes;
@@ -174,6 +175,11 @@ Expected<Axes> read_wave(const fs::path& path, const AccelerationOptions& option
                          std::vector<std::string>& remarks) {
     if (options.rate_hz) {
         return Error{path.string() + ": expected no rate, which a .wav file says itself"};
+    }
+    if (options.table != AccelerationTableOptions{}) {
+        return Error{path.string() +
+                     ": expected no columns, unit of times, separator or decimal sign, which "
+                     "belong to tables"};
     }
     auto wave = read_wave_channels(path, options.axis, [&options](std::size_t channels) {
         return axes_fault(channels, options.axis);
@@ -386,7 +392,10 @@ AccelerationOptions options_among(const fs::path& file, std::span<const fs::path
     const bool has_other = std::ranges::any_of(
         all, [&](const fs::path& path) { return is_wave(path) != is_wave(file); });
     if (!has_other) return options;
-    if (is_wave(file)) options.rate_hz.reset();
+    if (is_wave(file)) {
+        options.rate_hz.reset();
+        options.table = {};
+    }
     if (!is_wave(file)) options.full_scale.reset();
     return options;
 }

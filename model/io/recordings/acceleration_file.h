@@ -32,6 +32,7 @@ struct AccelerationOptions {
     std::size_t axis = 0;                  // from 1; 0: the only one, or three as one
     std::optional<double> rate_hz;         // instead of a time column; of tables
     std::optional<double> full_scale;      // of WAV files, in the unit; none: the sidecar's, or 1
+    AccelerationTableOptions table;        // of tables
 };
 
 namespace limits {

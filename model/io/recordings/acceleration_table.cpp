@@ -5,7 +5,9 @@
 #include <initializer_list>
 #include <utility>
 
+#include "model/io/recordings/column_names.h"
 #include "model/io/recordings/recording.h"
+#include "model/table/columns.h"
 #include "model/text/csv.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
@@ -19,7 +21,8 @@ using Fields = std::vector<std::string>;
 // How the numbers of a file are written, and the names over them.
 struct Layout {
     char separator = ',';
-    std::size_t first_line = 0;  // of the numbers
+    std::optional<char> decimal;  // that somebody says
+    std::size_t first_line = 0;   // of the numbers
     std::size_t columns = 0;
     Fields names;              // one a column; empty: none
     std::string_view heading;  // the line before the numbers
@@ -31,15 +34,10 @@ struct Columns {
     std::vector<std::size_t> axes;
 };
 
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return text;
-}
-
-std::optional<double> number_in(std::string field, char separator) {
-    if (separator != ',') std::ranges::replace(field, ',', '.');
+// Commas are decimal ones where nothing else can be meant, or somebody says so.
+std::optional<double> number_in(std::string field, const Layout& layout) {
+    const char decimal = layout.decimal.value_or(layout.separator == ',' ? '.' : ',');
+    if (decimal == ',') std::ranges::replace(field, ',', '.');
     return finite_number_in(field);
 }
 
@@ -70,9 +68,9 @@ std::optional<double> clock_s(std::string_view field) {
 }
 
 // A number or what stands for a missing one: such a line is no heading.
-bool is_like_a_number(const std::string& field, char separator) {
-    if (number_in(field, separator) || clock_s(field)) return true;
-    const std::string word = lower(std::string(trimmed(field)));
+bool is_like_a_number(const std::string& field, const Layout& layout) {
+    if (number_in(field, layout) || clock_s(field)) return true;
+    const std::string word = lower_case(std::string(trimmed(field)));
     return word == "nan" || word == "inf" || word == "-inf" || word == "-nan";
 }
 
@@ -103,21 +101,23 @@ CsvRecord record_of(std::string_view line, char separator) {
     return next_record(reader);
 }
 
-// Looks for the first line of numbers under any separator; the heading is the line before it.
-std::optional<Layout> layout_of(std::string_view text) {
+// Looks for the first line of numbers under any separator, or the one that somebody says; the
+// heading is the line before it.
+std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) {
     constexpr std::size_t kMostLines = 100;  // of a heading
     std::string_view heading;
     for (std::size_t number = 1; !text.empty() && number <= kMostLines; ++number) {
         const std::string_view line = trimmed(take_line(text));
         if (line.empty() || is_comment(line)) continue;
         for (const char separator : {';', '\t', ',', ' '}) {
+            if (separator != hints.separator.value_or(separator)) continue;
             if (separator != ' ' && line.find(separator) == line.npos) continue;
             const Fields fields = record_of(line, separator).fields;
-            const auto is_number = [separator](const std::string& field) {
-                return is_like_a_number(field, separator);
+            Layout layout{separator, hints.decimal, number, fields.size(), {}, heading};
+            const auto is_number = [&layout](const std::string& field) {
+                return is_like_a_number(field, layout);
             };
             if (!std::ranges::all_of(fields, is_number)) continue;
-            Layout layout{separator, number, fields.size(), {}, heading};
             Fields names = heading.empty() ? Fields{} : record_of(heading, separator).fields;
             // Blanks within names: "time (s)" over a column of its own.
             if (names.size() != fields.size() && separator == ' ' && fields.size() == 1) {
@@ -129,108 +129,6 @@ std::optional<Layout> layout_of(std::string_view text) {
         heading = line;
     }
     return std::nullopt;
-}
-
-// Units behind an underscore; those that are none of ours are known so that they can be refused.
-bool is_unit_word(std::string_view text) {
-    constexpr std::array kUnits{"s",     "ms",   "us",   "ns",       "min",    "g",     "v",
-                                "mps2",  "ms2",  "m/s2", "m/s^2",    "mg",     "ug",    "gal",
-                                "mv",    "uv",   "kv",   "mm/s2",    "mm/s^2", "cm/s2", "cm/s^2",
-                                "ft/s2", "mms2", "lsb",  "adc",      "counts", "raw",   "mps",
-                                "m/s",   "mm/s", "dps",  "m/s\u00b2"};
-    return std::ranges::find(kUnits, text) != kUnits.end();
-}
-
-// Columns that are called by their unit alone. "a", "g" and "s" are names, too.
-bool is_unit_name(std::string_view text) {
-    constexpr std::array kUnits{"v",       "volt",   "volts",        "voltage", "mv",
-                                "mg",      "gal",    "lsb",          "adc",     "counts",
-                                "raw",     "ms",     "us",           "ns",      "second",
-                                "seconds", "millis", "milliseconds", "micros",  "microseconds"};
-    return std::ranges::find(kUnits, text) != kUnits.end();
-}
-
-// "Time [ms]" as its word and its unit: "time", "ms"; "ax_g" has the unit "g".
-std::pair<std::string, std::string> word_and_unit(const std::string& name) {
-    std::string text = lower(std::string(trimmed(name)));
-    const std::size_t bracket = text.find_first_of("([");
-    if (bracket != text.npos) {
-        std::string unit = text.substr(bracket + 1);
-        unit = unit.substr(0, unit.find_first_of(")]"));
-        return {std::string(trimmed(text.substr(0, bracket))), std::string(trimmed(unit))};
-    }
-    const std::size_t underscore = text.rfind('_');
-    if (underscore != text.npos && underscore > 0) {
-        const std::string end = text.substr(underscore + 1);
-        if (is_unit_word(end)) return {text.substr(0, underscore), end};
-    }
-    // "Beschleunigung in m/s2", "time in ms".
-    const std::size_t in = text.rfind(" in ");
-    if (in != text.npos) return {text.substr(0, in), std::string(trimmed(text.substr(in + 4)))};
-    if (is_unit_name(text) || (text.size() > 1 && is_unit_word(text))) return {text, text};
-    // "t/ms", "a / m/s2", "acc g": what stands last.
-    for (const std::size_t cut : {text.find('/'), text.rfind(' ')}) {
-        if (cut == text.npos || cut == 0) continue;
-        const std::string end(trimmed(text.substr(cut + 1)));
-        if (is_unit_word(end)) return {std::string(trimmed(text.substr(0, cut))), end};
-    }
-    return {text, ""};
-}
-
-std::optional<double> time_unit_of(const std::string& unit) {
-    const auto is = [&unit](std::initializer_list<std::string_view> names) {
-        return std::ranges::find(names, unit) != names.end();
-    };
-    if (is({"s", "sec", "secs", "second", "seconds", "sekunden"})) return 1.0;
-    if (is({"ms", "msec", "millis", "millisecond", "milliseconds"})) return 1e-3;
-    if (is({"us", "usec", "micros", "microsecond", "microseconds", "\u00b5s", "\u03bcs"}))
-        return 1e-6;
-    if (is({"ns", "nsec", "nanos", "nanosecond", "nanoseconds"})) return 1e-9;
-    return std::nullopt;
-}
-
-std::optional<AccelerationUnit> unit_of(const std::string& unit) {
-    if (unit == "g") return AccelerationUnit::g;
-    if (unit == "v" || unit == "volt" || unit == "volts" || unit == "voltage")
-        return AccelerationUnit::volt;
-    for (const char* same :
-         {"m/s2", "m/s^2", "m/s\u00b2", "m/s/s", "mps2", "ms2", "ms-2", "m s-2"}) {
-        if (unit == same) return AccelerationUnit::m_per_s2;
-    }
-    return std::nullopt;
-}
-
-bool is_time(const std::string& word) {
-    return word == "t" || word.starts_with("time") || word.starts_with("zeit") ||
-           word.starts_with("elapsed") || word == "second" || word == "seconds" ||
-           word == "millis" || word == "micros";
-}
-
-// Names that stand for an axis in loggers' files; others ("sample", "temperature") are passed over
-// where some of these are there.
-bool is_axis(const std::string& word) {
-    if (word.empty()) return false;
-    for (const char* letter : {"x", "y", "z"}) {
-        for (const char* prefix : {"", "a", "acc", "acc ", "acc_", "accel_", "accel ", "accel",
-                                   "acceleration ", "acceleration_", "axis "}) {
-            if (word == std::string(prefix) + letter) return true;
-        }
-    }
-    // "linear acceleration x", "user acc y"; forces in g: "gfx".
-    const std::string_view last = std::string_view(word).substr(word.size() - 1);
-    const bool is_letter = last == "x" || last == "y" || last == "z";
-    const bool is_of_acceleration = word.find("acc") != word.npos || word.starts_with("gf");
-    const bool is_apart = word.size() > 1 && (word[word.size() - 2] == ' ' || word.size() == 3);
-    if (is_letter && is_of_acceleration && is_apart) return true;
-    return word.starts_with("acc") || word == "a" || word == "g" || word.starts_with("volt");
-}
-
-// Made of the axes, and none itself.
-bool is_total(const std::string& word) {
-    for (const char* begin : {"abs", "total", "norm", "magnitude", "resultant", "tgf", "|a|"}) {
-        if (word.starts_with(begin)) return true;
-    }
-    return false;
 }
 
 bool is_digits(std::string_view text) {
@@ -257,6 +155,7 @@ bool may_be_decimal_commas(CsvReader reader, const Layout& layout) {
 // Tells commas between columns from decimal ones; what is wrong, or empty.
 std::string settle_commas(const CsvReader& numbers, Layout& layout) {
     if (layout.separator != ',' || layout.columns < 2 || !layout.names.empty()) return {};
+    if (layout.decimal) return {};
     const bool decimal = may_be_decimal_commas(numbers, layout);
     const bool names_one = layout.heading.find(',') == layout.heading.npos &&
                            is_axis(word_and_unit(std::string(layout.heading)).first);
@@ -285,6 +184,12 @@ bool has_times_alone(const Layout& layout) {
     return is_time(word_and_unit(std::string(layout.heading)).first);
 }
 
+Fields names_by_number(std::size_t columns) {
+    Fields names;
+    for (std::size_t k = 0; k < columns; ++k) names.push_back(std::to_string(k + 1));
+    return names;
+}
+
 Columns columns_of(const Layout& layout) {
     Columns columns;
     std::vector<std::size_t> others;
@@ -307,6 +212,34 @@ Columns columns_of(const Layout& layout) {
     return columns;
 }
 
+// The columns that somebody named, in place of those that their names tell.
+Expected<Columns> columns_named(const Layout& layout, const AccelerationColumns& named) {
+    Columns columns = columns_of(layout);
+    const Fields numbers = names_by_number(layout.columns);
+    const Fields& head = layout.names.empty() ? numbers : layout.names;
+    if (!named.time.empty()) {
+        const auto place = place_of_column(head, named.time);
+        if (!place) return place.error();
+        columns.time = *place;
+        std::erase(columns.axes, *place);
+    }
+    const bool has_axes = !(named.x.empty() && named.y.empty() && named.z.empty());
+    if (has_axes) columns.axes.clear();
+    for (const std::string* name : {&named.x, &named.y, &named.z}) {
+        if (name->empty()) continue;
+        const auto place = place_of_column(head, *name);
+        if (!place) return place.error();
+        const bool is_taken = std::ranges::find(columns.axes, *place) != columns.axes.end();
+        if (is_taken || columns.time == *place) {
+            return Error{"expected a column of its own for each, got " + in_quotes(*name) +
+                         " twice"};
+        }
+        columns.axes.push_back(*place);
+    }
+    if (columns.axes.empty()) return Error{"expected an axis beside the time, got none"};
+    return columns;
+}
+
 // A table while its lines are read.
 struct TableReading {
     Layout layout;
@@ -318,7 +251,7 @@ struct TableReading {
 // What is wrong with the decimal sign of a number, or empty: where both signs occur, one of them is
 // no decimal sign.
 std::string sign_fault(TableReading& reading, const std::string& field) {
-    if (reading.layout.separator == ',') return {};
+    if (reading.layout.separator == ',' || reading.layout.decimal) return {};
     for (const char c : field) {
         if (c != ',' && c != '.') continue;
         if (reading.decimal_sign != 0 && c != reading.decimal_sign) {
@@ -342,7 +275,7 @@ std::string take(const CsvRecord& record, TableReading& reading) {
     std::string fault;
     const auto number = [&](std::size_t column, const char* what, std::vector<double>& to) {
         const std::string& field = record.fields[column];
-        const auto value = number_in(field, layout.separator);
+        const auto value = number_in(field, layout);
         if (fault.empty()) fault = sign_fault(reading, field);
         if (!value && fault.empty()) {
             fault = std::string("expected ") + what + ", got " + in_quotes(field);
@@ -384,27 +317,62 @@ std::string take_unit(const std::string& name, AccelerationTable& table) {
     return {};
 }
 
-// The units that the names say; what is wrong with them, or empty.
-std::string take_units(const Layout& layout, const Columns& columns, AccelerationTable& table) {
-    if (layout.names.empty()) return {};
-    for (const std::size_t axis : columns.axes) {
-        if (std::string fault = take_unit(layout.names[axis], table); !fault.empty()) return fault;
-    }
-    if (!columns.time) return {};
-    const std::string& name = layout.names[*columns.time];
+// The unit of the times that the name of their column says; what is wrong with it, or empty.
+std::string take_named_time_unit(const std::string& name, std::optional<TimeUnit> asked,
+                                 AccelerationTable& table) {
     const std::string written = word_and_unit(name).second;
     table.time_unit_s = time_unit_of(written);
-    if (written.empty() || table.time_unit_s) return {};
+    if (written.empty() || asked || table.time_unit_s) return {};
     return "expected a time in s, ms, us or ns, got " + in_quotes(written) + " in the name " +
            in_quotes(name);
 }
 
+// The unit of the times that somebody says; what is wrong with it, or empty.
+std::string take_time_unit(const Layout& layout, const Columns& columns,
+                           std::optional<TimeUnit> asked, AccelerationTable& table) {
+    if (asked && !columns.time) {
+        return "expected a column of times, as a unit of them is given, got none";
+    }
+    if (columns.time && !layout.names.empty()) {
+        auto fault = take_named_time_unit(layout.names[*columns.time], asked, table);
+        if (!fault.empty()) return fault;
+    }
+    if (!asked) return {};
+    const auto place = static_cast<std::size_t>(*asked);
+    if (table.time_unit_s && *table.time_unit_s != kTimeUnitsS[place]) {
+        return "expected times in the unit that the column " +
+               in_quotes(layout.names[*columns.time]) + " says, got the unit " + kTimeUnits[place] +
+               " beside it";
+    }
+    table.time_unit_s = kTimeUnitsS[place];
+    return {};
+}
+
+// The units that the names and somebody say; what is wrong with them, or empty.
+std::string take_units(const Layout& layout, const Columns& columns, std::optional<TimeUnit> asked,
+                       AccelerationTable& table) {
+    for (const std::size_t axis : columns.axes) {
+        if (layout.names.empty()) break;
+        if (std::string fault = take_unit(layout.names[axis], table); !fault.empty()) return fault;
+    }
+    return take_time_unit(layout, columns, asked, table);
+}
+
 }  // namespace
 
+Expected<AccelerationColumns> acceleration_columns(std::string_view text) {
+    AccelerationColumns columns;
+    const std::string fault = take_column_roles(
+        text, {{"time", &columns.time}, {"x", &columns.x}, {"y", &columns.y}, {"z", &columns.z}});
+    if (!fault.empty()) return Error{fault};
+    return columns;
+}
+
 Expected<AccelerationTable> parse_acceleration_table(std::string_view text, const std::string& file,
-                                                     bool rising_time) {
+                                                     bool rising_time,
+                                                     const AccelerationTableOptions& options) {
     text = without_bom(text);
-    const std::optional<Layout> layout = layout_of(text);
+    const std::optional<Layout> layout = layout_of(text, options.written);
     if (!layout) return at_line(file, 1, "expected a line of numbers, got none");
     TableReading reading{*layout, {}, {}, 0};
     CsvReader reader{text, 1, ','};
@@ -413,7 +381,9 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
         return at_line(file, layout->first_line, fault);
     }
     reader.separator = reading.layout.separator;
-    reading.columns = columns_of(reading.layout);
+    auto columns = columns_named(reading.layout, options.columns);
+    if (!columns) return at_line(file, layout->first_line, columns.error().message);
+    reading.columns = *std::move(columns);
     AccelerationTable& table = reading.table;
     const auto& names = reading.layout.names;
     if (has_times_alone(*layout)) {
@@ -424,7 +394,8 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
         if (!names.empty()) table.axis_names.emplace_back(trimmed(names[axis]));
     }
     table.axes.resize(reading.columns.axes.size());
-    if (const auto fault = take_units(reading.layout, reading.columns, table); !fault.empty()) {
+    if (const auto fault = take_units(reading.layout, reading.columns, options.time_unit, table);
+        !fault.empty()) {
         return at_line(file, layout->first_line, fault);
     }
     for (CsvRecord record = next_row(reader); record.line > 0; record = next_row(reader)) {

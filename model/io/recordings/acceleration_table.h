@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/table/dialect.h"
 
 namespace tact {
 
@@ -39,8 +40,33 @@ struct AccelerationTable {
 
 inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 28;
 
+// The columns that somebody named. Where an axis is named, those that are named are all there are;
+// a time that is not named goes by its usual names.
+struct AccelerationColumns {
+    std::string time, x, y, z;
+
+    bool operator==(const AccelerationColumns&) const = default;
+};
+
+// From "time=t,x=ax,y=ay,z=az": any of them, once.
+Expected<AccelerationColumns> acceleration_columns(std::string_view text);
+
+enum class TimeUnit { s, ms, us, ns };
+inline constexpr const char* kTimeUnits[] = {"s", "ms", "us", "ns"};
+inline constexpr double kTimeUnitsS[] = {1.0, 1e-3, 1e-6, 1e-9};
+
+// What somebody says of a table; what the table says itself has to agree with it.
+struct AccelerationTableOptions {
+    AccelerationColumns columns;
+    std::optional<TimeUnit> time_unit;
+    TableHints written;
+
+    bool operator==(const AccelerationTableOptions&) const = default;
+};
+
 // With `rising_time`, a time that is not later than the one before is an Error.
 Expected<AccelerationTable> parse_acceleration_table(std::string_view text, const std::string& file,
-                                                     bool rising_time);
+                                                     bool rising_time,
+                                                     const AccelerationTableOptions& options = {});
 
 }  // namespace tact

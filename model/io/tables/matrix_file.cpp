@@ -294,11 +294,12 @@ std::optional<Error> missing(const MatrixReading& reading, std::size_t last_line
     return std::nullopt;
 }
 
-Expected<LabelledMatrix> matrix_of(const TableText& table, const std::string& file) {
+Expected<LabelledMatrix> matrix_of(const TableText& table, const std::string& file,
+                                   const TableHints& hints) {
     MatrixReading reading;
     reading.file = file;
     reading.text_bytes = table.text.size();
-    reading.dialect = dialect_of(table.text);
+    reading.dialect = dialect_of(table.text, hints);
     CsvReader reader = reader_of(table.text, reading.dialect);
     CsvReader ahead = reader;
     const CsvRecord first = next_record(ahead);
@@ -391,15 +392,17 @@ void write_coordinates_csv(std::ostream& stream, std::span<const std::string> la
     }
 }
 
-Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file) {
-    return matrix_of(table_text(std::string(text)), file);
+Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file,
+                                      const TableHints& hints) {
+    return matrix_of(table_text(std::string(text)), file, hints);
 }
 
-Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path) {
-    return with_enough_memory(path.string(), [&path]() -> Expected<LabelledMatrix> {
+Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path,
+                                          const TableHints& hints) {
+    return with_enough_memory(path.string(), [&]() -> Expected<LabelledMatrix> {
         auto text = read_text_file(path);
         if (!text) return text.error();
-        return matrix_of(table_text(*std::move(text)), path.string());
+        return matrix_of(table_text(*std::move(text)), path.string(), hints);
     });
 }
 

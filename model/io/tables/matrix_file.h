@@ -26,6 +26,7 @@
 
 #include "model/common/expected.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/table/dialect.h"
 
 namespace tact {
 
@@ -58,7 +59,9 @@ Expected<Done> write_matrix_file(const std::filesystem::path& path,
 void write_coordinates_csv(std::ostream& stream, std::span<const std::string> labels,
                            const Eigen::MatrixXd& points, const std::string& mark = {});
 
-Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file);
-Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path);
+Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file,
+                                      const TableHints& hints = {});
+Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path,
+                                          const TableHints& hints = {});
 
 }  // namespace tact

@@ -68,6 +68,28 @@ TEST_CASE("import: recordings stand behind the patterns that their files are nam
     }
 }
 
+TEST_CASE("import: columns and their units may be told, and are held to the file") {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("set.tactspace.json", kSet).string();
+    std::string table = recorded(read_set_file(file)->set, "low");
+    table.replace(0, table.find('\n'), "when;force");
+    const std::string low = folder.write("low.csv", table).string();
+    const std::string out = (folder.path / "out.tactspace.json").string();
+    const std::vector<std::string> words{
+        "import", file, low,      "--unit",      "V",  "--sensitivity", "0.4",  "--offset", "0.9",
+        "--out",  out,  "--json", "--time-unit", "ms", "--decimal",     "point"};
+    auto right = words;
+    right.insert(right.end(), {"--columns", "time=when,x=force"});
+    CHECK(nlohmann::json::parse(output_of(right))[0].at("lag_s") == 0.05);
+    auto wrong = words;
+    wrong.insert(wrong.end(), {"--columns", "time=when,x=weight"});
+    const Ran refused = run_program(wrong);
+    CHECK(refused.exit_code == 1);
+    CHECK(refused.err.find("the columns are when, force") != std::string::npos);
+    wrong.back() = "time=when,w=force";
+    CHECK(run_program(wrong).exit_code != 0);
+}
+
 TEST_CASE("import: what it cannot place or read is refused, and nothing is written") {
     const TemporaryFolder folder;
     const std::string file = folder.write("set.tactspace.json", kSet).string();

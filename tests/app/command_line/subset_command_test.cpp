@@ -72,6 +72,22 @@ TEST_CASE("subset command: a matrix from a file decides, its rows in any order")
     CHECK(json.at("weakest").at("dissimilarity") == 5.0);
 }
 
+TEST_CASE("subset command: commas that may be thousands are decimal ones where somebody says so") {
+    const ShortSet short_set;
+    const std::string matrix =
+        short_set.folder
+            .write("m.csv",
+                   ";f;d|e;c;b;a\nf;0;1,111;2,222;3,333;4,444\nd|e;1,111;0;5,555;6,666;7,777\n"
+                   "c;2,222;5,555;0;8,888;9,999\nb;3,333;6,666;8,888;0;1,234\n"
+                   "a;4,444;7,777;9,999;1,234;0\n")
+            .string();
+    std::vector<std::string> words{"subset",   short_set.path, "-k",    "3",
+                                   "--matrix", matrix,         "--json"};
+    CHECK(run_program(words).exit_code == 1);
+    words.insert(words.end(), {"--decimal", "comma", "--separator", "semicolon"});
+    CHECK(Json::parse(output_of(words)).at("weakest").at("dissimilarity") == 5.555);
+}
+
 TEST_CASE(
     "subset command: as a device plays them other patterns are distinct; those meant are kept") {
     const ShortSet short_set;

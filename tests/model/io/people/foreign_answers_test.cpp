@@ -173,11 +173,26 @@ TEST_CASE("foreign answers: columns under any name are read where they are named
     const auto foreign = parse_ratings("one,other,how far\nx,y,3\n", "r.csv", RatingScale::guess);
     REQUIRE_FALSE(foreign);
     CHECK(contains(foreign.error().message, "the columns are one, other, how far"));
+    CHECK(answer_columns("c=x").error().message ==
+          "expected a, b, rating and participant, each once as ROLE=COLUMN, got \"c=x\"");
     for (const char* wrong : {"a", "a=", "c=x", "a=x,a=y", "=x"}) {
         CAPTURE(wrong);
         CHECK_FALSE(answer_columns(wrong));
     }
     CHECK(*answer_columns("") == AnswerColumns{});
+}
+
+TEST_CASE("foreign answers: thousands or decimals, as somebody says") {
+    const std::string text = "a;b;rating\nx;y;1,234\nx;z;2,345\ny;z;1,500\n";
+    CHECK_FALSE(parse_ratings(text, "r.csv", RatingScale::dissimilarity));
+    AnswerColumns told;
+    told.written.decimal = ',';
+    const auto read = parse_ratings(text, "r.csv", RatingScale::dissimilarity, {}, told);
+    REQUIRE_MESSAGE(read, read.error().message);
+    CHECK(read->study.judgements[0].condensed == std::vector<double>{1.234, 2.345, 1.5});
+    // What somebody says wrongly is refused, and nothing is guessed behind it.
+    told.written = {'\t', {}};
+    CHECK_FALSE(parse_ratings(text, "r.csv", RatingScale::dissimilarity, {}, told));
 }
 
 TEST_CASE("foreign answers: a column of similarities says which way its numbers run") {
