@@ -1,6 +1,6 @@
 // An actuator on an output of a sound card: voice coils on an amplifier, a DualSense by cable.
 //
-// Source    PortAudio 19 (ALSA, JACK; PulseAudio and PipeWire through ALSA).
+// Source    PortAudio 19 (ALSA), libpulse (PulseAudio, PipeWire), libjack.
 // Input     a drive signal of -1..1; kept below kCeiling of full scale (devices/device/playback.h)
 // Output    its sound on one channel of one output, or none at all: another output is never tried
 // Left out  bit-exact output, exclusive access, sample formats other than float.

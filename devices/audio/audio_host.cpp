@@ -1,6 +1,5 @@
 #include "devices/audio/audio_host.h"
 
-#include <pa_jack.h>
 #include <portaudio.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "devices/audio/alsa_names.h"
 #include "devices/audio/audio_names.h"
 #include "devices/audio/audio_stream.h"
+#include "devices/audio/jack_output.h"
 #include "devices/audio/library_noise.h"
 
 namespace tact {
@@ -27,14 +27,13 @@ constexpr int kMostServerChannels = 8;
 // device when its own is gone. Other values that a person has set stay.
 void set_environment() {
     setenv("JACK_NO_START_SERVER", "1", 0);                   // NOLINT(concurrency-mt-unsafe)
+    setenv("JACK_DEFAULT_SERVER", "default", 0);              // NOLINT(concurrency-mt-unsafe)
     setenv("PULSE_PROP", "node.dont-reconnect=true", 0);      // NOLINT(concurrency-mt-unsafe)
     setenv("PIPEWIRE_PROPS", "node.dont-reconnect=true", 0);  // NOLINT(concurrency-mt-unsafe)
 }
 
 std::string interface_of(const PaDeviceInfo& device) {
-    const PaHostApiInfo* api = Pa_GetHostApiInfo(device.hostApi);
-    if (api->type == paJACK) return "JACK";
-    return api->name;
+    return Pa_GetHostApiInfo(device.hostApi)->name;
 }
 
 struct NumberedOutput {
@@ -94,6 +93,33 @@ std::vector<DeviceInfo> server_outputs(SoundServer& server) {
         infos.push_back(std::move(info));
     }
     return infos;
+}
+
+std::vector<DeviceInfo> jack_devices() {
+    std::vector<DeviceInfo> infos;
+    for (const JackOutput& output : jack_outputs()) {
+        DeviceInfo info;
+        info.id = audio_id("JACK", output.client, 1);
+        info.name = spoken_name("JACK", output.client);
+        info.interface = "JACK";
+        info.channels = channel_names("JACK", output.client, static_cast<int>(output.ports.size()));
+        info.rate_hz = output.rate_hz;
+        info.latency_s = output.latency_s;
+        infos.push_back(std::move(info));
+    }
+    return infos;
+}
+
+// PortAudio, without its client of JACK's, which ends the program where a server dies and another
+// one comes: it finds no server of that name. The variable is there before, so that no other thread
+// sees it come or go.
+bool starts_without_jack() {
+    const char* const name = "JACK_DEFAULT_SERVER";
+    const std::string wanted = std::getenv(name);              // NOLINT(concurrency-mt-unsafe)
+    setenv(name, "none, as tactspace has its own client", 1);  // NOLINT(concurrency-mt-unsafe)
+    const bool is_started = Pa_Initialize() == paNoError;
+    setenv(name, wanted.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    return is_started;
 }
 
 // ALSA's "default" where it leads to a server that is listed by its own name.
@@ -172,15 +198,15 @@ bool AudioHost::refresh() {
     // The list is made once, at the start of the library: for a new one it has to start anew.
     if (is_initialised_) Pa_Terminate();
     silence_libraries();
-    PaJack_SetClientName("tactspace");
     const bool is_safe = has_alsa_configuration();
-    is_initialised_ = is_safe && Pa_Initialize() == paNoError;
+    is_initialised_ = is_safe && starts_without_jack();
     is_without_cards_ = !is_safe;
     listed_.clear();
     if (is_initialised_) {
         for (NumberedOutput& output : numbered_outputs(&server_))
             listed_.push_back(std::move(output.info));
     }
+    for (DeviceInfo& output : jack_devices()) listed_.push_back(std::move(output));
     for (DeviceInfo& output : server_outputs(server_)) listed_.push_back(std::move(output));
     return true;
 }

@@ -4,33 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string_view>
+#include <utility>
 
 #include "devices/audio/audio_host.h"
 #include "devices/audio/audio_names.h"
 #include "devices/audio/audio_stream.h"
+#include "devices/audio/jack_output.h"
 #include "devices/audio/pulse_output.h"
-#include "devices/device/bounds.h"
+#include "devices/device/supply.h"
 
 namespace tact {
 
 namespace {
 
 constexpr double kWantedRateHz = 48'000.0;
+constexpr std::string_view kJackIds = "audio/JACK/";
 // A callback each of so many parts of the buffer: it is what a stop waits for.
 constexpr double kPeriodS = 0.005;
 
-// PortAudio subtracts a JACK client's latency from a period without looking which is larger: what
-// cannot be true counts as none.
+// What cannot be true counts as none.
 double believable(double latency_s) {
     return latency_s >= 0.0 && latency_s < 2.0 ? latency_s : 0.0;
 }
 
+// A card says itself where sound was missing; what lies behind a server's name does not.
+struct CardCallback {
+    Playback& playback;
+    bool tells_gaps = true;
+    Supply supply{};
+};
+
+// By the steady clock: PortAudio's is the time of day, which may be set while something plays.
 int audio_callback(const void*, void* output, unsigned long frames,
                    const PaStreamCallbackTimeInfo* time, PaStreamCallbackFlags flags, void* self) {
-    const bool goes_on =
-        render(*static_cast<Playback*>(self), static_cast<float*>(output), frames,
-               time->currentTime + believable(time->outputBufferDacTime - time->currentTime),
-               (flags & paOutputUnderflow) != 0);
+    auto& called = *static_cast<CardCallback*>(self);
+    const double now_s = steady_s();
+    const double rendered_s = static_cast<double>(frames) / called.playback.layout.rate_hz;
+    const bool is_dry = has_run_dry(called.supply, now_s, rendered_s) && !called.tells_gaps;
+    const bool goes_on = render(called.playback, static_cast<float*>(output), frames,
+                                now_s + believable(time->outputBufferDacTime - time->currentTime),
+                                is_dry || (flags & paOutputUnderflow) != 0);
     return goes_on ? paContinue : paAbort;
 }
 
@@ -42,10 +57,9 @@ bool is_server(int number) {
     return is_alsa(number) && is_sound_server("ALSA", Pa_GetDeviceInfo(number)->name);
 }
 
-OutputPort port_of(PaStream* stream) {
+OutputPort port_of(PaStream* stream, std::shared_ptr<CardCallback> callback) {
     return {[stream] { return Pa_IsStreamActive(stream) == 1; },
-            [stream] { return Pa_GetStreamTime(stream); },
-            [stream] {
+            [stream, callback = std::move(callback)] {
                 Pa_AbortStream(stream);
                 Pa_CloseStream(stream);
             }};
@@ -54,9 +68,6 @@ OutputPort port_of(PaStream* stream) {
 // 48 kHz where the output takes it, as most run at it and need no second resampling.
 double rate_for(const PaStreamParameters& parameters) {
     const double own_hz = Pa_GetDeviceInfo(parameters.device)->defaultSampleRate;
-    if (Pa_GetHostApiInfo(Pa_GetDeviceInfo(parameters.device)->hostApi)->type == paJACK) {
-        return own_hz;
-    }
     const bool takes = Pa_IsFormatSupported(nullptr, &parameters, kWantedRateHz) == paNoError;
     return takes ? kWantedRateHz : own_hz;
 }
@@ -97,6 +108,11 @@ Expected<Done> AudioStream::open(AudioHost& host) {
         if (!opened) close();
         return opened;
     }
+    if (place_.id.starts_with(kJackIds)) {
+        Expected<Done> opened = open_at_jack();
+        if (!opened) close();
+        return opened;
+    }
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once(host.server());
     // A server that was started anew, a card that was taken out and put back.
@@ -121,9 +137,8 @@ Expected<Done> AudioStream::claim_channels() {
 }
 
 // No callback runs: all of it may be made anew.
-void AudioStream::lay_out(double rate_hz, bool clock_tells_gaps) {
+void AudioStream::lay_out(double rate_hz) {
     playback_.layout = {rate_hz, place_.channels, place_.channel, kCeiling, place_.everywhere};
-    playback_.layout.clock_tells_gaps = clock_tells_gaps;
     playback_.own = {};
     playback_.wanted = nullptr;
     playback_.held = nullptr;
@@ -144,10 +159,32 @@ Expected<Done> AudioStream::open_at_server(SoundServer& server) {
                      " channels now, not " + std::to_string(place_.channels) +
                      ": refresh the devices and choose its channel again"};
     }
-    lay_out(output->rate_hz, false);
+    lay_out(output->rate_hz);
     playback_.layout.latency_s = place_.buffer_s;
     Expected<OutputPort> port = open_pulse_output(*output, place_.buffer_s, playback_);
     if (!port) return Error{on + " could not be opened: " + port.error().message};
+    port_ = *std::move(port);
+    note_calls();
+    return Done{};
+}
+
+Expected<Done> AudioStream::open_at_jack() {
+    const auto outputs = jack_outputs();
+    const auto output =
+        std::ranges::find(outputs, place_.id.substr(kJackIds.size()), &JackOutput::client);
+    if (output == outputs.end()) {
+        return Error{place_.name + " is not there: bring it back, or choose another"};
+    }
+    if (output->ports.size() != place_.channels) {
+        return Error{place_.name + " has " + std::to_string(output->ports.size()) +
+                     " channels now, not " + std::to_string(place_.channels) +
+                     ": refresh the devices and choose its channel again"};
+    }
+    lay_out(output->rate_hz);
+    std::vector<std::string> ports = output->ports;
+    if (!place_.everywhere) ports = {ports[place_.channel]};
+    Expected<OutputPort> port = open_jack_output(ports, playback_);
+    if (!port) return Error{place_.name + " could not be opened: " + port.error().message};
     port_ = *std::move(port);
     note_calls();
     return Done{};
@@ -162,22 +199,23 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
     parameters.sampleFormat = paFloat32;
     parameters.suggestedLatency =
         std::max(place_.buffer_s, Pa_GetDeviceInfo(number)->defaultLowOutputLatency);
-    // A card says itself where sound was missing. What lies behind a server's name does not, and
-    // JACK's clock is that of its frames.
-    lay_out(rate_for(parameters), is_server(number) || !is_alsa(number));
+    lay_out(rate_for(parameters));
     const double periods = std::ceil(parameters.suggestedLatency / kPeriodS);
     if (is_alsa(number)) PaAlsa_SetNumPeriods(static_cast<int>(std::max(4.0, periods)));
     // At a server a stream is there as soon as it is opened.
     const std::set<std::uint32_t> before =
         is_alsa(number) ? server.own_streams() : std::set<std::uint32_t>{};
+    const auto callback = std::make_shared<CardCallback>(
+        CardCallback{playback_, is_alsa(number) && !is_server(number)});
     PaStream* stream = nullptr;
     const PaStreamFlags flags = paClipOff | paDitherOff;
     const PaError fault =
         Pa_OpenStream(&stream, nullptr, &parameters, playback_.layout.rate_hz,
-                      paFramesPerBufferUnspecified, flags, audio_callback, &playback_);
+                      paFramesPerBufferUnspecified, flags, audio_callback, callback.get());
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
-    port_ = port_of(stream);
+    port_ = port_of(stream, callback);
     playback_.layout.latency_s = believable(Pa_GetStreamInfo(stream)->outputLatency);
+    callback->supply.lasts_s = playback_.layout.latency_s;
     Expected<Done> started = start_ahead(stream, is_alsa(number), place_.name);
     note_calls();
     if (started && is_alsa(number)) started = is_direct(server, before);

@@ -23,11 +23,6 @@ constexpr auto kClosePatience = std::chrono::seconds(1);
 constexpr double kLingerS = 1.5;
 constexpr auto kCutPatience = std::chrono::milliseconds(200);
 
-double steady_s() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
 }  // namespace
 
 std::uint64_t AudioStream::ask() {
@@ -105,7 +100,7 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
     status.playing = true;
     if (playback_.begun.load() < asked.serial) return status;
     const PlayNotes& notes = notes_of(playback_, asked.serial);
-    const double now_s = steady_s() + clock_offset_s_.load() - place_.latency_offset_s;
+    const double now_s = steady_s() - place_.latency_offset_s;
     const double since_s = now_s - notes.origin_s.load() - asked.lead_s;
     const bool has_ended = playback_.ended.load() >= asked.serial;
     // Rendered is not yet felt.
@@ -202,7 +197,7 @@ bool AudioStream::has_stalled() {
     return stalled_s_ > kStallS;
 }
 
-// The word first: PortAudio waits ten minutes for a JACK server that was killed.
+// The word first: a library may wait for a server that was killed.
 StreamState AudioStream::lose(const std::string& why) {
     if (is_sounding()) {
         connected_ = false;
@@ -244,7 +239,6 @@ StreamState AudioStream::poll() {
         if (playback_.cut == Cut::done) return close(), StreamState::closed;
         return lose(" is gone: it stopped taking sound, and nothing plays until it is back");
     }
-    clock_offset_s_ = port_->time_s() - steady_s();
     free_clips();
     const double quiet_s =
         static_cast<double>(playback_.quiet_frames.load()) / playback_.layout.rate_hz;

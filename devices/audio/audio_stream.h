@@ -89,9 +89,10 @@ class AudioStream {
     Expected<Done> open_once(SoundServer& server);
     void note_calls();
     Expected<Done> open_at_server(SoundServer& server);
+    Expected<Done> open_at_jack();
     Expected<Done> is_direct(SoundServer& server, const std::set<std::uint32_t>& before) const;
     Expected<Done> claim_channels();
-    void lay_out(double rate_hz, bool clock_tells_gaps);
+    void lay_out(double rate_hz);
     void settle_cut();
     void rest_if_halted();
     void start(std::unique_ptr<const Clip> clip, double duration_s);
@@ -105,7 +106,6 @@ class AudioStream {
     std::atomic<std::uint64_t> asked_ = 0;
     std::atomic<std::uint64_t> superseded_ = 0;  // all before this one
     std::atomic<std::uint64_t> stopped_ = 0;     // this play and all before it
-    std::atomic<double> clock_offset_s_ = 0.0;   // stream time - steady time
     std::atomic<bool> connected_ = true;
     std::atomic<std::uint64_t> halts_ = 0;  // of the program, when the newest play was asked for
     std::mutex mutex_;                      // guards the next three

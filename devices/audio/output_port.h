@@ -2,14 +2,20 @@
 // to be done with it. What uses a port cannot tell PortAudio's from a sound server's.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 namespace tact {
 
+// The stream's time, which `heard_s` of render() is of, whoever asks for the sound.
+inline double steady_s() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
 // From one thread at a time.
 struct OutputPort {
     std::function<bool()> is_active;  // false: it has gone, or was cut
-    std::function<double()> time_s;   // now, by the clock that `heard_s` of render() is of
     std::function<void()> close;      // at once: what is on its way is not heard
 };
 

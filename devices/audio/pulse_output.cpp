@@ -22,11 +22,6 @@ constexpr auto kFlags = static_cast<pa_stream_flags_t>(
     PA_STREAM_DONT_MOVE | PA_STREAM_NO_REMAP_CHANNELS | PA_STREAM_NO_REMIX_CHANNELS |
     PA_STREAM_ADJUST_LATENCY | PA_STREAM_INTERPOLATE_TIMING | PA_STREAM_AUTO_TIMING_UPDATE);
 
-double clock_s() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
 // What libpulse calls, on its thread, under its lock.
 class PulseOutput {
   public:
@@ -76,7 +71,7 @@ bool map_of(const ServerOutput& output, pa_channel_map& map) {
 }
 
 Expected<Done> PulseOutput::open() {
-    const double until_s = clock_s() + kOpenPatienceS;
+    const double until_s = steady_s() + kOpenPatienceS;
     if (!reach(until_s)) return Error{"the sound server does not answer"};
     if (connect(until_s)) return Done{};
     const std::string why = fault();
@@ -92,7 +87,7 @@ bool PulseOutput::reach(double until_s) {
     if (context_ == nullptr) return false;
     if (pa_context_connect(context_, nullptr, PA_CONTEXT_NOAUTOSPAWN, nullptr) < 0) return false;
     if (pa_threaded_mainloop_start(loop_) < 0) return false;
-    for (; clock_s() < until_s; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    for (; steady_s() < until_s; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
         pa_threaded_mainloop_lock(loop_);
         const pa_context_state_t state = pa_context_get_state(context_);
         pa_threaded_mainloop_unlock(loop_);
@@ -131,7 +126,7 @@ bool PulseOutput::connect(double until_s) {
     const bool begun = begin_stream();
     pa_threaded_mainloop_unlock(loop_);
     if (!begun) return false;
-    for (; clock_s() < until_s; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    for (; steady_s() < until_s; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
         const pa_stream_state_t now = state();
         if (PA_STREAM_IS_GOOD(now) == 0) return false;
         if (now != PA_STREAM_READY) continue;
@@ -191,7 +186,7 @@ void PulseOutput::ask(std::size_t bytes) {
     const std::size_t channels = output_.channels.size();
     const double rate_hz = playback_.layout.rate_hz;
     const auto most = static_cast<std::size_t>(kPieceS * rate_hz);
-    const double heard_s = clock_s() + latency_s();
+    const double heard_s = steady_s() + latency_s();
     const std::size_t count = bytes / (channels * sizeof(float));
     for (std::size_t done = 0; done < count;) {
         const std::size_t now = std::min(most, count - done);
@@ -235,7 +230,7 @@ Expected<OutputPort> open_pulse_output(const ServerOutput& output, double buffer
     const auto open = std::make_shared<PulseOutput>(output, buffer_s, playback);
     const Expected<Done> opened = open->open();
     if (!opened) return opened.error();
-    return OutputPort{[open] { return open->is_active(); }, clock_s, [open] { open->close(); }};
+    return OutputPort{[open] { return open->is_active(); }, [open] { open->close(); }};
 }
 
 }  // namespace tact

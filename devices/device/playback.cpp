@@ -204,18 +204,6 @@ bool is_under_way(const Playback& playback) {
     return own.clip != nullptr && (!own.has_ended || own.frames < own.ended_at + late);
 }
 
-// Whether the output's clock has leapt: where sound was missing, all that follows is heard later.
-// Its readings jitter and its rate is its own, hence the leap and the slow following.
-bool has_leapt(Playback& playback, double heard_s) {
-    Playback::Own& own = playback.own;
-    const double clock_s = heard_s - static_cast<double>(own.frames) / playback.layout.rate_hz;
-    const double off_s = clock_s - own.clock_s;
-    const bool leapt = own.has_clock && off_s > kGapS;
-    own.clock_s = leapt || !own.has_clock ? clock_s : own.clock_s + 0.02 * off_s;
-    own.has_clock = true;
-    return leapt;
-}
-
 // A waiting one lets the one before it end, and rests after that.
 bool may_begin(const Playback& playback, const Clip* wanted) {
     const Playback::Own& own = playback.own;
@@ -251,9 +239,7 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
     const StreamLayout& layout = playback.layout;
     Playback::Own& own = playback.own;
     std::fill_n(interleaved, frames * layout.channels, 0.0F);
-    // One gap may show in both.
-    const bool has_gap = (has_leapt(playback, heard_s) && layout.clock_tells_gaps) || broke_off;
-    if (has_gap && is_under_way(playback)) {
+    if (broke_off && is_under_way(playback)) {
         notes_of(playback, own.clip->serial).dropouts.fetch_add(1, std::memory_order_relaxed);
     }
     const Clip* wanted = playback.wanted.load(std::memory_order_seq_cst);

@@ -15,9 +15,8 @@
 //           on from where it is: with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before
 //           + w after, which is never above the larger one, nor steps by more than the two do and
 //           their difference / 600.
-// Left out  gaps that nobody tells and that leave the output's clock as it was;
-//           starting in the middle of a clip; ramps of a pattern's own start and end
-//           (devices/device/protection.h).
+// Left out  gaps that nobody tells (devices/device/supply.h); starting in the middle of a clip;
+//           ramps of a pattern's own start and end (devices/device/protection.h).
 // Exact     at a settled level each frame is sample * level, rounded once; where nothing was played
 //           within the last second the ledger holds nothing back.
 #pragma once
@@ -38,7 +37,6 @@ inline constexpr double kCeiling = 0.8;   // of full scale: no sample leaves tha
 inline constexpr double kCrossS = 0.02;   // from a loop to what it is changed into
 inline constexpr double kSettleS = 0.01;  // until a lower level is reached to 1 %
 inline constexpr double kRiseS = 0.2;     // of a level from nothing to all: one click is no blow
-inline constexpr double kGapS = 0.003;    // that the output's clock leaps by where sound is missing
 // Between a frame's rendering and its being heard: with more of it a stop has to cut the stream.
 inline constexpr double kLongestFadedS = 0.0125;
 
@@ -50,9 +48,6 @@ struct StreamLayout {
     double ceiling = kCeiling;
     bool everywhere = false;  // on all channels instead
     double latency_s = 0.0;   // between a frame's rendering and its being heard
-    // A leap of the output's clock is a gap. Not where the library tells of gaps itself: what it
-    // takes its latency for changes by itself, as when a recorder comes to the same output.
-    bool clock_tells_gaps = true;
 };
 
 // How one play went.
@@ -110,8 +105,6 @@ struct Playback {
         std::uint64_t ended_at = 0;      // frame of the stream
         float gain = 0.0F;
         float fade = 1.0F;
-        double clock_s = 0.0;  // of the output at the stream's first frame, as is believed now
-        bool has_clock = false;
     } own;
 };
 
@@ -120,8 +113,8 @@ inline PlayNotes& notes_of(Playback& playback, std::uint64_t serial) {
 }
 
 // The whole callback: writes `frames` frames, of which the first will be heard at `heard_s` of the
-// stream's time. `broke_off`: there was a gap before them. False: the stream is to be cut at once,
-// these frames and all that are on their way.
+// steady clock, the stream's time. `broke_off`: there was a gap before them. False: the stream is
+// to be cut at once, these frames and all that are on their way.
 bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off = false);
 

@@ -10,7 +10,7 @@ exec 9>"${TMPDIR:-/tmp}/tactspace_jack.$(id -u)"
 flock --timeout 60 9 || fail "another story of JACK does not end"
 
 start_server() {
-    jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p 256 -P 4 -C 4 \
+    jackd --no-realtime -n "$JACK_DEFAULT_SERVER" -d dummy -r 48000 -p "${period:-256}" -P 4 -C 4 \
         >"$scratch/log" 2>&1 9>&- &
     server=$!
     children+=("$server")
