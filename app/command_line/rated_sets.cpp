@@ -46,7 +46,7 @@ Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
     if (!columns) return Error{"--columns: " + columns.error().message};
     columns->written = how.written;
     Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who, *columns);
-    if (!loaded) return loaded.error();
+    if (!loaded) return with_columns_option(loaded.error());
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
     Expected<RatingStudy> study = matched(loaded->study, names_of(set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
@@ -155,6 +155,12 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                        std::move(loaded->labels)});
     }
     return all;
+}
+
+Error with_columns_option(Error error) {
+    const bool lists_columns = error.message.find("; the columns are ") != std::string::npos;
+    if (lists_columns) error.message += "; --columns a=..,b=..,rating=.. says which";
+    return error;
 }
 
 Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written) {

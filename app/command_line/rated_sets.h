@@ -41,6 +41,9 @@ Expected<Done> record_who_counts(std::span<const std::filesystem::path> files,
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
 
+// What could not be read of ratings, with the option that names their columns where that helps.
+Error with_columns_option(Error error);
+
 // A matrix file; how it was understood is told on standard error.
 Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written);
 

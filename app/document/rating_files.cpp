@@ -19,32 +19,39 @@ void load_ratings_dialog(Ui& ui, const Workspace& work) {
                  work.document.path.parent_path());
 }
 
-void load_ratings(Ui& ui, Workspace& work, Layout& layout,
-                  const std::vector<std::filesystem::path>& paths) {
-    if (paths.empty()) return;
-    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
-    if (!loaded) return complain(ui, loaded.error().message);
-    const std::string file = paths.front().filename().string();
-    Expected<RatingStudy> study = matched(loaded->study, names_of(work.document.set));
+Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& loaded) {
+    Expected<RatingStudy> study = matched(loaded.study, names_of(set));
+    if (study && unrated_patterns(*study).empty() && study->gone.empty()) return study;
     // People rate the intended patterns, not what measures them.
-    if (!study || !unrated_patterns(*study).empty() || !study->gone.empty()) {
-        const PatternSet intended = one_side(work.document.set, Side::intended);
-        auto of_intended = matched(loaded->study, names_of(intended));
-        if (of_intended) study = std::move(of_intended);
-    }
+    auto of_intended = matched(loaded.study, names_of(one_side(set, Side::intended)));
+    return of_intended ? of_intended : study;
+}
+
+void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem::path& path,
+                  const LoadedRatings& loaded) {
+    const std::string file = path.filename().string();
+    const Expected<RatingStudy> study = study_for(work.document.set, loaded);
     if (!study) return complain(ui, file + ": " + study.error().message);
-    auto ratings = kept_ratings(*study, ratings_source(file, loaded->left_out.size()));
+    auto ratings = kept_ratings(*study, ratings_source(file, loaded.left_out.size()));
     note_versions(ratings, *study, work.document.set);
     work.document.edit().ratings = std::move(ratings);
     document_changed(work);
     commit_step(ui, work, "Load ratings");
     layout.bench = BenchTab::compare;
     std::string text = "Ratings loaded from " + file;
-    for (const std::string& remark : loaded->remarks) text += "; " + remark;
+    for (const std::string& remark : loaded.remarks) text += "; " + remark;
     const std::string unrated = remark_on_unrated(unrated_patterns(*study), study->labels.size());
     if (!unrated.empty()) text += "; " + unrated;
     if (!study->gone.empty()) text += "; " + words_on_gone(study->gone);
     say(ui, text + ".");
+}
+
+void load_ratings(Ui& ui, Workspace& work, Layout& layout,
+                  const std::vector<std::filesystem::path>& paths) {
+    if (paths.empty()) return;
+    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
+    if (!loaded) return complain(ui, loaded.error().message);
+    take_ratings(ui, work, layout, paths.front(), *loaded);
 }
 
 }  // namespace tact

@@ -241,6 +241,23 @@ void drop_left_out(ImportState& state) {
     }
 }
 
+// True where the dialog gives way to the one on the columns of the shown table.
+bool draw_columns_button(Ui& ui, ImportState& importing) {
+    const bool is_table = importing.shown < importing.files.size() &&
+                          extension_of(importing.files[importing.shown]) != ".wav";
+    if (!is_table) return false;
+    const bool wanted = ImGui::Button("Columns...");
+    note_item(ui.rects, "button:columns");
+    draw_tooltip(ui, "Says which column of this table is the time and which are axes.");
+    ImGui::SameLine();
+    if (!wanted) return false;
+    importing.columns_of = importing.files[importing.shown];
+    ui.dialog = Dialog::none;
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return true;
+}
+
 void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (!begin_dialog(ui, "Import recordings")) return;
     dim_text(ui, "Recordings by an accelerometer, and the pattern each measures");
@@ -253,6 +270,7 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const bool more = ImGui::Button("Add files...");
     note_item(ui.rects, "button:add files");
     ImGui::SameLine();
+    if (draw_columns_button(ui, importing)) return;
     if (more) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();

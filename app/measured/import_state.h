@@ -68,6 +68,7 @@ struct ImportState {
     std::size_t shown = 0;  // the file whose signals are drawn
     RecordingFields fields;
     bool adding = false;  // the chooser looks for more files
+    std::filesystem::path columns_of;  // whose columns somebody wants to tell; empty: nobody
     ActuatorParams actuator;
     bool simulate_all = true;  // patterns, not only the selected ones
     std::uint64_t asked = 0;   // the number of the last request of either kind

@@ -105,6 +105,11 @@ void take_settings(const json& from, Session& session) {
         session.document = path_of(*at).value_or(fs::path{});
     }
     take_devices(from, session);
+    if (const auto at = from.find("table_words"); at != from.end() && at->is_object()) {
+        for (const auto& [names, words] : at->items()) {
+            if (words.is_string()) session.table_words[names] = words.get<std::string>();
+        }
+    }
 }
 
 // The settings of an earlier run; those of another format, or none, are put aside by the owner.
@@ -147,7 +152,8 @@ json settings_of(const Session& session) {
             {"document", path_json(session.document)},
             {"device", bytes_json(session.device)},
             {"device_choices", devices},
-            {"full_scale_g", session.full_scale_g}};
+            {"full_scale_g", session.full_scale_g},
+            {"table_words", session.table_words}};
 }
 
 bool make_folder(Session& session) {

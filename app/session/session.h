@@ -38,6 +38,8 @@ struct Session {
     std::string device;              // id of the one that plays; empty: silent
     std::vector<DeviceChoice> device_choices;  // what was chosen of it, and of others before it
     double full_scale_g = 1.0;
+    // What was said of tables, as app/tables writes it, by the names of their columns.
+    std::map<std::string, std::string> table_words;
 
     // Of this run.
     std::filesystem::path folder;                  // empty: nothing can be kept

@@ -25,6 +25,7 @@
 #include "app/rendering/rendering_state.h"
 #include "app/study/study_state.h"
 #include "app/subset/subset_state.h"
+#include "app/tables/table_state.h"
 #include "app/timeline/timeline.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
@@ -85,6 +86,7 @@ struct App {
     ExportState exports;
     GenerateState generating;
     ImportState importing;
+    TableState table;
     StudyState studying;
     CalibrateState calibrating;
     LessonState lesson;

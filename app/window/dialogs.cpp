@@ -28,6 +28,7 @@
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/subset/subset_export.h"
+#include "app/tables/table_look.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
@@ -122,7 +123,9 @@ void draw_chooser(App& app) {
         case ChooserPurpose::load_tables:
             return load_tables(app.ui, app.work, *chosen);
         case ChooserPurpose::load_ratings:
-            return load_ratings(app.ui, app.work, app.layout, {*chosen});
+            return load_ratings_or_ask(app.ui, app.work, app.layout, app.table, {*chosen});
+        case ChooserPurpose::open_table:
+            return open_table(app.ui, app.work, app.table, *chosen);
         case ChooserPurpose::load_calibration:
             return use_calibration(app.ui, app.work, app.timeline, app.rendered, app.play, *chosen);
         case ChooserPurpose::load_model:
@@ -197,6 +200,12 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app.ui, app.work, app.importing);
+    if (const auto file = std::exchange(app.importing.columns_of, {}); !file.empty()) {
+        open_table(app.ui, app.work, app.table, file, TableKind::recording);
+    }
+    if (app.ui.dialog == Dialog::open_table) {
+        draw_table_dialog(app.ui, app.work, app.layout, app.table, app.importing);
+    }
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
@@ -230,7 +239,7 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     if (tables && !read_ratings(paths, RatingScale::guess) && are_accelerations(paths)) {
         return import_recordings(app.ui, app.work, app.importing, paths);
     }
-    if (tables) return load_ratings(app.ui, app.work, app.layout, paths);
+    if (tables) return load_ratings_or_ask(app.ui, app.work, app.layout, app.table, paths);
     if (paths.size() == 1) return open_file(app, paths[0]);
     open_paths(app.ui, app.work, app.opening, paths, true);
 }

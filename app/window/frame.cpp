@@ -37,6 +37,7 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
+#include "app/tables/table_look.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
@@ -307,6 +308,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.work.selection.hovered_pair_last =
         std::exchange(app.work.selection.hovered_pair, std::nullopt);
     follow_import(app.ui, app.work, app.importing);
+    follow_table(app.table);
     follow_calibrate(app.ui, app.play, app.calibrating);
     follow_study(app.ui, app.work, app.play, app.studying);
     follow_training(app.ui, app.model_bench);

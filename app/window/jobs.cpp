@@ -92,6 +92,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::export_effects:
         case Dialog::generate:
         case Dialog::import_recordings:
+        case Dialog::open_table:
         case Dialog::simulate_measurement:
         case Dialog::steps:
         case Dialog::tap_rhythm:
@@ -145,6 +146,7 @@ void begin_others_again(App& app) {
     app.importing.shown = 0;
     app.importing.answer.reset();
     app.importing.simulated.reset();
+    begin_again(app.table, TableState{});
     app.play.hovered_in_map.reset();
     app.play.felt_on_hover.clear();
     if (is_study_running(app.studying)) return;
@@ -247,6 +249,7 @@ void stop_jobs(App& app) {
     app.manual.job.reset();
     app.pattern_panes.recording.job.reset();
     stop_import(app.importing);
+    app.table.job.reset();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
     stop_maybes_jobs(app.maybes);

@@ -1,7 +1,11 @@
 #include "tests/support/scenes.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <thread>
 #include <utility>
 
@@ -11,6 +15,7 @@
 #include "app/study/study_panels.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_state.h"
+#include "app/tables/table_look.h"
 #include "app/window/commands.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
@@ -274,6 +279,16 @@ void add_dialogs(std::vector<Scene>& all) {
                        rule.repeat_rho = 0.3;
                        rule.replays = 5.0;
                        show_dialog(p, Dialog::conduct_rules);
+                   }});
+    all.push_back({"dialog, open table", [](Program& p) {
+                       const auto file = std::filesystem::temp_directory_path() /
+                                         ("open table " + std::to_string(::getpid()) + ".csv");
+                       std::ofstream(file) << "trial,left,right,how far,who\n1,p1,p2,30,S1\n"
+                                              "2,p1,p3,80,S1\n";
+                       open_table(p.app.ui, p.app.work, p.app.table, file);
+                       wait_until(p, [&p] { return p.app.table.answer != nullptr; });
+                       p.settle();
+                       std::filesystem::remove(file);
                    }});
     constexpr auto kOthers =
         std::to_array<std::pair<const char*, Dialog>>({{"calibrate", Dialog::calibrate},

@@ -54,7 +54,7 @@ Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSe
     if (!columns) return Error{"--columns: " + columns.error().message};
     columns->written = command.written;
     const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess, {}, *columns);
-    if (!loaded) return loaded.error();
+    if (!loaded) return with_columns_option(loaded.error());
     for (const std::string& remark : loaded->remarks) {
         std::cerr << "tactspace: " << remark << "\n";
     }

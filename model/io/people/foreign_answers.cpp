@@ -77,11 +77,7 @@ void tidy(std::vector<CsvRecord>& records, const TableDialect& dialect) {
     }
 }
 
-struct Columns {
-    std::optional<std::size_t> a, b, rating, participant;
-};
-
-std::string words_on_columns(const CsvRecord& head, const Columns& columns) {
+std::string words_on_columns(const CsvRecord& head, const AnswerPlaces& columns) {
     std::string words;
     const auto say = [&](const char* own, const std::optional<std::size_t>& place) {
         if (!place || trimmed(head.fields[*place]) == own) return;
@@ -166,7 +162,7 @@ std::optional<std::vector<CsvRecord>> lines_of_wide(const std::vector<CsvRecord>
 }
 
 // Trials without a pair, such as instructions.
-std::size_t drop_other_trials(std::vector<CsvRecord>& records, const Columns& columns) {
+std::size_t drop_other_trials(std::vector<CsvRecord>& records, const AnswerPlaces& columns) {
     const auto is_other = [&](const CsvRecord& one) {
         const auto is_bare = [&](std::size_t place) {
             return one.fields.size() <= place || trimmed(one.fields[place]).empty();
@@ -180,7 +176,7 @@ std::size_t drop_other_trials(std::vector<CsvRecord>& records, const Columns& co
 }
 
 // Where every name is that of a file, the patterns are called as the files are.
-bool strip_endings(std::vector<CsvRecord>& records, const Columns& columns) {
+bool strip_endings(std::vector<CsvRecord>& records, const AnswerPlaces& columns) {
     const std::array<std::size_t, 2> places{*columns.a, *columns.b};
     const auto is_file = [](const std::string& cell) {
         return without_sound_ending(trimmed(cell)).size() < trimmed(cell).size();
@@ -228,10 +224,14 @@ void give_corner(std::vector<CsvRecord>& records) {
     head.insert(head.begin(), "");
 }
 
+AnswerPlaces places_in(const CsvRecord& head) {
+    return {column_of(head, kFirst), column_of(head, kSecond), column_of(head, kRating),
+            column_of(head, kParticipant)};
+}
+
 // Gives the columns that somebody named this program's names, which no other column may have then;
 // what is wrong, or empty.
-std::string call_columns(OwnAnswers& own, const AnswerColumns& named) {
-    CsvRecord& head = own.records.front();
+std::string call_columns(CsvRecord& head, const AnswerColumns& named) {
     std::vector<std::string> fresh = head.fields;
     for (const auto& [own_name, name] : {std::pair{"a", &named.a},
                                          {"b", &named.b},
@@ -261,13 +261,18 @@ Expected<AnswerColumns> answer_columns(std::string_view text) {
     return columns;
 }
 
+AnswerPlaces answer_places(std::span<const std::string> head, const AnswerColumns& named) {
+    CsvRecord record{1, {head.begin(), head.end()}, false};
+    return call_columns(record, named).empty() ? places_in(record) : AnswerPlaces{};
+}
+
 OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& dialect,
                        const AnswerColumns& named) {
     OwnAnswers own;
     tidy(records, dialect);
     own.records = std::move(records);
     if (own.records.empty()) return own;
-    own.fault = call_columns(own, named);
+    own.fault = call_columns(own.records.front(), named);
     if (!own.fault.empty()) return own;
     give_corner(own.records);
     if (auto lines = lines_of_wide(own.records)) {
@@ -276,8 +281,7 @@ OwnAnswers own_answers(std::vector<CsvRecord> records, const TableDialect& diale
     }
     const bool had_arrays = part_stimuli(own.records);
     CsvRecord& head = own.records.front();
-    Columns columns{column_of(head, kFirst), column_of(head, kSecond), column_of(head, kRating),
-                    column_of(head, kParticipant)};
+    const AnswerPlaces columns = places_in(head);
     if (!columns.a || !columns.b || !columns.rating) return own;
     const std::string words = words_on_columns(head, columns);
     if (!words.empty()) own.remarks.push_back(words);

@@ -11,6 +11,8 @@
 // Left out  names in other languages than English
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,16 @@ struct AnswerColumns {
 
 // From "a=stimA,b=stimB,rating=slider.response,participant=pid": any of them, once.
 Expected<AnswerColumns> answer_columns(std::string_view text);
+
+// The places of the columns that are read, from 0, by what somebody says and by their usual names.
+struct AnswerPlaces {
+    std::optional<std::size_t> a, b, rating, participant;
+
+    bool operator==(const AnswerPlaces&) const = default;
+};
+
+// All are empty where a named column is not there.
+AnswerPlaces answer_places(std::span<const std::string> head, const AnswerColumns& named);
 
 struct OwnAnswers {
     std::vector<CsvRecord> records;

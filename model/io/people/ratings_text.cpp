@@ -223,8 +223,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
         return at_line(file, head.line,
                        "expected the columns a, b and rating, or a square of names; the columns "
                        "are " +
-                           column_names(head.fields) +
-                           "; call them so, or say --columns a=..,b=..,rating=.. in a terminal");
+                           column_names(head.fields));
     }
     auto answer = is_sorted     ? ratings_of_sortings(file, records, text.size())
                   : has_columns ? ratings_of_lines(file, records, text.size())

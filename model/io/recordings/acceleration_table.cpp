@@ -26,6 +26,7 @@ struct Layout {
     std::size_t columns = 0;
     Fields names;              // one a column; empty: none
     std::string_view heading;  // the line before the numbers
+    std::size_t heading_line = 0;
 };
 
 // Which column is what.
@@ -106,6 +107,7 @@ CsvRecord record_of(std::string_view line, char separator) {
 std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) {
     constexpr std::size_t kMostLines = 100;  // of a heading
     std::string_view heading;
+    std::size_t heading_line = 0;
     for (std::size_t number = 1; !text.empty() && number <= kMostLines; ++number) {
         const std::string_view line = trimmed(take_line(text));
         if (line.empty() || is_comment(line)) continue;
@@ -113,7 +115,8 @@ std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) 
             if (separator != hints.separator.value_or(separator)) continue;
             if (separator != ' ' && line.find(separator) == line.npos) continue;
             const Fields fields = record_of(line, separator).fields;
-            Layout layout{separator, hints.decimal, number, fields.size(), {}, heading};
+            Layout layout{separator, hints.decimal, number,      fields.size(),
+                          {},        heading,       heading_line};
             const auto is_number = [&layout](const std::string& field) {
                 return is_like_a_number(field, layout);
             };
@@ -127,6 +130,7 @@ std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) 
             return layout;
         }
         heading = line;
+        heading_line = number;
     }
     return std::nullopt;
 }
@@ -394,6 +398,9 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
         if (!names.empty()) table.axis_names.emplace_back(trimmed(names[axis]));
     }
     table.axes.resize(reading.columns.axes.size());
+    table.time_place = reading.columns.time;
+    table.axis_places = reading.columns.axes;
+    table.first_line = names.empty() ? layout->first_line : layout->heading_line;
     if (const auto fault = take_units(reading.layout, reading.columns, options.time_unit, table);
         !fault.empty()) {
         return at_line(file, layout->first_line, fault);

@@ -33,9 +33,12 @@ struct AccelerationTable {
     std::vector<double> time;           // as it is written; empty: no column of it
     std::optional<double> time_unit_s;  // that its name says
     std::vector<std::vector<double>> axes;
-    std::optional<AccelerationUnit> unit;   // that the names of the axes say ...
-    std::string unit_column;                // ... and the first of them that does
-    std::vector<std::string> axis_names{};  // of the columns; empty: they have none
+    std::optional<AccelerationUnit> unit;     // that the names of the axes say ...
+    std::string unit_column;                  // ... and the first of them that does
+    std::vector<std::string> axis_names{};    // of the columns; empty: they have none
+    std::optional<std::size_t> time_place{};  // of the columns, from 0
+    std::vector<std::size_t> axis_places{};
+    std::size_t first_line = 1;  // of the names, or of the numbers where they have none
 };
 
 inline constexpr std::size_t kMaxTableBytes = std::size_t{1} << 28;

@@ -1,0 +1,198 @@
+// The dialog on a table: its first rows, a choice above each column, what will come of it.
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/progress/failure.h"
+#include "app/tables/table_look.h"
+#include "app/ui/dialog.h"
+#include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kTableDialogPx = 900.0F;
+constexpr float kColumnPx = 120.0F;
+constexpr std::size_t kMostColumns = 60;  // ImGui's tables have at most 64
+constexpr const char* kNotRead = "not read";
+
+// A row of switches of which one is on; true when another was chosen.
+template <class Value, std::size_t kCount>
+bool draw_choice(Ui& ui, const char* label, const std::pair<const char*, Value> (&choices)[kCount],
+                 Value& value) {
+    bool changed = false;
+    draw_label(ui, label);
+    for (const auto& [text, one] : choices) {
+        const bool is_on = value == one;
+        if (draw_switch(ui, text, text, is_on) && !is_on) {
+            value = one;
+            changed = true;
+        }
+        note_item(ui.rects, std::string("table:") + label + " " + text, is_on ? "chosen" : "");
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
+    }
+    ImGui::NewLine();
+    return changed;
+}
+
+bool draw_how_it_is_written(Ui& ui, TableWords& words) {
+    using Sign = std::optional<char>;
+    ImGui::PushID("separator");
+    bool changed = draw_choice<Sign>(
+        ui, "Between cells",
+        {{"as found", {}}, {"commas", ','}, {"semicolons", ';'}, {"tabs", '\t'}, {"blanks", ' '}},
+        words.written.separator);
+    ImGui::PopID();
+    ImGui::PushID("decimal");
+    changed |= draw_choice<Sign>(ui, "Decimals", {{"as found", {}}, {"0.5", '.'}, {"0,5", ','}},
+                                 words.written.decimal);
+    ImGui::PopID();
+    return changed;
+}
+
+bool draw_of_its_kind(Ui& ui, TableWords& words) {
+    if (words.kind == TableKind::ratings) {
+        return draw_choice<RatingScale>(ui, "A high rating is",
+                                        {{"guessed", RatingScale::guess},
+                                         {"unlike", RatingScale::dissimilarity},
+                                         {"alike", RatingScale::similarity}},
+                                        words.scale);
+    }
+    using Unit = std::optional<TimeUnit>;
+    return draw_choice<Unit>(ui, "Times in",
+                             {{"as named", {}},
+                              {"s", TimeUnit::s},
+                              {"ms", TimeUnit::ms},
+                              {"us", TimeUnit::us},
+                              {"ns", TimeUnit::ns}},
+                             words.time_unit);
+}
+
+// What a column is read as; true when another use was chosen.
+bool draw_use(Ui& ui, const TableAnswer& answer, std::size_t column, std::string& chosen) {
+    const std::string& now = answer.uses[column];
+    ImGui::PushID(static_cast<int>(column));
+    ImGui::SetNextItemWidth(-1.0F);
+    if (now.empty()) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+    const bool is_open = ImGui::BeginCombo("##use", now.empty() ? kNotRead : now.c_str());
+    if (now.empty()) ImGui::PopStyleColor();
+    note_item(ui.rects, "table:use " + std::to_string(column + 1), now);
+    bool changed = false;
+    if (is_open) {
+        const auto offer = [&](const char* text, const std::string& use) {
+            if (ImGui::Selectable(text, use == now) && use != now) {
+                chosen = use;
+                changed = true;
+            }
+            note_item(ui.rects, std::string("table:offer ") + text);
+        };
+        offer(kNotRead, "");
+        for (const char* use : table_uses(answer.request.words.kind)) offer(use, use);
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+// True when the use of a column was changed.
+bool draw_rows(Ui& ui, const TableAnswer& answer, TableWords& words) {
+    const std::size_t columns = std::min(answer.uses.size(), kMostColumns);
+    if (columns == 0) return false;
+    const float height =
+        ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(answer.head.rows.size() + 1) +
+        2.0F * ImGui::GetFrameHeightWithSpacing();
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_BordersInnerV |
+                                       ImGuiTableFlags_SizingFixedFit;
+    const float room = ImGui::GetIO().DisplaySize.y * 0.4F;
+    if (!ImGui::BeginTable("rows", static_cast<int>(columns), kFlags,
+                           {0.0F, std::min(height, room)})) {
+        return false;
+    }
+    const float least = kColumnPx * ui.theme.scale;
+    const float even = ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
+    for (std::size_t k = 0; k < columns; ++k) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                std::max(least, even - 2.0F * ImGui::GetStyle().CellPadding.x));
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow();
+    bool changed = false;
+    for (std::size_t k = 0; k < columns; ++k) {
+        ImGui::TableNextColumn();
+        std::string use;
+        if (!draw_use(ui, answer, k, use)) continue;
+        use_column(words, answer, k, use);
+        changed = true;
+    }
+    for (std::size_t row = 0; row < answer.head.rows.size(); ++row) {
+        ImGui::TableNextRow();
+        for (std::size_t k = 0; k < columns; ++k) {
+            ImGui::TableNextColumn();
+            const auto& cells = answer.head.rows[row];
+            if (k >= cells.size()) continue;
+            const bool is_name = row == 0;
+            const bool is_read = !answer.uses[k].empty();
+            ImGui::PushStyleColor(ImGuiCol_Text,
+                                  is_name || is_read ? ui.theme.text : ui.theme.dim_text);
+            ImGui::TextUnformatted(label_of(cells[k]).c_str());
+            ImGui::PopStyleColor();
+        }
+    }
+    ImGui::EndTable();
+    return changed;
+}
+
+void draw_outcome(Ui& ui, const TableState& table, bool is_newest) {
+    const TableAnswer* answer = table.answer.get();
+    if (answer == nullptr || !is_newest) {
+        if (!draw_failure(ui, "table", failure_of(table.job))) dim_text(ui, "Reading\u2026");
+        return;
+    }
+    const bool is_bad = !answer->fault.empty();
+    const std::string text = is_bad ? answer->fault : answer->outcome + ".";
+    if (is_bad) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+    wrapped_text(text);
+    if (is_bad) ImGui::PopStyleColor();
+    note_item(ui.rects, "table:outcome", text);
+    for (const std::string& remark : answer->remarks) wrapped_text(remark + ".");
+}
+
+}  // namespace
+
+void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& table,
+                       ImportState& importing) {
+    if (!begin_dialog(ui, "Open table", kTableDialogPx)) return;
+    const bool is_newest = table.answer && table.answer->request.words == table.words;
+    dim_text(ui, label_of(table.file.filename().string()) +
+                     ": what is in each column? It is remembered for tables with the same names.");
+    TableWords words = table.words;
+    draw_choice<TableKind>(ui, "It holds",
+                           {{"ratings", TableKind::ratings}, {"a recording", TableKind::recording}},
+                           words.kind);
+    if (table.answer) draw_rows(ui, *table.answer, words);
+    draw_of_its_kind(ui, words);
+    draw_how_it_is_written(ui, words);
+    ImGui::Spacing();
+    draw_outcome(ui, table, is_newest);
+    if (words != table.words) {
+        table.words = words;
+        look_at_table(ui, work, table);
+    }
+    const bool is_recording = table.words.kind == TableKind::recording;
+    const auto is_used = [](const std::string& use) { return !use.empty(); };
+    // The unit of a recording is asked by the dialog that follows.
+    const bool is_ready =
+        is_newest && (table.answer->fault.empty() ||
+                      (is_recording && std::ranges::any_of(table.answer->uses, is_used)));
+    if (draw_ends(ui, is_recording ? "Import..." : "Load ratings", is_ready)) {
+        take_table(ui, work, layout, table, importing);
+    }
+}
+
+}  // namespace tact

@@ -1,0 +1,211 @@
+#include "app/tables/table_look.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/document/rating_files.h"
+#include "app/tables/table_words.h"
+#include "app/ui/file_question.h"
+#include "model/signal/waveform.h"
+#include "model/table/columns.h"
+#include "model/text/numbers.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<const char*, 4> kAnswerUses{"pattern A", "pattern B", "rating", "participant"};
+constexpr std::array<const char*, 4> kAxisUses{"time", "x", "y", "z"};
+
+std::array<std::string*, 4> columns_of(TableWords& words) {
+    if (words.kind == TableKind::ratings) {
+        return {&words.answers.a, &words.answers.b, &words.answers.rating,
+                &words.answers.participant};
+    }
+    return {&words.axes.time, &words.axes.x, &words.axes.y, &words.axes.z};
+}
+
+std::string told_name(const TableHead& head, std::size_t column) {
+    const auto& names = head.rows.front();
+    const std::string name{trimmed(names[column])};
+    const auto is_same = [&name](const std::string& cell) { return trimmed(cell) == name; };
+    const bool is_plain = !name.empty() && std::ranges::count_if(names, is_same) == 1;
+    return is_plain ? name : std::to_string(column + 1);
+}
+
+void note_use(TableAnswer& answer, const std::optional<std::size_t>& place, const char* use) {
+    if (place && *place < answer.uses.size()) answer.uses[*place] = use;
+}
+
+std::string sentence_on(const LoadedRatings& loaded, const PatternSet& set) {
+    const Expected<RatingStudy> study = study_for(set, loaded);
+    if (!study) return {};
+    const std::size_t rated = study->labels.size() - unrated_patterns(*study).size();
+    const std::size_t people = loaded.study.judgements.size();
+    return counted(rated, "pattern", "patterns") + " of the set " + (rated == 1 ? "is" : "are") +
+           " rated, by " + counted(people, "participant", "participants");
+}
+
+void look_at_answers(TableAnswer& answer, const std::string& text) {
+    const TableRequest& request = answer.request;
+    AnswerColumns told = request.words.answers;
+    told.written = request.words.written;
+    if (!answer.head.rows.empty()) {
+        const AnswerPlaces places = answer_places(answer.head.rows.front(), told);
+        note_use(answer, places.a, kAnswerUses[0]);
+        note_use(answer, places.b, kAnswerUses[1]);
+        note_use(answer, places.rating, kAnswerUses[2]);
+        note_use(answer, places.participant, kAnswerUses[3]);
+    }
+    auto loaded =
+        parse_ratings(text, request.file.filename().string(), request.words.scale, {}, told);
+    if (!loaded) {
+        answer.fault = loaded.error().message;
+        return;
+    }
+    const Expected<RatingStudy> study = study_for(*request.set, *loaded);
+    if (!study) {
+        answer.fault = request.file.filename().string() + ": " + study.error().message;
+        return;
+    }
+    answer.outcome = sentence_on(*loaded, *request.set);
+    answer.remarks = loaded->remarks;
+    answer.ratings = *std::move(loaded);
+}
+
+void look_at_recording(TableAnswer& answer, const std::string& text) {
+    const TableRequest& request = answer.request;
+    AccelerationOptions options;
+    options.table = {request.words.axes, request.words.time_unit, request.words.written};
+    const TableText decoded = table_text(text);
+    const auto table = parse_acceleration_table(decoded.text, request.file.filename().string(),
+                                                true, options.table);
+    if (!table) {
+        answer.fault = table.error().message;
+        return;
+    }
+    answer.head = head_of_table(text, request.words.written, kShownTableRows, table->first_line);
+    answer.uses.assign(answer.head.rows.empty() ? 0 : answer.head.rows.front().size(), "");
+    note_use(answer, table->time_place, kAxisUses[0]);
+    for (std::size_t k = 0; k < table->axis_places.size(); ++k) {
+        note_use(answer, table->axis_places[k], kAxisUses[std::min<std::size_t>(k + 1, 3)]);
+    }
+    const auto recording = read_acceleration_file(request.file, options);
+    // What the unit of the axes is, the next dialog asks.
+    if (!recording) {
+        answer.fault = recording.error().message;
+        return;
+    }
+    answer.outcome = "A recording of " + significant_digits(duration_s(recording->waveform), 3) +
+                     " s, at most " + significant_digits(peak_g(recording->waveform), 3) + " g";
+    answer.remarks = recording->remarks;
+}
+
+std::optional<TableAnswer> looked_at(const TableRequest& request, std::stop_token,
+                                     std::atomic<float>&) {
+    return answer_on(request);
+}
+
+}  // namespace
+
+TableAnswer answer_on(const TableRequest& request) {
+    TableAnswer answer;
+    answer.request = request;
+    const auto text = read_text_file(request.file, kMaxTableBytes);
+    if (!text) {
+        answer.fault = text.error().message;
+        return answer;
+    }
+    answer.head = head_of_table(*text, request.words.written, kShownTableRows);
+    answer.uses.assign(answer.head.rows.empty() ? 0 : answer.head.rows.front().size(), "");
+    if (request.words.kind == TableKind::ratings) look_at_answers(answer, *text);
+    if (request.words.kind == TableKind::recording) look_at_recording(answer, *text);
+    return answer;
+}
+
+std::span<const char* const> table_uses(TableKind kind) {
+    return kind == TableKind::ratings ? kAnswerUses : kAxisUses;
+}
+
+void use_column(TableWords& words, const TableAnswer& answer, std::size_t column,
+                std::string_view use) {
+    const auto uses = table_uses(words.kind);
+    const auto columns = columns_of(words);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        columns[k]->clear();
+        for (std::size_t place = 0; place < answer.uses.size(); ++place) {
+            const std::string_view now = place == column ? use : answer.uses[place];
+            const bool is_taken_over = place != column && now == use;
+            if (now == uses[k] && !is_taken_over) *columns[k] = told_name(answer.head, place);
+        }
+    }
+}
+
+void open_table_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::open_table,
+                  .use = ChooserUse::open,
+                  .title = "Open a table of ratings, or of a recording",
+                  .extensions = {".csv", ".txt", ".tsv"}},
+                 work.document.path.parent_path());
+}
+
+void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path& file,
+                std::optional<TableKind> kind) {
+    table.file = file;
+    table.names = {};
+    table.words = {};
+    table.answer.reset();
+    if (const auto text = read_text_file(file)) {
+        table.names = head_of_table(*text, {}, 1);
+        table.words = remembered_words(work.session, table.names);
+    }
+    if (kind) table.words.kind = *kind;
+    ui.dialog = Dialog::open_table;
+    look_at_table(ui, work, table);
+}
+
+void look_at_table(const Ui& ui, const Workspace& work, TableState& table) {
+    using Job = LatestJob<TableRequest, TableAnswer>;
+    if (!table.job) {
+        table.job = std::make_unique<Job>(JobPolicy::supersede, looked_at, ui.wake);
+    }
+    table.job->submit({work.document_number, table.file, table.words,
+                       std::make_shared<const PatternSet>(work.document.set)});
+}
+
+void follow_table(TableState& table) {
+    if (!table.job) return;
+    const auto answer = table.job->latest();
+    if (answer && answer->request.file == table.file) table.answer = answer;
+}
+
+void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table,
+                ImportState& importing) {
+    const std::shared_ptr<const TableAnswer> answer = table.answer;
+    if (!answer || answer->request.document != work.document_number) return;
+    remember_words(work.session, table.names, answer->request.words);
+    if (answer->request.words.kind == TableKind::recording) {
+        const TableWords& words = answer->request.words;
+        return import_recordings(ui, work, importing, {table.file},
+                                 {words.axes, words.time_unit, words.written});
+    }
+    if (answer->ratings) take_ratings(ui, work, layout, table.file, *answer->ratings);
+}
+
+void load_ratings_or_ask(Ui& ui, Workspace& work, Layout& layout, TableState& table,
+                         const std::vector<fs::path>& paths) {
+    if (paths.empty()) return;
+    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
+    if (loaded) return take_ratings(ui, work, layout, paths.front(), *loaded);
+    std::error_code none;
+    const bool is_single = paths.size() == 1 && fs::is_regular_file(paths.front(), none);
+    if (!is_single) return complain(ui, loaded.error().message);
+    open_table(ui, work, table, paths.front());
+}
+
+}  // namespace tact

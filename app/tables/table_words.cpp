@@ -1,0 +1,106 @@
+#include "app/tables/table_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostShapes = 100;
+constexpr std::size_t kMostShapeBytes = 4096;
+
+std::string shape_of(const TableHead& head) {
+    std::string shape;
+    if (head.rows.empty()) return shape;
+    for (const std::string& cell : head.rows.front()) {
+        shape += lower_case(std::string(trimmed(cell))) + '\n';
+    }
+    return shape;
+}
+
+std::string sign_of(const std::optional<char>& sign) { return sign ? std::string(1, *sign) : ""; }
+
+template <class Number>
+void take_choice(const json& from, const char* name, int most, Number& to) {
+    const auto at = from.find(name);
+    if (at == from.end() || !at->is_number_integer()) return;
+    const auto number = at->get<std::int64_t>();
+    if (number >= 0 && number <= most) to = static_cast<Number>(number);
+}
+
+void take_text(const json& from, const char* name, std::string& to) {
+    const auto at = from.find(name);
+    if (at != from.end() && at->is_string()) to = at->get<std::string>();
+}
+
+void take_sign(const json& from, const char* name, std::string_view known,
+               std::optional<char>& to) {
+    std::string text;
+    take_text(from, name, text);
+    if (text.size() == 1 && known.find(text[0]) != known.npos) to = text[0];
+}
+
+}  // namespace
+
+std::string text_of(const TableWords& words) {
+    const json columns = {{"a", words.answers.a},
+                          {"b", words.answers.b},
+                          {"rating", words.answers.rating},
+                          {"participant", words.answers.participant},
+                          {"time", words.axes.time},
+                          {"x", words.axes.x},
+                          {"y", words.axes.y},
+                          {"z", words.axes.z}};
+    json whole = {{"kind", static_cast<int>(words.kind)},
+                  {"scale", static_cast<int>(words.scale)},
+                  {"separator", sign_of(words.written.separator)},
+                  {"decimal", sign_of(words.written.decimal)},
+                  {"columns", columns}};
+    if (words.time_unit) whole["time_unit"] = static_cast<int>(*words.time_unit);
+    return whole.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+TableWords words_in(std::string_view text) {
+    TableWords words;
+    const json whole = json::parse(text, nullptr, false);
+    if (!whole.is_object()) return words;
+    take_choice(whole, "kind", static_cast<int>(TableKind::recording), words.kind);
+    take_choice(whole, "scale", static_cast<int>(RatingScale::similarity), words.scale);
+    take_sign(whole, "separator", ",;\t ", words.written.separator);
+    take_sign(whole, "decimal", ".,", words.written.decimal);
+    if (whole.contains("time_unit")) {
+        words.time_unit.emplace();
+        take_choice(whole, "time_unit", static_cast<int>(TimeUnit::ns), *words.time_unit);
+    }
+    const auto at = whole.find("columns");
+    if (at == whole.end() || !at->is_object()) return words;
+    take_text(*at, "a", words.answers.a);
+    take_text(*at, "b", words.answers.b);
+    take_text(*at, "rating", words.answers.rating);
+    take_text(*at, "participant", words.answers.participant);
+    take_text(*at, "time", words.axes.time);
+    take_text(*at, "x", words.axes.x);
+    take_text(*at, "y", words.axes.y);
+    take_text(*at, "z", words.axes.z);
+    return words;
+}
+
+TableWords remembered_words(const Session& session, const TableHead& head) {
+    const auto at = session.table_words.find(shape_of(head));
+    return at == session.table_words.end() ? TableWords{} : words_in(at->second);
+}
+
+void remember_words(Session& session, const TableHead& head, const TableWords& words) {
+    const std::string shape = shape_of(head);
+    if (shape.empty() || shape.size() > kMostShapeBytes) return;
+    if (!session.table_words.contains(shape) && session.table_words.size() >= kMostShapes) {
+        session.table_words.erase(session.table_words.begin());
+    }
+    session.table_words[shape] = text_of(words);
+}
+
+}  // namespace tact
