@@ -132,9 +132,8 @@ std::string advice_without_devices() {
 
 std::string cards_fault(const AudioHost& host) {
     if (!host.is_without_cards()) return {};
-    return "Sound cards were not looked for, as ALSA has no configuration: install "
-           "libasound2-data, "
-           "or correct ALSA_CONFIG_PATH.";
+    return "Sound cards were not looked for, as ALSA has no configuration with a default output: "
+           "install libasound2-data, or correct ALSA_CONFIG_PATH.";
 }
 
 }  // namespace tact

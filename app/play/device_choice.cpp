@@ -102,8 +102,10 @@ std::string device_text(const PlayState& play) {
 std::string device_trouble(const PlayState& play) {
     if (!play.status.trouble.empty()) return play.status.trouble;
     if (!play.listed) return {};
-    if (play.choice.id.empty()) return play.listed->empty() ? advice_without_devices() : "";
+    const bool may_be_card = play.choice.id.empty() || play.choice.id.starts_with("audio/ALSA/");
     const std::optional<DeviceInfo> info = chosen_device(play);
+    if (!info && may_be_card && !play.cards_fault.empty()) return play.cards_fault;
+    if (play.choice.id.empty()) return play.listed->empty() ? advice_without_devices() : "";
     if (info) return info->trouble;
     return "It is not there: plug it in and refresh, or choose another. Until then everything "
            "plays silently.";

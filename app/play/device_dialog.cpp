@@ -65,7 +65,8 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     }
     const bool is_missing = !play.choice.id.empty() && !chosen_device(play);
     const bool is_none = play.listed && play.listed->empty();
-    if (!is_missing && !is_none) return;
+    const bool has_cards_fault = play.choice.id.empty() && !play.cards_fault.empty();
+    if (!is_missing && !is_none && !has_cards_fault) return;
     ImGui::PushTextWrapPos(0.0F);
     if (is_missing) ImGui::TextUnformatted(shown_text(device_text(play)).c_str());
     dim_text(ui, device_trouble(play));

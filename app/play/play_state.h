@@ -89,6 +89,7 @@ struct PlayState {
     OwnedJob<int, Listing> list_job;   // asked for by number
     int lists_asked = 0;
     std::shared_ptr<const Listing> listed;  // null: not yet
+    std::string cards_fault;                // why it has no sound cards; empty: it may have
 
     std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
     DeviceChoice opened;             // as which it was opened

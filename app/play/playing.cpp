@@ -231,6 +231,14 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     }
 }
 
+// Why there are no cards is said once, and then where devices are chosen.
+void take_list(Ui& ui, PlayState& play, std::shared_ptr<const Listing> listed) {
+    play.listed = std::move(listed);
+    const std::string fault = cards_fault(*play.audio);
+    if (fault != play.cards_fault && !fault.empty()) complain(ui, fault);
+    play.cards_fault = fault;
+}
+
 // A pattern that the mouse has rested on in the map is felt once.
 void follow_hover(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     const auto hovered = std::exchange(play.hovered_in_map, std::nullopt);
@@ -298,7 +306,7 @@ void take_escape(Ui& ui, Timeline& timeline, PlayState& play, bool is_pressed) {
 void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
     if (play.list_job) {
-        if (auto listed = play.list_job->latest()) play.listed = std::move(listed);
+        if (auto listed = play.list_job->latest()) take_list(ui, play, std::move(listed));
     }
     follow_calibration(ui, work, rendered, play);
     follow_place(timeline, play);

@@ -41,10 +41,12 @@ std::optional<std::string> output_behind(const std::string& name, int depth) {
 
 }  // namespace
 
+// PortAudio takes for granted that one of these two names is among the others.
 bool has_alsa_configuration() {
-    snd_config_t* names = nullptr;
-    return snd_config_update() >= 0 && snd_config != nullptr &&
-           snd_config_search(snd_config, "pcm", &names) >= 0;
+    if (snd_config_update() < 0 || snd_config == nullptr) return false;
+    snd_config_t* found = nullptr;
+    return snd_config_search(snd_config, "pcm.default", &found) >= 0 ||
+           snd_config_search(snd_config, "pcm.dmix", &found) >= 0;
 }
 
 std::optional<std::string> server_output_behind(const std::string& name) {

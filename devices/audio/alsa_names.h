@@ -9,7 +9,8 @@
 
 namespace tact {
 
-// False: ALSA has none, and PortAudio would end the program over that.
+// False: ALSA has none, or one without its usual names, and PortAudio would end the program over
+// that.
 bool has_alsa_configuration();
 
 // The output of a PulseAudio server that a name leads to; empty: whichever that server takes
