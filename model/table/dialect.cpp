@@ -16,23 +16,6 @@ namespace {
 constexpr std::size_t kMostSampledBytes = 1 << 18;
 constexpr std::size_t kMostSampledRows = 200;
 
-void append_utf8(std::string& text, char32_t character) {
-    const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
-    if (character < 0x80) return put(character);
-    if (character < 0x800) {
-        put(0xC0 | (character >> 6U));
-    } else {
-        if (character < 0x10000) {
-            put(0xE0 | (character >> 12U));
-        } else {
-            put(0xF0 | (character >> 18U));
-            put(0x80 | ((character >> 12U) & 0x3FU));
-        }
-        put(0x80 | ((character >> 6U) & 0x3FU));
-    }
-    put(0x80 | (character & 0x3FU));
-}
-
 // Windows-1252 where it is no Latin-1: 0x80 to 0x9F. What it does not know becomes U+FFFD.
 constexpr std::array<char16_t, 32> kWindows{
     0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
@@ -47,43 +30,6 @@ std::string from_windows(std::string_view bytes) {
         append_utf8(text, byte >= 0x80 && byte < 0xA0 ? kWindows[byte - 0x80U] : byte);
     }
     return text;
-}
-
-std::string from_utf16(std::string_view bytes, bool is_big_endian) {
-    const auto unit = [&](std::size_t k) {
-        const auto low = static_cast<unsigned char>(bytes[k + (is_big_endian ? 1 : 0)]);
-        const auto high = static_cast<unsigned char>(bytes[k + (is_big_endian ? 0 : 1)]);
-        return static_cast<char32_t>(high << 8U | low);
-    };
-    std::string text;
-    text.reserve(bytes.size());
-    for (std::size_t k = 0; k + 1 < bytes.size(); k += 2) {
-        char32_t character = unit(k);
-        const bool is_first_half = character >= 0xD800 && character < 0xDC00;
-        if (is_first_half && k + 3 < bytes.size() && (unit(k + 2) & 0xFC00U) == 0xDC00U) {
-            character = 0x10000 + ((character - 0xD800) << 10U) + (unit(k + 2) - 0xDC00);
-            k += 2;
-        } else if (character >= 0xD800 && character < 0xE000) {
-            character = 0xFFFD;
-        }
-        append_utf8(text, character);
-    }
-    return text;
-}
-
-// Which half of a pair of bytes is 0 in ASCII; none where the bytes are no UTF-16.
-enum class Halves { none, low, high };
-
-Halves halves_of(std::string_view bytes) {
-    if (bytes.starts_with("\xFF\xFE")) return Halves::low;
-    if (bytes.starts_with("\xFE\xFF")) return Halves::high;
-    const std::size_t pairs = std::min<std::size_t>(bytes.size() / 2, 512);
-    std::array<std::size_t, 2> zeros{};
-    for (std::size_t k = 0; k < 2 * pairs; ++k) zeros[k % 2] += bytes[k] == '\0' ? 1 : 0;
-    if (pairs < 2) return Halves::none;
-    if (zeros[0] == 0 && 2 * zeros[1] > pairs) return Halves::low;
-    if (zeros[1] == 0 && 2 * zeros[0] > pairs) return Halves::high;
-    return Halves::none;
 }
 
 void end_lines_by_lf(std::string& text) {
@@ -196,10 +142,9 @@ Sign sign_of(std::string_view cell) {
 
 TableText table_text(std::string bytes) {
     TableText table;
-    const Halves halves = halves_of(bytes);
-    if (halves != Halves::none) {
+    if (auto text = utf8_of_utf16(bytes)) {
         table.encoding = TableEncoding::utf16;
-        table.text = from_utf16(bytes, halves == Halves::high);
+        table.text = *std::move(text);
     } else if (first_invalid_utf8(bytes)) {
         table.encoding = TableEncoding::windows_1252;
         table.text = from_windows(bytes);

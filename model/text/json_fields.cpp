@@ -142,6 +142,8 @@ void refuse_unknown(const JsonObject& object, const std::string& key) {
 }  // namespace
 
 Expected<Json> parse_json(std::string_view text, const std::string& file) {
+    const std::optional<std::string> decoded = utf8_of_utf16(text);
+    if (decoded) text = *decoded;
     text = without_bom(text);
     if (const auto invalid = first_invalid_utf8(text)) {
         return Error{at_offset(file, text, *invalid) + "expected text in UTF-8"};

@@ -37,6 +37,12 @@ std::string shortened(std::string_view text, std::size_t characters = 40);
 // ASCII letters in lower case: for searches.
 std::string lower_case(std::string text);
 
+void append_utf8(std::string& text, char32_t character);
+
+// UTF-16, with a mark at its head or mostly of ASCII, as UTF-8 without the mark; nothing where the
+// bytes are no UTF-16. Half a pair becomes U+FFFD.
+std::optional<std::string> utf8_of_utf16(std::string_view bytes);
+
 // A name for messages: shortened, in double quotes.
 std::string in_quotes(std::string_view text);
 

@@ -121,11 +121,13 @@ Expected<Effects> read_haps(const Json& document, const EffectFile& file) {
     }
     read_melodies(vibration, gain, haps);
     if (!reading.fault.empty()) return Error{reading.fault};
-    if (document.contains("m_stiffness") || document.contains("m_texture")) {
+    const bool has_others = document.contains("m_stiffness") || document.contains("m_texture");
+    if (has_others) {
         remark_once(haps.remarks, "its stiffness and texture are left out");
     }
     if (haps.sketch.voices.empty() && haps.sketch.transients.empty()) {
-        return Error{file.path + ": /m_vibration: expected at least one note, got none"};
+        return Error{file.path + ": /m_vibration: expected at least one note, got none" +
+                     (has_others ? ", as it holds stiffness or texture alone" : "")};
     }
     auto effect = finished(file, file.stem, haps.sketch, std::move(haps.remarks));
     if (!effect) return effect.error();

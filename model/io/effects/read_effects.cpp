@@ -114,6 +114,8 @@ bool is_vibration_xml(std::string_view text) {
 Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
                                const std::optional<ActuatorMap>& map, Budget& budget) {
     EffectsRead result;
+    const std::optional<std::string> decoded = utf8_of_utf16(text);
+    if (decoded) text = *decoded;
     if (first_sign(text) == '<') {
         if (!is_vibration_xml(text)) return result;
         const EffectFile file = file_of(path, EffectFormat::android, map, budget);
@@ -149,10 +151,7 @@ const EffectFormatTraits* format_named(std::string_view key) {
 bool is_effect_name(std::string_view path) {
     constexpr std::array<std::string_view, 6> kEndings{".ahap", ".haptic", ".hjif",
                                                        ".haps", ".he",     ".hla"};
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string ending = lower_case(std::filesystem::path(path).extension().string());
     return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
@@ -165,8 +164,21 @@ std::string head_of_effects(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
+    if (auto decoded = utf8_of_utf16(head)) head = *std::move(decoded);
     const char first = first_sign(head);
     return first == '{' || first == '<' ? head : std::string();
+}
+
+std::string known_stranger(const std::filesystem::path& path) {
+    if (lower_case(path.extension().string()) == ".vij") {
+        return "is a .vij of an older Lofelt, whose format was never published: its makers' "
+               "programs save it as .haptic";
+    }
+    const std::string head = head_of_effects(path);
+    const auto has = [&head](const char* key) { return head.find(key) != head.npos; };
+    const bool is_of_ahap = has("\"EventType\"") || has("\"ParameterID\"");
+    if (!is_of_ahap || has("\"Pattern\"")) return {};
+    return "is a fragment of AHAP: expected its events in \"Pattern\"";
 }
 
 Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,

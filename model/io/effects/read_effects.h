@@ -37,6 +37,10 @@ bool is_effect_name(std::string_view path);
 // something else, or too large.
 std::string head_of_effects(const std::filesystem::path& path);
 
+// What a file that holds no effect is known to be, as the end of a sentence, or empty: a fragment,
+// or a format that was never published.
+std::string known_stranger(const std::filesystem::path& path);
+
 struct EffectsRead {
     EffectFormat format = EffectFormat::none;  // none: some other JSON or XML, and no effects
     ActuatorMap map;

@@ -335,8 +335,9 @@ double finest_step(Samples samples) {
 
 Expected<Recording> recording_of(const fs::path& path, const AccelerationOptions& options) {
     Recording recording;
-    auto axes = extension_of(path) == ".wav" ? read_wave(path, options, recording.remarks)
-                                             : read_table(path, options, recording.remarks);
+    auto axes = recording_kind(path) == RecordingKind::wave
+                    ? read_wave(path, options, recording.remarks)
+                    : read_table(path, options, recording.remarks);
     if (!axes) return axes.error();
     const std::string fault = fault_of(*axes, options);
     if (!fault.empty()) return Error{path.string() + ": " + fault};
@@ -388,7 +389,9 @@ std::size_t samples_at_rail(const Samples& samples) {
 
 AccelerationOptions options_among(const fs::path& file, std::span<const fs::path> all,
                                   AccelerationOptions options) {
-    const auto is_wave = [](const fs::path& path) { return extension_of(path) == ".wav"; };
+    const auto is_wave = [](const fs::path& path) {
+        return recording_kind(path) == RecordingKind::wave;
+    };
     const bool has_other = std::ranges::any_of(
         all, [&](const fs::path& path) { return is_wave(path) != is_wave(file); });
     if (!has_other) return options;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/signal/waveform.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -24,6 +26,17 @@ Expected<Recording> read_text_recording(const fs::path& path, double scale_g) {
     return Recording{*std::move(waveform), scale_g, {}};
 }
 
+// The first bytes of a regular file; empty where it cannot be read.
+std::string head_of(const fs::path& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return {};
+    std::string head(4096, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    return head;
+}
+
 }  // namespace
 
 std::string extension_of(const fs::path& path) {
@@ -34,16 +47,36 @@ std::string extension_of(const fs::path& path) {
     return extension;
 }
 
-bool is_recording(const fs::path& path) {
+RecordingKind recording_kind(const fs::path& path) {
+    const std::string head = head_of(path);
+    const std::string_view form = std::string_view(head).substr(0, 4);
+    const bool is_wave = form == "RIFF" || form == "RIFX" || form == "RF64" || form == "BW64";
+    if (is_wave && head.substr(std::min<std::size_t>(8, head.size()), 4) == "WAVE")
+        return RecordingKind::wave;
+    const std::string decoded = utf8_of_utf16(head).value_or(head);
+    const std::string_view text = trimmed(without_bom(decoded));
+    if (text.starts_with('{') || text.starts_with('<')) return RecordingKind::none;
     const std::string extension = extension_of(path);
-    return extension == ".txt" || extension == ".wav";
+    if (extension == ".txt") return RecordingKind::text;
+    return extension == ".wav" ? RecordingKind::wave : RecordingKind::none;
 }
 
+bool is_recording(const fs::path& path) { return recording_kind(path) != RecordingKind::none; }
+
 Expected<Recording> read_recording(const fs::path& path, const RecordingOptions& options) {
-    const std::string extension = extension_of(path);
-    if (extension == ".txt") return read_text_recording(path, options.scale_g.value_or(1.0));
-    if (extension == ".wav") return read_wave_file(path, options);
-    return Error{path.string() + ": expected a .txt or .wav file"};
+    switch (recording_kind(path)) {
+        case RecordingKind::text:
+            return read_text_recording(path, options.scale_g.value_or(1.0));
+        case RecordingKind::wave:
+            break;
+        case RecordingKind::none:
+            return Error{path.string() + ": expected a .txt or .wav file"};
+    }
+    auto recording = read_wave_file(path, options);
+    if (recording && extension_of(path) != ".wav") {
+        recording->remarks.emplace_back("is a WAV file by its content, whatever its ending");
+    }
+    return recording;
 }
 
 }  // namespace tact

@@ -27,6 +27,10 @@ struct RecordingOptions {
 inline constexpr std::size_t kMaxDecodedSamples = 30'000'000;
 
 // Whether read_recording reads files of this name: .txt and .wav, in any case.
+enum class RecordingKind { none, text, wave };
+
+// By what the file begins with, and by its ending where that tells nothing or nothing is there.
+RecordingKind recording_kind(const std::filesystem::path& path);
 bool is_recording(const std::filesystem::path& path);
 
 Expected<Recording> read_recording(const std::filesystem::path& path,

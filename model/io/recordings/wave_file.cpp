@@ -124,14 +124,19 @@ Expected<WaveText> read_wave_text(const fs::path& path) {
     return WaveText{*std::move(bytes), said->empty() ? " " : *std::move(said)};
 }
 
-// Sizes of 0 of a stream that its writer never closed, as those of one that says so: libsndfile
-// finds no samples else.
-void open_sizes(std::string& bytes) {
-    constexpr std::string_view kNoSize("\0\0\0\0", 4);
-    const std::string head = std::string("data") + std::string(kNoSize);
-    const std::size_t data = bytes.find(head);
-    if (data == bytes.npos || bytes.compare(4, 4, kNoSize) != 0) return;
-    for (const std::size_t at : {std::size_t{4}, data + 4}) bytes.replace(at, 4, 4, '\xFF');
+// What libsndfile does not know: a BW64 is an RF64 by another name, and sizes of a stream that its
+// writer never closed, which are 0 or sox's 0x7FFFF000, are those of one that says so.
+void tell_plainly(std::string& bytes) {
+    if (bytes.starts_with("BW64")) bytes.replace(0, 4, "RF64");
+    for (const std::string_view size :
+         {std::string_view("\0\0\0\0", 4), std::string_view("\0\xF0\xFF\x7F", 4)}) {
+        const std::size_t data = bytes.find("data" + std::string(size));
+        const bool is_open = data != bytes.npos && bytes.starts_with("RIFF") &&
+                             (size[3] != '\0' || bytes.compare(4, 4, size) == 0);
+        if (!is_open || bytes.size() - data > 0x7FFFF000U) continue;
+        for (const std::size_t at : {std::size_t{4}, data + 4}) bytes.replace(at, 4, 4, '\xFF');
+        return;
+    }
 }
 
 Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::string& name) {
@@ -142,7 +147,7 @@ Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::strin
     }
     auto wave = std::make_unique<OpenWave>();
     wave->memory.bytes = std::move(stream).str();
-    open_sizes(wave->memory.bytes);
+    tell_plainly(wave->memory.bytes);
     wave->sound.reset(open_for_reading(wave->memory, wave->info));
     if (!wave->sound) {
         const std::string why = sf_strerror(nullptr);

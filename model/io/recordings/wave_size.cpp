@@ -9,7 +9,8 @@ namespace tact {
 
 namespace {
 
-constexpr std::uint64_t kOpenSize = 0xFFFFFFFF;  // of a stream, or: see the ds64 chunk
+constexpr std::uint64_t kOpenSize = 0xFFFFFFFF;     // of a stream, or: see the ds64 chunk
+constexpr std::uint64_t kSoxOpenSize = 0x7FFFF000;  // as sox writes into a pipe
 
 template <std::size_t kBytes>
 std::uint64_t number(const std::array<char, kBytes>& bytes, std::size_t offset, std::size_t length,
@@ -29,9 +30,9 @@ std::string wave_size_fault(std::istream& stream, std::uint64_t file_bytes) {
     std::array<char, 12> head{};
     stream.read(head.data(), head.size());
     const std::string_view form(head.data(), 4);
-    if (!stream || (form != "RIFF" && form != "RIFX" && form != "RF64") ||
+    if (!stream || (form != "RIFF" && form != "RIFX" && form != "RF64" && form != "BW64") ||
         std::string_view(head.data() + 8, 4) != "WAVE") {
-        return "expected a WAV file (RIFF, RIFX or RF64)";
+        return "expected a WAV file (RIFF, RIFX, RF64 or BW64)";
     }
     const bool big_endian = form == "RIFX";
     const bool is_open = number(head, 4, 4, big_endian) == 0;  // a stream's writer never came back
@@ -49,10 +50,11 @@ std::string wave_size_fault(std::istream& stream, std::uint64_t file_bytes) {
             data_bytes_64 = number(sizes, 8, 8, false);
         }
         if (name == "data") {
-            if (form == "RF64" && bytes == kOpenSize) bytes = data_bytes_64;
+            if ((form == "RF64" || form == "BW64") && bytes == kOpenSize) bytes = data_bytes_64;
             // libsndfile takes whatever follows for samples here.
             if (bytes == 0 && is_open && file_bytes > position) return {};
             if (bytes == 0) return "expected at least one sample, got none";
+            if (bytes == kSoxOpenSize && file_bytes - position < bytes) return {};
             if (bytes == kOpenSize || bytes <= file_bytes - position) return {};
             return "is truncated: expected " + grouped_digits(bytes) +
                    " bytes of samples, as its header says, got " +

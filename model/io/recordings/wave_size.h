@@ -1,7 +1,8 @@
 // Whether a WAV file is as long as its header says. libsndfile reads a truncated one without a
 // word.
 //
-// Source    RIFF (Microsoft & IBM 1991), RF64 (EBU Tech 3306)
+// Source    RIFF (Microsoft & IBM 1991), RF64 (EBU Tech 3306), BW64 (ITU-R BS.2088), sizes as sox
+// leaves them
 #pragma once
 
 #include <cstdint>

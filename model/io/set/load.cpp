@@ -82,12 +82,14 @@ Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
     if (fs::is_directory(path, none)) return read_waveform_folder(path, options);
     if (const auto size = readable_size(path); !size) return size.error();
     if (is_recording(path)) return load_recording(path);
-    const bool json = extension_of(path) == ".json";
+    const bool is_set = head_of_effects(path).find("\"tactspace\"") != std::string::npos;
     if (is_effect_name(path.string()) || may_be_effect_file(path)) {
         auto effects = load_effects(path, second, options);
         if (!effects || !effects->set.vibrations.empty()) return effects;
     }
-    if (json) return read_set_file(path);
+    const std::string stranger = is_set ? std::string() : known_stranger(path);
+    if (!stranger.empty()) return Error{path.string() + ": " + stranger};
+    if (is_set || extension_of(path) == ".json") return read_set_file(path);
     return Error{path.string() +
                  ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
                  "one such file"};

@@ -22,14 +22,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Kinds = std::vector<std::string_view>;
+using Kinds = std::vector<RecordingKind>;
 
 bool is_sidecar(const fs::path& path) {
     return extension_of(path) == ".json" && extension_of(path.stem()) == ".wav";
-}
-
-bool is_of(const fs::path& path, const Kinds& kinds) {
-    return std::ranges::count(kinds, extension_of(path)) > 0;
 }
 
 bool is_set_name(const fs::path& path) {
@@ -47,14 +43,16 @@ struct Listing {
     bool effects = false;
     const LoadOptions& options;
     std::vector<fs::path> files{};  // recordings, and what may be effects
-    std::size_t others = 0;         // neither, nor sidecars of recordings, nor hidden
+    std::set<fs::path> recordings{};
+    std::size_t others = 0;  // neither, nor sidecars of recordings, nor hidden
     std::size_t entries = 0;
     std::vector<std::string> sets{};
     std::vector<std::string> left_out{};
 };
 
 void list_file(Listing& listing, const fs::path& path) {
-    const bool wanted = is_of(path, listing.kinds);
+    const bool wanted = std::ranges::count(listing.kinds, recording_kind(path)) > 0;
+    if (wanted) listing.recordings.insert(path);
     if (is_set_name(path)) {
         listing.sets.push_back(path.string());
     } else if (wanted || (listing.effects && !is_sidecar(path) && may_hold_effects(path))) {
@@ -129,8 +127,10 @@ bool is_before(const fs::path& a, const fs::path& b) {
 
 std::string kinds_text(const Kinds& kinds) {
     std::string text;
-    for (const std::string_view kind : kinds)
-        text += (text.empty() ? "" : " or ") + std::string(kind);
+    for (const RecordingKind kind : kinds) {
+        text += (text.empty() ? "" : " or ") +
+                std::string(kind == RecordingKind::text ? ".txt" : ".wav");
+    }
     return text;
 }
 
@@ -200,11 +200,15 @@ std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& 
                            const LoadOptions& options) {
     auto effects = effects_from(file, options, all.remarks, second);
     if (!effects) return effects.error().message;
-    if (effects->empty() && !is_effect_name(file.string())) {
+    const std::string stranger = effects->empty() ? known_stranger(file) : std::string();
+    if (effects->empty() && stranger.empty() && !is_effect_name(file.string())) {
         ++all.others;
         return {};
     }
-    if (effects->empty()) return file.string() + ": expected an effect, got none";
+    if (effects->empty()) {
+        return file.string() + ": " +
+               (stranger.empty() ? "expected an effect, got none" : stranger);
+    }
     for (Vibration& effect : *effects) {
         if (const auto fault = room_fault(all, 0); !fault.empty()) {
             return file.string() + ": " + fault;
@@ -219,7 +223,7 @@ std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& 
 // Two files of a pair of which one is bad: the other is read as if it were alone.
 void gather_one(Gathered& all, const NamedFiles& files, const Listing& listing) {
     std::vector<std::string>& left_out = all.loaded.left_out;
-    if (is_of(files.path, listing.kinds)) {
+    if (listing.recordings.contains(files.path)) {
         const std::string fault = gather_recording(all, files.path);
         if (!fault.empty()) left_out.push_back(fault);
         return;
@@ -294,7 +298,8 @@ Expected<Loaded> read_folder(const fs::path& folder, const Kinds& kinds, bool ef
     std::error_code none;
     all.loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
     for (const fs::path& file : listing.files) {
-        if (is_of(file, kinds)) all.taken.taken.insert(valid_utf8(file.stem().string()));
+        if (listing.recordings.contains(file))
+            all.taken.taken.insert(valid_utf8(file.stem().string()));
     }
     if (!gather_all(all, listing)) return Error{kReadingCancelled};
     if (all.loaded.set.vibrations.empty()) return nothing_read(listing, all.loaded.left_out, name);
@@ -333,11 +338,11 @@ void add_effects(std::vector<Vibration>& vibrations, const EffectsRead& read, co
 }  // namespace
 
 Expected<Loaded> read_waveform_folder(const fs::path& folder, const LoadOptions& options) {
-    return read_folder(folder, {".txt", ".wav"}, true, options);
+    return read_folder(folder, {RecordingKind::text, RecordingKind::wave}, true, options);
 }
 
 Expected<Loaded> read_text_folder(const fs::path& folder) {
-    return read_folder(folder, {".txt"}, false, {});
+    return read_folder(folder, {RecordingKind::text}, false, {});
 }
 
 Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>& remarks) {
