@@ -203,7 +203,7 @@ void MockBench::answer(const Plugged& plugged, const Packet& packet) {
     Packet report;
     if (packet[0] == 0x80 && packet[1] != 0x04) report = {0x81, packet[1]};
     if (packet[0] == 0x01) {
-        report.resize(49);
+        report = Packet(49);
         report[0] = 0x21;
         report[13] = 0x80;
         report[14] = packet[10];
