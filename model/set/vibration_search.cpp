@@ -14,12 +14,25 @@ std::string with_unit(double value, const char* unit) {
     return significant_digits(value, 4) + unit;
 }
 
+// The words behind "Tags:" in a note, up to the full stop.
+void add_tags(const std::string& note, std::vector<std::string>& words) {
+    constexpr std::string_view kMark = "Tags: ";
+    const std::size_t at = note.find(kMark);
+    if (at == note.npos) return;
+    const std::size_t from = at + kMark.size();
+    std::string tags = lower_case(note.substr(from, note.find('.', from) - from));
+    std::ranges::replace(tags, ',', ' ');
+    std::istringstream stream(tags);
+    for (std::string word; stream >> word;) words.push_back(word);
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(const Vibration& vibration) {
     std::vector<std::string> words;
     if (vibration.locked) words.emplace_back("locked");
     if (vibration.dropped) words.emplace_back("dropped");
+    add_tags(vibration.note, words);
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr) {
         words.emplace_back("measured");

@@ -111,6 +111,56 @@ bool is_vibration_xml(std::string_view text) {
                                [&](std::string_view root) { return text.find(root) != text.npos; });
 }
 
+// The text of the first of these keys that has one.
+std::string first_text(const Json& object, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+        const auto at = object.find(key);
+        if (at == object.end() || !at->is_string()) continue;
+        std::string text(trimmed(at->get<std::string>()));
+        if (!text.empty()) return shortened(text, 1000);
+    }
+    return {};
+}
+
+std::string tags_of(const Json& object) {
+    constexpr std::size_t kMostTags = 50;
+    std::string text;
+    for (const char* key : {"tags", "Tags"}) {
+        const auto at = object.find(key);
+        if (at == object.end() || !at->is_array()) continue;
+        for (std::size_t k = 0; k < std::min(at->size(), kMostTags); ++k) {
+            if (!(*at)[k].is_string()) continue;
+            const std::string tag = shortened(trimmed((*at)[k].get<std::string>()));
+            if (!tag.empty()) text += (text.empty() ? "" : ", ") + tag;
+        }
+    }
+    return text;
+}
+
+// Formats keep this beside the vibration or in an object of its own.
+std::string about(const Json& document) {
+    std::string name;
+    std::string description;
+    std::string tags;
+    const auto look_into = [&](const Json& object) {
+        if (name.empty()) name = first_text(object, {"name", "m_name", "TrackName"});
+        if (description.empty()) {
+            description = first_text(object, {"description", "Description", "m_description"});
+        }
+        if (tags.empty()) tags = tags_of(object);
+    };
+    look_into(document);
+    for (const char* key : {"metadata", "Metadata", "MetaData"}) {
+        const auto at = document.find(key);
+        if (at != document.end() && at->is_object()) look_into(*at);
+    }
+    std::string text = name;
+    if (!description.empty()) text += (text.empty() ? "" : ": ") + description;
+    if (!text.empty() && text.back() != '.') text += '.';
+    if (!tags.empty()) text += (text.empty() ? "" : " ") + ("Tags: " + tags + ".");
+    return text;
+}
+
 Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
                                const std::optional<ActuatorMap>& map, Budget& budget) {
     EffectsRead result;
@@ -134,7 +184,7 @@ Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
         if (!document->relaxed) continue;
         effect.remarks.push_back("commas and quotes that JSON does not allow are tolerated");
     }
-    return EffectsRead{format, file.map, *std::move(effects)};
+    return EffectsRead{format, file.map, *std::move(effects), about(document->json)};
 }
 
 }  // namespace
@@ -197,8 +247,9 @@ Expected<EffectsRead> read_effects(std::string_view text, const std::string& pat
 }
 
 std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name) {
-    std::string text = "From " + file_name + " (" + traits(read.format).name + "). Actuator map " +
-                       read.map.name + ": " + read.map.source;
+    std::string text = read.about.empty() ? "" : read.about + " ";
+    text += "From " + file_name + " (" + traits(read.format).name + "). Actuator map " +
+            read.map.name + ": " + read.map.source;
     for (const std::string& remark : effect.remarks) {
         if (text.size() + remark.size() + 2 <= kMaxTextBytes) text += " " + remark + ".";
     }

@@ -45,6 +45,7 @@ struct EffectsRead {
     EffectFormat format = EffectFormat::none;  // none: some other JSON or XML, and no effects
     ActuatorMap map;
     Effects effects;
+    std::string about{};  // what the file says of itself: name, description, tags; or empty
 };
 
 // `path` for messages; its stem names the effects. Without a map each format has its own.
@@ -55,7 +56,8 @@ Expected<EffectsRead> read_effects(std::string_view text, const std::string& pat
 Expected<EffectsRead> read_effects(std::string_view text, const std::string& path,
                                    const std::optional<ActuatorMap>& map, Budget& budget);
 
-// "From buzz.ahap (AHAP). Actuator map core-haptics: Hz, gains ..": for the note of a pattern.
+// "Buzz: a short alarm. Tags: alert, short. From buzz.ahap (AHAP). Actuator map core-haptics: Hz,
+// gains ..": for the note of a pattern.
 std::string origin_of(const EffectsRead& read, const Effect& effect, const std::string& file_name);
 
 }  // namespace tact

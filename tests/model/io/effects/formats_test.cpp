@@ -201,4 +201,28 @@ TEST_CASE("effects: damaged texts give a sentence or sound patterns") {
     }
 }
 
+TEST_CASE("formats: what a file says of itself stands in the note, with its tags") {
+    const auto note_of = [](const std::string& text) {
+        const auto read = read_effects(text, "buzz.json");
+        REQUIRE_MESSAGE(read, read.error().message);
+        return origin_of(*read, read->effects.at(0), "buzz.json");
+    };
+    const std::string pulsar =
+        R"("discretePattern": [{"time": 0, "amplitude": 1, "frequency": 0.3}],
+        "continuousPattern": {"amplitude": [], "frequency": []}, "duration": 50)";
+    CHECK(note_of("{" + pulsar + "}").starts_with("From buzz.json"));
+    CHECK(note_of(
+              R"({"name": "Glow", "description": "Dissolves gently.", "tags": ["Bold", "Soft"],)" +
+              pulsar + "}")
+              .starts_with("Glow: Dissolves gently. Tags: Bold, Soft. From buzz.json"));
+    CHECK(note_of(R"({"description": " Ends ", "tags": "none", "name": 3,)" + pulsar + "}")
+              .starts_with("Ends. From buzz.json"));
+    CHECK(note_of(R"({"tags": [1, "", "One"],)" + pulsar + "}")
+              .starts_with("Tags: One. From buzz.json"));
+    const std::string haptic = R"({"version": {"major": 1, "minor": 0, "patch": 0},
+        "metadata": {"description": "Two points", "tags": ["a", "b"]}, "signals": {"continuous":
+        {"envelopes": {"amplitude": [{"time": 0, "amplitude": 1}, {"time": 1, "amplitude": 1}]}}}})";
+    CHECK(note_of(haptic).starts_with("Two points. Tags: a, b. From buzz.json"));
+}
+
 }  // namespace effect_formats_test
