@@ -64,7 +64,7 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
     for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
         const DeviceInfo& device = (*listed)[k];
         if (device.kind != DeviceKind::audio) continue;
-        const bool is_actuator = device.id == play.choice.id;
+        const bool is_actuator = is_actuators(play, device);
         const std::string label =
             device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
         if (ImGui::Selectable(label_of(label).c_str(), device.id == design.headphones,
@@ -72,7 +72,7 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
             change_at_once(ui, work, "study: headphones",
                            [id = device.id](StudyDesign& d) { d.headphones = id; });
         }
-        note_item(ui.rects, "study headphones:" + device.id);
+        note_item(ui.rects, "study headphones:" + device.id, is_actuator ? "the actuator's" : "");
     }
     if (is_open) ImGui::EndCombo();
     const Expected<DeviceInfo> output = masking_output(play, work.document.set.study.headphones);

@@ -44,16 +44,19 @@ std::string actuator_place(const PlayState& play) {
 
 }  // namespace
 
+bool is_actuators(const PlayState& play, const DeviceInfo& output) {
+    return output.id == play.choice.id || place_of_sound(output) == actuator_place(play);
+}
+
 Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones) {
     if (!play.listed) return Error{"devices are still being looked for"};
-    const std::string actuator = actuator_place(play);
     const DeviceInfo* wanted = nullptr;
     std::size_t outputs = 0;
     std::size_t others = 0;
     for (const DeviceInfo& device : *play.listed) {
         if (device.kind != DeviceKind::audio) continue;
         ++outputs;
-        others += place_of_sound(device) != actuator ? 1 : 0;
+        others += is_actuators(play, device) ? 0 : 1;
         if (device.id == headphones) wanted = &device;
     }
     if (outputs == 0) return Error{"there is no sound output"};
@@ -63,13 +66,17 @@ Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& he
     if (headphones.empty()) {
         return Error{"no output is chosen for the headphones in the study's design"};
     }
-    if (headphones == play.choice.id ||
-        (wanted != nullptr && place_of_sound(*wanted) == actuator)) {
+    if (headphones == play.choice.id || (wanted != nullptr && is_actuators(play, *wanted))) {
         return Error{"the headphones' output is the actuator's: choose another one"};
     }
     if (wanted == nullptr) {
         return Error{headphones.substr(headphones.rfind('/') + 1) +
                      ", the headphones' output, is not there: plug it in and refresh the devices"};
+    }
+    if (wanted->is_server && wanted->server_output.empty()) {
+        return Error{wanted->name +
+                     " is a sound server that does not say which output it plays on, and may take "
+                     "the actuator's: choose an output itself"};
     }
     return *wanted;
 }

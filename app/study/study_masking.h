@@ -25,6 +25,9 @@ inline constexpr double kMaskingLookS = 0.25;
 // is none, not even where it is the only one.
 Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones);
 
+// Whether the actuator sounds there too, by whichever name.
+bool is_actuators(const PlayState& play, const DeviceInfo& output);
+
 void begin_masking(const PlayState& play, StudyState& studying, const StudyDesign& design);
 void stop_masking(StudyState& state);
 

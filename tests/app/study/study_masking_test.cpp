@@ -100,6 +100,17 @@ TEST_CASE("masking: an output is the actuator's by whichever of its names it was
           "the only sound output is the actuator's: headphones need a second one");
 }
 
+TEST_CASE("masking: a server that does not say where it plays might play on the actuator") {
+    DeviceInfo server = output("somewhere");
+    server.is_server = true;
+    const PlayState play = with_outputs({output("coil"), server}, "audio/test/coil");
+    CHECK(
+        why_not(play, server.id)
+            .starts_with("somewhere is a sound server that does not say which output it plays on"));
+    server.server_output = "headset";
+    CHECK(why_not(with_outputs({output("coil"), server}, "audio/test/coil"), server.id).empty());
+}
+
 TEST_CASE("masking: a controller as actuator leaves the only sound output to the headphones") {
     DeviceInfo pad;
     pad.id = "hid:pad";
