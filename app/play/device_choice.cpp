@@ -1,6 +1,7 @@
 // Which device plays, and how: chosen, remembered, looked for. Declared in app/play/playing.h.
 
 #include <algorithm>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/play/playing.h"
@@ -16,11 +17,13 @@ void keep_devices(Workspace& work, const PlayState& play) {
         session.device_choices.insert(session.device_choices.begin(), play.choice);
     }
     session.full_scale_g = play.full_scale_g;
+    session.whole_buffer_s = play.whole_buffer_s;
 }
 
 void restore_devices(Workspace& work, PlayState& play) {
     play.choices = work.session.device_choices;
     play.full_scale_g = work.session.full_scale_g;
+    play.whole_buffer_s = work.session.whole_buffer_s;
     const auto chosen = std::ranges::find(play.choices, work.session.device, &DeviceChoice::id);
     if (work.session.device.empty() || chosen == play.choices.end()) return;
     play.choice = *chosen;
@@ -31,7 +34,21 @@ void refresh_devices(PlayState& play) {
     if (play.list_job) play.list_job->submit(++play.lists_asked);
 }
 
-void begin_softly(PlayState& play) { play.level = std::min(play.level, kFirstLevel); }
+void begin_softly(PlayState& play) {
+    play.was_softened = play.was_softened || play.level > kFirstLevel;
+    play.level = std::min(play.level, kFirstLevel);
+}
+
+// Behind what was said of the cause in the same moment.
+void tell_softened(Ui& ui, PlayState& play) {
+    if (!std::exchange(play.was_softened, false)) return;
+    StatusLine& line = ui.status;
+    std::string before = ui.time_s - line.since_s < 1.0 ? line.text : "";
+    if (!before.empty()) before += before.ends_with('.') ? " " : ". ";
+    const bool is_error = !before.empty() && line.is_error;
+    before += "The level starts at 10 % again.";
+    is_error ? complain(ui, before) : say(ui, before);
+}
 
 void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoice& choice) {
     if (choice == play.choice) return;

@@ -186,7 +186,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     }
     Field full_scale = kFullScale;
     full_scale.normal = PlayState{}.full_scale_g;
-    draw_field(ui, full_scale, play.full_scale_g);
+    if (draw_field(ui, full_scale, play.full_scale_g).changed) begin_softly(play);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::TextUnformatted("Uncalibrated");
     ImGui::PopStyleColor();

@@ -82,8 +82,9 @@ struct PlayState {
     bool is_protected = true;  // the actuator, where no calibration says what it bears
 
     double level = kFirstLevel;
-    bool alternates = false;  // A|B: the current pattern and its partner, in turn
-    double gap_s = 0.5;       // between two patterns
+    bool was_softened = false;  // to that again, and it is still to be said
+    bool alternates = false;    // A|B: the current pattern and its partner, in turn
+    double gap_s = 0.5;         // between two patterns
 
     std::shared_ptr<AudioHost> audio;  // null: no sound in this program, as in tests and pictures
     OwnedJob<int, Listing> list_job;   // asked for by number
@@ -100,7 +101,8 @@ struct PlayState {
     std::uint64_t drives_asked = 0;
     std::uint64_t drive_taken = 0;  // number of the last one
     DeviceStatus status;            // of this frame
-    std::string told_trouble;       // at the foot of the window
+    std::string told_trouble;       // at the foot of the window ...
+    std::string complaint;          // ... where it stays until something is felt again
     std::string told_held;          // there too: what plays before have left of this one
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame

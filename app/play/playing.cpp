@@ -177,6 +177,7 @@ void open_chosen(Ui& ui, PlayState& play) {
 // The same name may lead to another output now, as it was listed anew: that is another device.
 void follow_place(Timeline& timeline, PlayState& play) {
     const std::optional<DeviceInfo> info = chosen_device(play);
+    if (play.listed && !play.choice.id.empty() && !info) begin_softly(play);  // it may come back
     if (!play.device || !info || info->kind != DeviceKind::audio) return;
     if (play.opened_place.empty() || play.opened_place == place_of_sound(*info)) return;
     if (play.held || play.gapless) return;  // a study's device stays
@@ -211,6 +212,13 @@ void follow_held(Ui& ui, PlayState& play) {
     say(ui, (name.empty() ? "This" : name) + " " + held + ".");
 }
 
+// It plays again: what was said of that it did not is over.
+void take_back_complaint(Ui& ui, PlayState& play) {
+    if (play.complaint.empty() || !play.status.playing || play.status.position_s <= 0.0) return;
+    const std::string complaint = std::exchange(play.complaint, {});
+    if (ui.status.is_error && ui.status.text.starts_with(complaint)) ui.status = {};
+}
+
 void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     const double fall = std::pow(10.0, -kMeterFallDbPerS * ui.frame_s / 20.0);
     play.meter *= fall;
@@ -224,9 +232,12 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     follow_held(ui, play);
     if (play.status.trouble.empty()) {
         play.told_trouble.clear();
+        take_back_complaint(ui, play);
     } else if (play.told_trouble != play.status.trouble) {
-        play.told_trouble = play.status.trouble;
+        play.told_trouble = play.complaint = play.status.trouble;
         complain(ui, play.status.trouble);
+        // What comes back may be set to another volume.
+        if (!play.status.connected) begin_softly(play);
         if (play.sounding) end(timeline, play);
     }
 }
@@ -309,6 +320,7 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
         if (auto listed = play.list_job->latest()) take_list(ui, play, std::move(listed));
     }
     follow_calibration(ui, work, rendered, play);
+    tell_softened(ui, play);
     follow_place(timeline, play);
     open_chosen(ui, play);
     follow_status(ui, timeline, play);

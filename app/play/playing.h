@@ -40,10 +40,11 @@ void refresh_devices(PlayState& play);
 // Another device, or another channel of it; an empty id: silent. What sounds stops.
 void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoice& choice);
 
-// How a device was chosen the last time; as its first channel where it never was.
 // What a level means has changed: nobody is startled.
 void begin_softly(PlayState& play);
+void tell_softened(Ui& ui, PlayState& play);  // in the next frame: it is said
 
+// How a device was chosen the last time; as its first channel where it never was.
 DeviceChoice remembered_choice(const PlayState& play, const std::string& id);
 
 // What is known of the chosen device; none: it is not there, or none is chosen.

@@ -73,6 +73,7 @@ void take_paths(const json& from, std::vector<fs::path>& to) {
 void take_devices(const json& from, Session& session) {
     take_bytes(from, "device", session.device);
     take(from, "full_scale_g", 1e-3, 1e3, session.full_scale_g);
+    take(from, "whole_buffer_s", 0.02, 2.0, session.whole_buffer_s);
     const auto at = from.find("device_choices");
     if (at == from.end() || !at->is_array()) return;
     for (const json& item : *at) {
@@ -153,7 +154,8 @@ json settings_of(const Session& session) {
             {"device", bytes_json(session.device)},
             {"device_choices", devices},
             {"full_scale_g", session.full_scale_g},
-            {"table_words", session.table_words}};
+            {"table_words", session.table_words},
+            {"whole_buffer_s", session.whole_buffer_s}};
 }
 
 bool make_folder(Session& session) {

@@ -116,6 +116,10 @@ bool draw_bar(Ui& ui, const Field& field, double& value) {
 }
 
 NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
+    if (ui.field.wanted == field.id) {
+        ImGui::SetKeyboardFocusHere();
+        ui.field.wanted.clear();
+    }
     const NumberEdit edit = edit_entry(ui,
                                        {.id = "entry",
                                         .label = field.label,

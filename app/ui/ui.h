@@ -83,6 +83,7 @@ struct NumberTyping {
 // The field that keys go to, and the number that is being typed in it.
 struct FieldEntry {
     std::string active;  // arrows nudge it
+    std::string wanted;  // takes the keys when it is drawn next
     std::string locked;  // clicked in vain: keys meant for it do nothing else
     NumberTyping typing;
     bool tabbed_on = false;      // Tab is on its way from a number to the next one
