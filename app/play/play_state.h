@@ -45,8 +45,9 @@ struct Sounding {
     bool has_begun = false;                 // on the device: another drive is a change of it
     std::uint64_t first_drive = 0;          // number of the request that it began with
     bool next_was_asked = false;            // of the device, to begin after this one by itself
-    std::optional<Vibration> next{};        // what it took
-    DrivenBy next_by{};                     // ... and what the drive of that was made by
+    std::optional<Vibration> next{};        // what it takes
+    DrivenBy next_by{};                     // ... and what the drive of that is made by
+    std::uint64_t next_drive = 0;           // number of its request, until the device has it
 };
 
 using Listing = std::vector<DeviceInfo>;

@@ -46,6 +46,7 @@ void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) 
     sounding.has_begun = false;
     sounding.next_was_asked = false;
     sounding.next.reset();
+    sounding.next_drive = 0;
     show_current(work, timeline, sounding);
     play_vibration(ui, timeline, play, *vibration);
 }
@@ -71,37 +72,32 @@ std::optional<std::size_t> next_place(const Sounding& sounding) {
 }
 
 // The next one is given to the device while this one sounds: the pause between them is then the
-// stream's, to the sample, and does not wait for a frame. What takes long to render, and a device
-// that cannot, wait for the frame.
-void ask_for_next(Ui& ui, const Workspace& work, PlayState& play) {
+// device's own, and does not wait for a frame. Its drive may take a while to be made.
+void ask_for_next(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     if (sounding.next_was_asked || !sounding.is_prepared || sounding.names.size() < 2) return;
     const std::optional<std::size_t> at = next_place(sounding);
     const Vibration* next = at ? vibration_named(work, sounding.names[*at]) : nullptr;
     sounding.next_was_asked = true;
-    if (next == nullptr) return;
-    const DriveRequest request = drive_request(play, *next);
-    if (!is_made_at_once(request)) return;
-    const MadeDrive made = made_drive(request);
-    if (!play.device->play_after(made.drive, play.gap_s)) return;
-    sounding.next = *next;
-    sounding.next_by = request.by;
-    if (!made.remark.empty()) say(ui, made.remark);
+    if (next != nullptr) play_next(ui, timeline, play, *next);
 }
 
-// True: what the device had taken begins. It was edited, removed or swapped meanwhile: false, and
-// it does not sound.
+// True: what the device had taken begins, or will when its drive is made. It was edited, removed or
+// swapped meanwhile: false, and it does not sound.
 bool take_next(Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
-    const std::optional<Vibration> taken = std::exchange(sounding.next, std::nullopt);
-    if (!taken) return false;
+    if (!sounding.next) return false;
     const std::optional<std::size_t> at = next_place(sounding);
     const Vibration* wanted = at ? vibration_named(work, sounding.names[*at]) : nullptr;
-    if (wanted == nullptr || *wanted != *taken ||
+    if (wanted == nullptr || *wanted != *sounding.next ||
         drive_request(play, *wanted).by != sounding.next_by) {
         play.device->stop();
+        sounding.next.reset();
+        sounding.next_drive = 0;
         return false;
     }
+    if (sounding.next_drive != 0) return true;
+    const std::optional<Vibration> taken = std::exchange(sounding.next, std::nullopt);
     sounding.at = *at;
     sounding.as_played = *taken;
     sounding.driven_by = sounding.next_by;
@@ -142,11 +138,13 @@ void follow_selection(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
 void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     if (play.halted) return;
     if (take_drive(ui, timeline, play)) return;  // of which this frame's status says nothing yet
+    if (take_next_drive(ui, timeline, play) && !play.sounding) return;
     Sounding& sounding = *play.sounding;
     if (!sounding.is_prepared && !play.status.playing) return;
     if (!play.status.playing || sounding.rests_until_s) return advance(ui, work, timeline, play);
     if (sounding.names.empty()) return;
-    ask_for_next(ui, work, play);
+    ask_for_next(ui, work, timeline, play);
+    if (!play.sounding) return;
     follow_selection(ui, work, timeline, play);
     sounding.position_s = play.status.position_s;
     timeline.playhead.at_s = play.status.position_s;

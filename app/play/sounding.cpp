@@ -13,6 +13,38 @@ namespace {
 // Longer patterns are rendered beside the window: this much takes about a millisecond.
 constexpr double kLongestAtOnceS = 2.0;
 
+// The number of the request.
+std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
+    if (!play.drive_job) {
+        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
+            JobPolicy::finish,
+            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
+                return std::optional(made_drive(asked));
+            },
+            ui.wake);
+    }
+    request.number = ++play.drives_asked;
+    play.drive_job->submit(std::move(request));
+    return play.drives_asked;
+}
+
+void give_next(Ui& ui, Timeline& timeline, PlayState& play, const MadeDrive& made) {
+    if (!made.remark.empty()) say(ui, made.remark);
+    const Expected<Done> waits = play.device->play_after(made.drive, play.gap_s);
+    if (waits) return;
+    complain(ui, waits.error().message);
+    silence(timeline, play);
+}
+
+// True: what was being computed cannot be played, and nothing sounds any more.
+bool fails_to_make(Ui& ui, Timeline& timeline, PlayState& play) {
+    const std::string failure = failure_of(play.drive_job);
+    if (failure.empty()) return false;
+    complain(ui, "This cannot be played: " + failure + ".");
+    silence(timeline, play);
+    return true;
+}
+
 }  // namespace
 
 double level_now(const PlayState& play) {
@@ -46,29 +78,37 @@ void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration
         if (!made.remark.empty()) say(ui, made.remark);
         return play_drive(ui, timeline, play, made.drive, play.sounding->loops);
     }
-    if (!play.drive_job) {
-        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
-            JobPolicy::finish,
-            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
-                return std::optional(made_drive(asked));
-            },
-            ui.wake);
-    }
-    request.number = ++play.drives_asked;
+    const std::uint64_t number = submit(ui, play, std::move(request));
     play.sounding->is_prepared = false;
-    if (!play.sounding->has_begun) play.sounding->first_drive = request.number;
-    play.drive_job->submit(std::move(request));
+    if (!play.sounding->has_begun) play.sounding->first_drive = number;
+}
+
+void play_next(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& next) {
+    DriveRequest request = drive_request(play, next);
+    Sounding& sounding = *play.sounding;
+    sounding.next = next;
+    sounding.next_by = request.by;
+    if (is_made_at_once(request)) return give_next(ui, timeline, play, made_drive(request));
+    sounding.next_drive = submit(ui, play, std::move(request));
+}
+
+bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play) {
+    Sounding& sounding = *play.sounding;
+    if (sounding.next_drive == 0) return false;
+    if (fails_to_make(ui, timeline, play)) return true;
+    const auto made = play.drive_job->latest();
+    if (!made || made->request.number != sounding.next_drive) return false;
+    sounding.next_drive = 0;
+    play.drive_taken = made->request.number;
+    give_next(ui, timeline, play, *made);
+    return true;
 }
 
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
     if (sounding.is_prepared) return false;
-    if (const std::string failure = failure_of(play.drive_job); !failure.empty()) {
-        complain(ui, "This cannot be played: " + failure + ".");
-        silence(timeline, play);
-        return true;
-    }
+    if (fails_to_make(ui, timeline, play)) return true;
     if (!made || made->request.number < sounding.first_drive ||
         made->request.number == std::exchange(play.drive_taken, made->request.number)) {
         return false;

@@ -20,6 +20,13 @@ bool is_made_at_once(const DriveRequest& request);
 // At once, or when its drive is computed; until then what sounded goes on.
 void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration);
 
+// `next` waits on the device for the end of what sounds, and for the pause after it; at once, or
+// when its drive is computed.
+void play_next(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& next);
+
+// Takes what was being computed for that; true: it did.
+bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play);
+
 // Takes what was being computed for the one that sounds; true: it did.
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play);
 

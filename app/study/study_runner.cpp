@@ -63,15 +63,18 @@ bool is_time_to_rest(const StudyRun& run) {
 }
 
 void play_until(StudyRun& run, double until_s) {
-    const StudyDesign& design = run.record.header.design;
     run.playing_until_s = until_s;
-    run.quiet_until_s = until_s + (run.page == StudyPage::training ? design.rest_s : design.gap_s);
+    run.quiet_until_s = until_s + run.rest_s;
 }
 
 void start_playing(StudyRun& run, StudyDeeds& deeds, std::size_t pattern, double now_s) {
-    run.playing = pattern;
-    play_until(run, now_s + run.duration_s[pattern]);
+    const StudyDesign& design = run.record.header.design;
     deeds.play = pattern;
+    deeds.rest_s = run.rest_s;
+    run.playing = pattern;
+    run.was_silenced = false;
+    run.rest_s = run.page == StudyPage::training ? design.rest_s : design.gap_s;
+    play_until(run, std::max(now_s, run.quiet_until_s) + run.duration_s[pattern]);
 }
 
 // What played has come to an end, its own or another.
@@ -106,6 +109,7 @@ void fall_silent(StudyRun& run, StudyDeeds& deeds, Play played, double now_s) {
     deeds.silence = true;
     played.is_to_the_end = false;
     end_playing(run, played);
+    run.was_silenced = true;
     run.playing_until_s = now_s;
     run.quiet_until_s = now_s + run.record.header.design.gap_s;
 }
@@ -291,7 +295,7 @@ StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
 
 bool may_play(const StudyRun& run, double now_s) {
     return !run.is_asking && !run.is_waiting && now_s >= run.playing_until_s &&
-           now_s >= run.quiet_until_s;
+           (!run.was_silenced || now_s >= run.quiet_until_s);
 }
 
 bool may_rate(const StudyRun& run, double now_s) {

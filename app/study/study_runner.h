@@ -6,7 +6,8 @@
 // Input     what the person did, and the time, s, which never runs backwards
 // Output    at most one of each: a pattern to play, silence, a line for the participant's file. The
 //           next trial comes only with the word that the line is on the disk. A play counts when
-//           it has come to its end, whole.
+//           it has come to its end, whole. One that is asked for in the gap waits for its end,
+//           which the device keeps.
 // Left out  sound, files, drawing: app/study/study_follow.h, app/study/study_pages.cpp.
 #pragma once
 
@@ -49,6 +50,8 @@ struct StudyRun {
     std::size_t playing_button = 0;
     double playing_until_s = 0.0;
     double quiet_until_s = 0.0;      // the gap
+    double rest_s = 0.0;             // how long that is
+    bool was_silenced = false;       // nothing keeps the gap but the clock
     double shown_s = 0.0;            // since when the trial is on the screen, pauses taken off
     double asked_s = 0.0;            // since when is_asking
     std::size_t answers_before = 0;  // of an earlier sitting
@@ -79,7 +82,8 @@ struct StudyEvent {
 };
 
 struct StudyDeeds {
-    std::optional<std::size_t> play;  // position of a pattern
+    std::optional<std::size_t> play;  // position of a pattern ...
+    double rest_s = 0.0;              // ... so long after the end of the last one, at the soonest
     bool silence = false;
     bool begin_file = false;          // with the header
     std::optional<std::string> line;  // into the file
@@ -97,7 +101,7 @@ StudyRun study_run(StudyRecord record, std::vector<double> duration_s);
 
 StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s);
 
-// Whether a button answers now: nothing plays, and the gap is over.
+// Whether a button answers now: nothing plays, nor waits for the end of the gap.
 bool may_play(const StudyRun& run, double now_s);
 // Both were felt to the end: the slider is open.
 bool may_rate(const StudyRun& run, double now_s);

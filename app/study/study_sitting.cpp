@@ -62,7 +62,7 @@ void act_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& st
         StudyActuator& actuator = studying.actuator;
         actuator.dropouts = 0;
         actuator.seen_dropouts = studying.device->status().dropouts;
-        const auto played = studying.device->play(actuator.drives[*deeds.play], false);
+        const auto played = studying.device->play_after(actuator.drives[*deeds.play], deeds.rest_s);
         if (!played && actuator.is_there)
             return lose_actuator(ui, work, play, studying, played.error().message);
     }

@@ -211,6 +211,8 @@ void draw_sorting_page(Ui& ui, const Workspace& work, const PlayState& play, Stu
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     draw_box(ui, layout.tray, "still to sort", drags && layout.tray.contains(mouse));
     note_rect(ui.rects, "study:tray", layout.tray.min, layout.tray.max);
+    note_rect(ui.rects, "study:may feel", area.min, area.max,
+              may_play(run, ui.time_s) ? "yes" : "no");
     for (std::size_t k = 0; k < boxes; ++k) {
         const Rect& box = layout.boxes[k];
         std::string label = "group " + std::to_string(k + 1);

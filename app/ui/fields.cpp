@@ -117,7 +117,7 @@ bool draw_bar(Ui& ui, const Field& field, double& value) {
 
 NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
     if (ui.field.wanted == field.id) {
-        ImGui::SetKeyboardFocusHere();
+        focus_next_item();
         ui.field.wanted.clear();
     }
     const NumberEdit edit = edit_entry(ui,

@@ -19,11 +19,11 @@ Expected<Done> AudioDevice::play(const Drive& drive, bool loop) {
     return Done{};
 }
 
-bool AudioDevice::play_after(const Drive& drive, double rest_s) {
+Expected<Done> AudioDevice::play_after(const Drive& drive, double rest_s) {
     host_->post([&host = *host_, stream = stream_, drive, rest_s, serial = stream_->ask_after()] {
         if (stream->play(host, drive, false, serial, rest_s)) host.watch(stream);
     });
-    return true;
+    return Done{};
 }
 
 void AudioDevice::change(const Drive& drive) {

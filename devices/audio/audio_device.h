@@ -24,7 +24,7 @@ class AudioDevice final : public Device {
     AudioDevice& operator=(const AudioDevice&) = delete;
 
     Expected<Done> play(const Drive& drive, bool loop) override;
-    bool play_after(const Drive& drive, double rest_s) override;
+    Expected<Done> play_after(const Drive& drive, double rest_s) override;
     void change(const Drive& drive) override;
     void set_level(double level) override { stream_->set_level(level); }
     void stop() override { stream_->stop(); }

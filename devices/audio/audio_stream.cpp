@@ -19,7 +19,8 @@ namespace {
 constexpr double kStallS = 3.0;
 constexpr double kLongestPollS = 0.1;
 constexpr auto kClosePatience = std::chrono::seconds(1);
-// Between two patterns the card stays open: the next one starts at once.
+// Between two patterns the card stays open: the next one starts at once. Where they are to be so
+// far apart, so much longer: what keeps the pause is the stream.
 constexpr double kLingerS = 1.5;
 constexpr auto kCutPatience = std::chrono::milliseconds(200);
 
@@ -32,11 +33,17 @@ std::uint64_t AudioStream::ask() {
     const std::uint64_t serial = ++asked_;
     superseded_ = serial;
     plays_ = {{serial}};
+    has_told_end_ = false;
     return serial;
 }
 
+// Behind what plays. Of what has ended nobody has to be told twice.
 std::uint64_t AudioStream::ask_after() {
     const std::lock_guard lock(mutex_);
+    const bool is_over = plays_.empty() || has_told_end_ || plays_.front().serial <= stopped_;
+    if (is_over) trouble_.clear();
+    if (is_over) plays_.clear();
+    has_told_end_ = false;
     plays_.push_back({++asked_});
     return plays_.back().serial;
 }
@@ -84,6 +91,7 @@ DeviceStatus AudioStream::status() {
     status.trouble = trouble_;
     if (plays_.empty()) return status;
     status = status_of(plays_.front(), std::move(status));
+    has_told_end_ = !status.playing && plays_.size() == 1;
     if (!status.playing && plays_.size() > 1) plays_.erase(plays_.begin());
     return status;
 }
@@ -122,7 +130,14 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
                        std::optional<double> rest_s) {
     rest_before_halts();
     if (serial <= stopped_.load() || serial < superseded_.load()) return port_.has_value();
+    if (rest_s && has_one_waiting()) {
+        behind_ = Behind{drive, serial, *rest_s};
+        return true;
+    }
+    behind_.reset();
+    linger_s_ = kLingerS + rest_s.value_or(0.0);
     if (port_) settle_cut();
+    const bool is_new = !port_;
     if (!port_) {
         note_rest(playback_.ledger, steady_s() - polled_at_s_);  // no callback runs
         const Expected<Done> opened = open(host);
@@ -132,15 +147,43 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
             return false;
         }
     }
+    begin(drive, loop, serial, rest_s, is_new);
+    return true;
+}
+
+// The callback knows one clip besides the one that plays: a further one comes when that has begun.
+bool AudioStream::has_one_waiting() const {
+    return port_ && clip_ && clip_->waits && playback_.begun.load() < clip_->serial &&
+           clip_->serial > stopped_.load();
+}
+
+void AudioStream::take_behind() {
+    if (!behind_ || has_one_waiting()) return;
+    const Behind next = *std::exchange(behind_, std::nullopt);
+    if (next.serial <= stopped_.load() || next.serial < superseded_.load()) return;
+    linger_s_ = kLingerS + next.rest_s;
+    begin(next.drive, false, next.serial, next.rest_s, false);
+}
+
+void AudioStream::begin(const Drive& drive, bool loop, std::uint64_t serial,
+                        std::optional<double> rest_s, bool is_new) {
     const double rate_hz = playback_.layout.rate_hz;
     auto clip = std::make_unique<Clip>(rest_s && clip_ ? clip_after(drive, rate_hz, *rest_s, *clip_)
                                                        : clip_of(drive, rate_hz, loop));
+    if (is_new && rest_s) wait_out(*clip, *rest_s);
     clip->serial = serial;
     const double duration_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
     start(std::move(clip), duration_s - drive.lead_s - drive.tail_s);
     // Stopped while it was being made ready.
     if (serial <= stopped_.load()) playback_.wanted.store(nullptr);
-    return true;
+}
+
+// What is left of a pause that began on a stream which is closed: never shorter than asked for, and
+// longer by what opening it takes.
+void AudioStream::wait_out(Clip& clip, double rest_s) const {
+    const double left_s = last_end_s_ + rest_s - steady_s() - playback_.layout.latency_s;
+    clip.waits = true;
+    clip.rest_frames = std::llround(std::max(0.0, left_s) * playback_.layout.rate_hz);
 }
 
 // A stop that is still to be answered would take the next clip along.
@@ -240,9 +283,11 @@ StreamState AudioStream::poll() {
         return lose(" is gone: it stopped taking sound, and nothing plays until it is back");
     }
     free_clips();
+    take_behind();
+    if (is_sounding()) last_end_s_ = steady_s() + playback_.layout.latency_s;
     const double quiet_s =
         static_cast<double>(playback_.quiet_frames.load()) / playback_.layout.rate_hz;
-    const double enough_s = released_ ? kPadS + playback_.layout.latency_s : kLingerS;
+    const double enough_s = released_ ? kPadS + playback_.layout.latency_s : linger_s_;
     if (is_sounding() || quiet_s < enough_s) return StreamState::open;
     close();
     return StreamState::closed;
@@ -259,6 +304,7 @@ void AudioStream::close() {
     port_.reset();
     playback_.wanted = nullptr;
     clip_.reset();
+    behind_.reset();
     retired_.clear();
     locks_.clear();
 }

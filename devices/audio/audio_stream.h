@@ -76,6 +76,13 @@ class AudioStream {
         std::uint64_t serial = 0;  // of the play that is changed
     };
 
+    // A play behind one that waits itself.
+    struct Behind {
+        Drive drive;
+        std::uint64_t serial = 0;
+        double rest_s = 0.0;
+    };
+
     // A play that was asked for, until it has been felt to its end.
     struct Asked {
         std::uint64_t serial = 0;
@@ -93,6 +100,11 @@ class AudioStream {
     Expected<Done> is_direct(SoundServer& server, const std::set<std::uint32_t>& before) const;
     Expected<Done> claim_channels();
     void lay_out(double rate_hz);
+    void begin(const Drive& drive, bool loop, std::uint64_t serial, std::optional<double> rest_s,
+               bool is_new);
+    bool has_one_waiting() const;
+    void take_behind();
+    void wait_out(Clip& clip, double rest_s) const;
     void settle_cut();
     void rest_if_halted();
     void start(std::unique_ptr<const Clip> clip, double duration_s);
@@ -108,20 +120,24 @@ class AudioStream {
     std::atomic<std::uint64_t> stopped_ = 0;     // this play and all before it
     std::atomic<bool> connected_ = true;
     std::atomic<std::uint64_t> halts_ = 0;  // of the program, when the newest play was asked for
-    std::mutex mutex_;                      // guards the next three
+    std::mutex mutex_;                      // guards the next four
     std::optional<Change> change_;
     std::string trouble_;
-    std::vector<Asked> plays_;  // the one to be felt now, and what waits for its end
+    std::vector<Asked> plays_;   // the one to be felt now, and what waits for its end
+    bool has_told_end_ = false;  // of the only one
 
     // The host's thread's own.
     std::optional<OutputPort> port_;
     std::unique_ptr<const Clip> clip_;
+    std::optional<Behind> behind_;
     std::vector<Retired> retired_;
     std::vector<ActuatorLock> locks_;  // of each channel that sounds
     bool released_ = false;
     std::uint64_t seen_calls_ = 0;
     double polled_at_s_ = 0.0;
     double stalled_s_ = 0.0;  // without a call
+    double linger_s_ = 0.0;
+    double last_end_s_ = 0.0;  // of the last play, by the steady clock, or a little later
 };
 
 }  // namespace tact

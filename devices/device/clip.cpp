@@ -108,15 +108,15 @@ Clip clip_after(const Drive& drive, double rate_hz, double rest_s, const Clip& b
     const double between_s = std::max(0.0, rest_s) - before.tail_s - clip.lead_s;
     clip.rest_frames = std::llround(between_s * rate_hz);
     if (clip.rest_frames >= 0) return clip;
-    // The end of the one before is left to this one.
     const auto both = std::min(static_cast<std::size_t>(-clip.rest_frames), before.samples.size());
     clip.rest_frames = -static_cast<std::int64_t>(both);
     clip.samples.resize(std::max(clip.samples.size(), both), 0.0F);
+    std::vector<float> sum = clip.samples;
     for (std::size_t n = 0; n < both; ++n) {
-        clip.samples[n] += before.samples[before.samples.size() - both + n];
-        clip.peak = std::max(clip.peak, std::abs(clip.samples[n]));
+        sum[n] += before.samples[before.samples.size() - both + n];
+        clip.peak = std::max(clip.peak, std::abs(sum[n]));
     }
-    clip.load = load_of(clip.samples, rate_hz);
+    clip.load = load_of(sum, rate_hz);
     return clip;
 }
 

@@ -37,7 +37,8 @@ struct Clip {
 Clip clip_of(const Drive& drive, double rate_hz, bool loop);
 
 // One whose signal begins `rest_s` after the end of the signal in `before`, to the frame. Where the
-// tail of that and the lead of this are longer than the rest, both sound at once.
+// tail of that and the lead of this are longer than the rest, both sound at once: peak and load are
+// then those of both.
 Clip clip_after(const Drive& drive, double rate_hz, double rest_s, const Clip& before);
 
 inline constexpr double kClipMarginS = 0.01;

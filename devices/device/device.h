@@ -52,10 +52,11 @@ class Device {
     // Starts `drive` from the beginning, in place of what was playing; `loop`: until stopped. An
     // Error says what to plug in or to allow.
     virtual Expected<Done> play(const Drive& drive, bool loop) = 0;
-    // Starts `drive` so long after the end of what plays, to the sample, and does not cut that off;
-    // its end is told by one status that plays no more before the next ones are of `drive`. False:
-    // this device cannot, and the caller has to wait.
-    virtual bool play_after(const Drive& /*drive*/, double /*rest_s*/) { return false; }
+    // Starts `drive` so long after the end of what plays, or has played last: a pause is the
+    // device's own, to the sample or the packet. Where that time is over, at once. What plays is
+    // not cut off; its end is told by one status that plays no more before the next ones are of
+    // `drive`.
+    virtual Expected<Done> play_after(const Drive& drive, double rest_s) = 0;
     // What plays over and over becomes `drive` from where it is in it, without a step and without
     // starting anew; where that has ended, nothing. Devices differ in how soon: an output fades one
     // into the other (devices/device/playback.h), a controller is told with its next packet.

@@ -88,8 +88,12 @@ void ask_ledger(Playback& playback) {
 
 void begin_clip(Playback& playback, const Clip* clip) {
     Playback::Own& own = playback.own;
+    // The end of the one before that this one did not wait for.
+    own.under = clip != nullptr && clip->waits && own.leaves_end ? own.clip : nullptr;
+    own.under_gain = own.gain;
+    own.is_end = own.under != nullptr;
+    own.leaves_end = false;
     own.clip = clip;
-    own.under = nullptr;
     own.at = 0;
     own.clip_frames = 0;
     own.fresh_frames = 0;
@@ -144,6 +148,7 @@ bool may_change(const Playback& playback, const Clip* wanted) {
 void begin_change(Playback& playback, const Clip* wanted) {
     Playback::Own& own = playback.own;
     own.under = std::exchange(own.clip, wanted);
+    own.is_end = false;
     own.under_at = own.at;
     own.under_gain = own.gain;
     own.crossed = 0.0F;
@@ -156,6 +161,11 @@ void begin_change(Playback& playback, const Clip* wanted) {
 float mixed_sample(Playback::Own& own, float cross_step) {
     const float sample = own.clip->samples[own.at] * own.gain;
     if (own.under == nullptr) return sample;
+    if (own.is_end) {
+        const float end = own.under->samples[own.under_at] * own.under_gain;
+        if (++own.under_at >= own.under->samples.size()) own.under = nullptr;
+        return sample + end;
+    }
     const float t = own.crossed;
     const float share = t * t * (3.0F - 2.0F * t);
     const float before = own.under->samples[own.under_at] * own.under_gain;
@@ -176,11 +186,13 @@ float next_sample(Playback& playback, bool leaving, const Steps& steps, std::siz
     if (is_warm && !is_over) {
         notes_of(playback, own.clip->serial).is_warm.store(true, std::memory_order_relaxed);
     }
-    if (leaving || is_over || is_warm) own.fade -= steps.fade;
+    if (leaving || is_over || is_warm || own.fade < 1.0F) own.fade -= steps.fade;
     ++own.clip_frames;
     ++own.fresh_frames;
     const std::size_t last = own.clip->loop ? 0 : spare;
     if (++own.at + last >= own.clip->samples.size()) {
+        own.leaves_end = own.at < own.clip->samples.size();
+        own.under_at = own.leaves_end ? own.at : own.under_at;
         own.at = 0;
         notes_of(playback, own.clip->serial).rounds.fetch_add(1, std::memory_order_relaxed);
         if (!own.clip->loop) end_clip(playback);
@@ -213,7 +225,7 @@ bool may_begin(const Playback& playback, const Clip* wanted) {
     const auto pad = static_cast<std::uint64_t>(kPadS * playback.layout.rate_hz);
     if (own.frames < pad) return false;
     const auto rest = static_cast<std::uint64_t>(std::max<std::int64_t>(0, wanted->rest_frames));
-    return !wanted->waits || own.clip == nullptr || own.frames >= own.ended_at + rest;
+    return !wanted->waits || own.frames >= own.ended_at + rest;
 }
 
 // How much of the clip before it a waiting one does not wait for.

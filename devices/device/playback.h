@@ -93,7 +93,9 @@ struct Playback {
         const Clip* clip = nullptr;
         bool has_ended = true;
         std::size_t at = 0;           // next frame of the clip
-        const Clip* under = nullptr;  // what the loop was before, while it still sounds
+        const Clip* under = nullptr;  // what was before, while it still sounds: a loop ...
+        bool is_end = false;          // ... or the end of a clip that was not waited for
+        bool leaves_end = false;      // the clip has ended, and its last frames are still to come
         std::size_t under_at = 0;
         float under_gain = 0.0F;
         float crossed = 1.0F;  // 0..1: how far it has come from that to the clip

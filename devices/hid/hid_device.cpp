@@ -16,7 +16,8 @@ constexpr auto kRefresh = std::chrono::milliseconds(50);
 constexpr auto kPresenceCheck = std::chrono::milliseconds(500);
 constexpr auto kUnrestCheck = std::chrono::milliseconds(50);
 constexpr auto kReopenedAfter = std::chrono::milliseconds(150);
-constexpr auto kLastTries = std::chrono::seconds(1);  // at the end of the program
+constexpr auto kMadeReady = std::chrono::milliseconds(20);  // before what waits begins
+constexpr auto kLastTries = std::chrono::seconds(1);        // at the end of the program
 constexpr std::size_t kKeptLateness = 100'000;
 constexpr double kLongestCountedS = 1e9;  // what is longer does not fit a clock, and never ends
 
@@ -51,19 +52,33 @@ HidDevice::~HidDevice() {
 }
 
 Expected<Done> HidDevice::play(const Drive& drive, bool loop) {
+    return ask({drive, loop, std::nullopt});
+}
+
+Expected<Done> HidDevice::play_after(const Drive& drive, double rest_s) {
+    return ask({drive, false, std::max(0.0, rest_s)});
+}
+
+Expected<Done> HidDevice::ask(Play play) {
     const std::lock_guard lock(mutex_);
     if (!status_.connected) return Error{status_.trouble};
-    next_ = Play{drive, loop};
+    const bool waits = play.rest_s && status_.playing && !stop_;
+    (waits && next_ ? behind_ : next_) = std::move(play);
+    changed_.notify_one();
+    if (waits) return Done{};
+    behind_.reset();
     change_.reset();
-    stop_ = false;
+    tells_end_ = false;
     status_.playing = true;
     status_.position_s = 0.0;
     status_.clipped = false;
     status_.is_warm = false;
     status_.trouble.clear();
-    changed_.notify_one();
     return Done{};
 }
+
+// Whether there is something else to do than what plays.
+bool HidDevice::is_interrupted() const { return stop_ || (next_ && !next_->rest_s); }
 
 void HidDevice::change(const Drive& drive) {
     const std::lock_guard lock(mutex_);
@@ -79,6 +94,7 @@ void HidDevice::set_level(double level) {
 void HidDevice::stop() {
     const std::lock_guard lock(mutex_);
     next_.reset();
+    behind_.reset();
     change_.reset();
     stop_ = true;
     changed_.notify_one();
@@ -88,7 +104,8 @@ DeviceStatus HidDevice::status() {
     const std::lock_guard lock(mutex_);
     DeviceStatus status = status_;
     status_.peak = 0.0;
-    if (status.playing && duration_s_ > 0.0 && !next_) {
+    if (std::exchange(tells_end_, false)) status.playing = false;
+    if (status.playing && duration_s_ > 0.0 && (!next_ || next_->rest_s)) {
         const double since_s = std::max(0.0, seconds(Clock::now() - begun_at_));
         status.position_s = loops_ ? std::fmod(since_s, duration_s_) : since_s;
         status.position_s = std::min(status.position_s, duration_s_);
@@ -127,7 +144,11 @@ std::optional<HidDevice::Play> HidDevice::next_play(const std::stop_token& quit)
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, quit, owes_rest_ ? kUnrestCheck : kPresenceCheck,
                       [this] { return next_.has_value(); });
-    return std::exchange(next_, std::nullopt);
+    if (next_) {
+        stop_ = false;  // asked for before, or it would be there no more
+        begins_at_ = after_rest(next_->rest_s.value_or(0.0));
+    }
+    return std::exchange(next_, std::exchange(behind_, std::nullopt));
 }
 
 // While it is played on nobody else may: two would send in turn.
@@ -161,22 +182,37 @@ Expected<Done> HidDevice::ready() {
 }
 
 void HidDevice::perform(const Play& play, const std::stop_token& quit) {
-    {
-        const std::lock_guard lock(mutex_);
-        duration_s_ = 0.0;
-        status_.clipped = largest(play.drive) * level_ > 1.0;
-        statistics_ = {};
-        late_s_.clear();
-    }
     halts_ = halts();
-    note_rest(ledger_, seconds(Clock::now() - rests_since_));
     RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_),
                     level_for(play.drive));
-    const Clock::time_point begun = Clock::now();
-    if (plan.size() > 0) send_frames(play, plan, quit);
-    rests_since_ = Clock::now();
-    note_driven(ledger_, seconds(rests_since_ - begun));
+    if (plan.size() > 0) plan.rumble(0);
+    // Interrupted while it waits it drives nothing.
+    const bool begins = wait_until(begins_at_ - kMadeReady, quit);
+    begin_notes(play);
+    if (begins && plan.size() > 0) {
+        note_rest(ledger_, seconds(Clock::now() - rests_since_));
+        if (!send_frames(play, plan, quit)) rests_since_ = Clock::now();
+        note_driven(ledger_, seconds(rests_since_ - begins_at_));
+    }
+    tell_end();
     end_in_silence(quit);
+}
+
+void HidDevice::begin_notes(const Play& play) {
+    const std::lock_guard lock(mutex_);
+    duration_s_ = 0.0;
+    status_.clipped = largest(play.drive) * level_ > 1.0;
+    status_.is_warm = false;
+    statistics_ = {};
+    late_s_.clear();
+}
+
+// Nobody has to be told of what was stopped.
+void HidDevice::tell_end() {
+    const std::lock_guard lock(mutex_);
+    tells_end_ = next_ && next_->rest_s && !stop_;
+    if (tells_end_) duration_s_ = 0.0;
+    status_.playing = next_.has_value();
 }
 
 // The level as it is now, as far as this drive may be played.
@@ -224,7 +260,8 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
     };
     const double on_end_s = kept_s(pass.duration_s, play.loop, most_s());
     plan.rumble(0);
-    pass.begin = std::max(Clock::now() + std::chrono::milliseconds(5), soonest());
+    pass.begin = std::max({Clock::now() + std::chrono::milliseconds(5), soonest(), begins_at_});
+    begins_at_ = pass.begin;
     {
         const std::lock_guard lock(mutex_);
         begun_at_ = pass.begin;
@@ -260,6 +297,7 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         if (!send_if_due(plan, k % plan.size())) return false;
     }
     if (!wait_until(end(), quit)) return false;
+    rests_since_ = end();
     const double asked_s = kept_s(pass.duration_s, play.loop, plan.drive().longest_s);
     const std::lock_guard lock(mutex_);
     status_.is_warm = seconds(Clock::now() - begun) < asked_s - hop_s;
@@ -286,7 +324,7 @@ HidDevice::Clock::time_point HidDevice::soonest() const {
 // False when there is something else to do.
 bool HidDevice::wait_until(Clock::time_point moment, const std::stop_token& quit) {
     std::unique_lock lock(mutex_);
-    const auto interrupted = [this] { return stop_ || next_.has_value(); };
+    const auto interrupted = [this] { return is_interrupted(); };
     if (changed_.wait_until(lock, quit, moment, interrupted)) return false;
     return !quit.stop_requested();
 }
@@ -340,11 +378,24 @@ bool HidDevice::write(const RumbleFrame& frame) {
     return taken;
 }
 
+// Whether what is to be played next ends this one as well: at once, or as its moment comes.
+bool HidDevice::leaves_room(int neutral) {
+    const std::lock_guard lock(mutex_);
+    if (!next_ || !next_->rest_s) return next_ && neutral > 0;
+    const auto period = nanoseconds(packet_period_s(actuator_));
+    return std::max(soonest(), Clock::now()) + period > after_rest(*next_->rest_s);
+}
+
+HidDevice::Clock::time_point HidDevice::after_rest(double rest_s) const {
+    return rests_since_ + nanoseconds(std::min(rest_s, kLongestCountedS));
+}
+
 // Also when the program ends: hence no waiting by a condition that is true already.
 void HidDevice::end_in_silence(const std::stop_token& quit) {
     const Clock::time_point since = Clock::now();
     int refused = 0;
     for (int k = 0; port_ && k < kNeutralPackets;) {
+        if (!quit.stop_requested() && leaves_room(k + refused)) return;
         const bool taken = write(RumbleFrame{});
         last_sent_ = encode_(RumbleFrame{}, 0);
         if (taken) {
@@ -356,8 +407,6 @@ void HidDevice::end_in_silence(const std::stop_token& quit) {
         const std::lock_guard lock(mutex_);
         statistics_.sent += taken ? 1 : 0;
         status_.playing = next_.has_value();
-        // What is to be played next ends this one as well.
-        if (next_ && !quit.stop_requested()) return;
     }
     if (port_) owes_rest_ = false;
 }

@@ -73,6 +73,9 @@ class HidDevice final : public Device {
 
     // Does not wait for the controller: what happens then is in the status.
     Expected<Done> play(const Drive& drive, bool loop) override;
+    // Its first packet goes out at that moment, where a period has passed by then: the neutral ones
+    // before it leave the room.
+    Expected<Done> play_after(const Drive& drive, double rest_s) override;
     // Heard with the next packet: between two of them a controller has no steps of its own.
     void change(const Drive& drive) override;
     void set_level(double level) override;
@@ -87,6 +90,7 @@ class HidDevice final : public Device {
     struct Play {
         Drive drive;
         bool loop = false;
+        std::optional<double> rest_s{};  // after the end of the one before it, which it waits for
     };
 
     // One time through a drive: frame k of it is k hops after its beginning.
@@ -96,6 +100,8 @@ class HidDevice final : public Device {
         std::size_t frame = 0;  // to be sent next
     };
 
+    Expected<Done> ask(Play play);
+    bool is_interrupted() const;
     void run(const std::stop_token& quit);
     std::optional<Play> next_play(const std::stop_token& quit);
     void take_change(Pass& pass, RumblePlan& plan);
@@ -106,6 +112,10 @@ class HidDevice final : public Device {
     bool send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit);
     static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
     Clock::time_point soonest() const;
+    Clock::time_point after_rest(double rest_s) const;
+    bool leaves_room(int neutral);
+    void begin_notes(const Play& play);
+    void tell_end();
     bool wait_until(Clock::time_point moment, const std::stop_token& quit);
     void note_lateness(Clock::time_point deadline);
     bool send_if_due(RumblePlan& plan, std::size_t k);
@@ -134,12 +144,15 @@ class HidDevice final : public Device {
     std::uint64_t halts_ = 0;         // of the program, at the beginning of the play
     Ledger ledger_;                   // of all plays until ...
     Clock::time_point rests_since_;   // ... the end of the last one
+    Clock::time_point begins_at_;     // what is about to be played, at the soonest
 
     mutable std::mutex mutex_;  // guards all of these
     std::condition_variable_any changed_;
     std::optional<Play> next_;
+    std::optional<Play> behind_;   // ... and after that, where it still waits itself
     std::optional<Drive> change_;  // what plays, if that is a loop
     bool stop_ = false;
+    bool tells_end_ = false;  // by the next status, as another one waits already
     double level_ = 1.0;
     DeviceStatus status_;
     Clock::time_point begun_at_;

@@ -8,6 +8,7 @@ void HidDevice::fail(const std::string& why) {
     const bool there = door_.may_be_opened(actuator_).operator bool();
     const std::lock_guard lock(mutex_);
     next_.reset();
+    behind_.reset();
     status_.connected = there;
     status_.playing = false;
     status_.trouble = why;

@@ -11,6 +11,8 @@
 //     capture middle RAW CHANNELS CHANNEL DURATION HZ:AMPLITUDE...   the same, 0.3 s from its ends
 //     capture gap RAW CHANNELS CHANNEL          prints the longest silence within, in whole ms
 //     capture peaks RAW CHANNELS CHANNEL        prints the largest sample of it, and of all others
+//     capture onsets RAW CHANNELS CHANNEL       what sounds, apart by 100 ms of silence at least:
+//         a line each: when half of its own peak is passed first, how long it lasts, in ms, peak
 //     capture signal NUMBER PID                 sends it, prints when
 //     capture now                               prints when
 //     capture changes RAW STAMPS CHANNELS CHANNEL HZ SINCE...   a loop of this tone was made
@@ -327,6 +329,29 @@ int peaks(const std::vector<std::string>& words) {
     return 0;
 }
 
+// By a share of each one's own peak: it does not hang on how strong it is.
+int onsets(const std::vector<std::string>& words) {
+    const auto channels = static_cast<std::size_t>(std::stoi(words[1]));
+    const auto channel = static_cast<std::size_t>(std::stoi(words[2])) - 1;
+    const std::vector<double> one = channel_of(samples_in(words[0]), channels, channel);
+    const auto is_loud = [](double sample) { return std::abs(sample) > 100.0 * kHeard; };
+    const auto rest = static_cast<std::ptrdiff_t>(0.1 * kRateHz);
+    auto from = std::find_if(one.begin(), one.end(), is_loud);
+    while (from != one.end()) {
+        auto to = from;
+        auto next = from;
+        for (; next != one.end() && next - to < rest; ++next) to = is_loud(*next) ? next : to;
+        double peak = 0.0;
+        for (auto at = from; at != next; ++at) peak = std::max(peak, std::abs(*at));
+        const auto half =
+            std::find_if(from, next, [&](double x) { return std::abs(x) > 0.5 * peak; });
+        std::printf("%.3f %.0f %.5f\n", 1e3 * static_cast<double>(half - one.begin()) / kRateHz,
+                    1e3 * static_cast<double>(to - from) / kRateHz, peak);
+        from = std::find_if(next, one.end(), is_loud);
+    }
+    return 0;
+}
+
 int send_signal(const std::vector<std::string>& words) {
     std::printf("%.6f\n", monotonic_s());
     return kill(std::stoi(words[1]), std::stoi(words[0])) == 0 ? 0 : 1;
@@ -349,6 +374,7 @@ int main(int argc, char** argv) {
     if (what == "middle" && rest.size() >= 5) return lines(rest, 14'400);
     if (what == "gap" && rest.size() == 3) return gap(rest);
     if (what == "peaks" && rest.size() == 3) return peaks(rest);
+    if (what == "onsets" && rest.size() == 3) return onsets(rest);
     if (what == "signal" && rest.size() == 2) return send_signal(rest);
     if (what == "now" && rest.empty()) return tell_now();
     if (what == "changes" && rest.size() >= 6) return heard_changes(rest);

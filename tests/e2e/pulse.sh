@@ -22,7 +22,7 @@ start_server() {
 start_capture() {
     : >"$scratch/stamps"
     parec -d "${source:-haptic.monitor}" --format=float32le --rate=48000 --channels=4 --channel-map=$map \
-        --no-remix --raw --latency-msec=5 > >("$capture" read 4 "$scratch/raw" "$scratch/stamps") &
+        --no-remix --raw --latency-msec="${capture_ms:-5}" > >("$capture" read 4 "$scratch/raw" "$scratch/stamps") &
     recorder=$!
     children+=("$recorder")
     until_true "something is recorded" test -s "$scratch/stamps"

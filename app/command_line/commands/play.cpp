@@ -165,8 +165,8 @@ nlohmann::json report_of(const Prepared& pattern, const DeviceStatus& status) {
         {"dropouts", status.dropouts}};
 }
 
-// One after the other. A device that can keeps the time between them to the sample: it has to have
-// the next one before the end of the one that plays.
+// One after the other. The device keeps the time between them to the sample: it has to have the
+// next one before the end of the one that plays.
 Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
                                       const std::function<Prepared(std::size_t)>& prepare,
                                       const PlayCommand& command, std::stop_token stop) {
@@ -184,7 +184,10 @@ Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
         }
         const bool is_last = k + 1 == count;
         if (!is_last) next = prepare(k + 1);
-        waits = !is_last && !command.loop && device.play_after(next.drive, command.gap_s);
+        waits = !is_last && !command.loop;
+        if (const auto asked = waits ? device.play_after(next.drive, command.gap_s) : Done{};
+            !asked)
+            return asked.error();
         const auto status = felt(device, stop);
         if (!status) return status.error();
         say(pattern.name, *status);

@@ -32,9 +32,9 @@ struct QueueingDevice final : Device {
         ++begun;
         return Done{};
     }
-    bool play_after(const Drive& /*drive*/, double rest_s) override {
+    Expected<Done> play_after(const Drive& /*drive*/, double rest_s) override {
         rests_s.push_back(rest_s);
-        return true;
+        return Done{};
     }
     void change(const Drive& /*drive*/) override {}
     void set_level(double /*level*/) override {}

@@ -31,6 +31,9 @@ struct PulledDevice final : Device {
         ++begun;
         return Done{};
     }
+    Expected<Done> play_after(const Drive& drive, double /*rest_s*/) override {
+        return play(drive, false);
+    }
     void change(const Drive& /*drive*/) override {}
     void set_level(double /*level*/) override {}
     void stop() override { plays = false; }

@@ -35,6 +35,7 @@ struct Person {
     double now_s = 100.0;
     std::string file;
     std::vector<std::size_t> felt;
+    std::vector<double> rests_s;  // before each of them
     bool has_left = false;
     bool is_disk_full = false;
 
@@ -45,6 +46,7 @@ struct Person {
         StudyStep step = stepped(run, {what, index, value, {}, "then"}, now_s);
         run = std::move(step.run);
         if (step.deeds.play) felt.push_back(*step.deeds.play);
+        if (step.deeds.play) rests_s.push_back(step.deeds.rest_s);
         has_left = has_left || step.deeds.left;
         std::optional<std::string> line = step.deeds.line;
         if (step.deeds.begin_file) line = header_line(run.record.header);
@@ -113,11 +115,12 @@ TEST_CASE("study runner: every pattern must be felt in the training, with a rest
     person.act(What::play, 2);
     person.act(What::play, 1);  // too early
     person.wait(kDurationS + 0.5);
-    person.act(What::play, 1);  // still in the rest
-    CHECK(person.felt.size() == 1);
-    person.wait(0.5);
-    person.act(What::play, 1);
+    person.act(What::play, 1);  // in the rest, for its end
     CHECK(person.felt.size() == 2);
+    CHECK(person.rests_s == std::vector<double>{0.0, 1.0});
+    CHECK(person.run.playing_until_s - person.now_s == doctest::Approx(0.5 + kDurationS));
+    person.wait(0.5 + kDurationS - 0.01);
+    CHECK(person.run.playing);
     person.wait(2.0);
     CHECK_FALSE(may_go_on(person.run, person.now_s));
     person.act(What::go_on);
@@ -140,7 +143,7 @@ TEST_CASE("study runner: the slider opens when both were felt to the end") {
     person.wait(kDurationS);
     CHECK(may_rate(person.run, person.now_s));
     CHECK_FALSE(may_go_on(person.run, person.now_s));  // the slider was not moved yet
-    CHECK_FALSE(may_play(person.run, person.now_s));   // the gap
+    CHECK(may_play(person.run, person.now_s));         // it waits for the end of the gap
     person.act(What::rate, 0, 140.0);
     CHECK(person.run.similarity == 100.0);
     person.wait(1.0);
@@ -393,8 +396,13 @@ TEST_CASE("study runner: what its device still plays is not over when its time i
     person.wait(0.2);
     CHECK(person.run.given.plays_left == 1);
     // The gap begins then.
+    const double gap_s = person.run.record.header.design.gap_s;
+    CHECK(person.run.quiet_until_s - person.now_s == doctest::Approx(gap_s - 0.1));
+    // Stopped, nothing but the clock keeps the gap.
+    person.act(What::play, 1);
+    person.act(What::cut_short);
     CHECK_FALSE(may_play(person.run, person.now_s));
-    CHECK(may_play(person.run, person.now_s + person.run.record.header.design.gap_s));
+    CHECK(may_play(person.run, person.now_s + gap_s));
 }
 
 TEST_CASE("study runner: training is over when each was felt whole") {

@@ -177,4 +177,66 @@ TEST_CASE("hid: a motor moves at a tenth of the level, and patterns keep their p
     }
 }
 
+namespace {
+
+// Onsets of three plays in turn, the second and the third asked for as a program does: when the end
+// of the one before them is told, at the latest.
+std::vector<PadClock::time_point> onsets_in_turn(double duration_s, double rest_s) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::dualshock_4, HidBus::usb));
+    REQUIRE(device.play(tone(duration_s), false));
+    REQUIRE(device.play_after(tone(duration_s), rest_s));
+    REQUIRE(ended(device));  // told by one status
+    REQUIRE(device.play_after(tone(duration_s), rest_s));
+    CHECK(device.status().playing);
+    REQUIRE(ended(device));
+    REQUIRE(ended(device));
+    const Sent sent = sent_to(*pad);
+    std::vector<PadClock::time_point> onsets;
+    bool was_still = true;
+    for (std::size_t k = 0; k < sent.packets.size(); ++k) {
+        const bool is_still = sent.packets[k][4] == 0 && sent.packets[k][5] == 0;
+        if (was_still && !is_still) onsets.push_back(sent.times[k]);
+        was_still = is_still;
+    }
+    return onsets;
+}
+
+}  // namespace
+
+TEST_CASE("hid: plays in turn keep their pauses to 1 ms, whenever the next one is asked for" *
+          doctest::test_suite("long")) {
+    // The thread may be woken late: one good measurement is proof.
+    for (const double rest_s : {0.08, 0.3}) {
+        CAPTURE(rest_s);
+        CHECK(soon([&] {
+            const auto onsets = onsets_in_turn(0.2, rest_s);
+            REQUIRE(onsets.size() == 3);
+            double worst_s = 0.0;
+            for (std::size_t k = 1; k < 3; ++k) {
+                const double since_s =
+                    std::chrono::duration<double>(onsets[k] - onsets[k - 1]).count();
+                worst_s = std::max(worst_s, std::abs(since_s - 0.2 - rest_s));
+            }
+            return worst_s <= 0.001;
+        }));
+    }
+}
+
+TEST_CASE("hid: a stop takes along what waits, and what comes after it is played" *
+          doctest::test_suite("long")) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::dualshock_4, HidBus::usb));
+    REQUIRE(device.play(tone(5.0), false));
+    REQUIRE(device.play_after(tone(5.0), 0.1));
+    REQUIRE(has_sent(*pad, 3));
+    device.stop();
+    REQUIRE(ended(device));
+    const std::size_t sent = sent_to(*pad).packets.size();
+    REQUIRE(device.play_after(tone(0.1), 0.05));
+    CHECK(device.status().playing);
+    REQUIRE(ended(device));
+    CHECK(sent_to(*pad).packets.size() > sent);
+}
+
 }  // namespace hid_pace_test
