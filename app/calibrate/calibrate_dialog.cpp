@@ -187,7 +187,7 @@ void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
     const ResponseAnswer* const answer = current_answer(calibrating);
     if (answer != nullptr && answer->fault.empty()) {
         draw_response_plot(ui, answer->result);
-        for (const std::string& remark : answer->remarks) wrapped_dim(ui, "It was " + remark);
+        for (const std::string& remark : answer->remarks) wrapped_dim(ui, "Read: " + remark + ".");
         draw_doubts(ui, answer->result);
         return;
     }

@@ -8,6 +8,7 @@
 
 #include "app/study/study_actuator.h"
 #include "app/ui/widgets.h"
+#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -126,8 +127,15 @@ void draw_foot(Ui& ui, const StudyState& studying, const Rect& area) {
         warning += (warning.empty() ? "" : " ") + studying.masking_fault;
     }
     if (warning.empty()) return;
-    centred_text(theme.fonts.regular, studying.run->trouble.empty() ? theme.warning : theme.error,
-                 area, area.max.y - 52.0F * theme.scale, warning);
+    // All of it: its end says what to do.
+    const ImU32 ink = studying.run->trouble.empty() ? theme.warning : theme.error;
+    const auto lines = wrapped(theme.fonts.regular, warning, area.width());
+    const float line_px = ImGui::GetTextLineHeightWithSpacing();
+    float y = area.max.y - 52.0F * theme.scale - line_px * static_cast<float>(lines.size() - 1);
+    for (const std::string& line : lines) {
+        centred_text(theme.fonts.regular, ink, area, y, line);
+        y += line_px;
+    }
     note_rect(ui.rects, "study:warning", area.min, area.max, warning);
 }
 
@@ -272,6 +280,7 @@ void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     ImGui::SetCursorScreenPos({corner.x, corner.y + title});
     ImGui::PushTextWrapPos(edge + width);
     ImGui::TextUnformatted(words.text.c_str());
+    note_item(ui.rects, "study:text", shown_text(words.text));
     ImGui::PopTextWrapPos();
     const ImVec2 below{corner.x, corner.y + title + text};
     ImGui::SetCursorScreenPos(below);

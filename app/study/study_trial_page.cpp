@@ -190,7 +190,9 @@ void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, Study
     // Smaller where the window is too low for it.
     const float s = std::min(theme.scale, area.height() / kTrialPx);
     const float head = top_of(area, kTrialPx * s);
-    centred_text(theme.fonts.large, theme.text, area, head, waiting_text(run, ui.time_s));
+    const std::string task = waiting_text(run, ui.time_s);
+    centred_text(theme.fonts.large, theme.text, area, head, task);
+    note_rect(ui.rects, "study:task", area.min, area.max, task);
     const float side = std::min(kFeelPx * s, 0.3F * area.width());
     const float gap = 0.4F * side;
     const float top = head + 64.0F * s;

@@ -9,6 +9,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
+#include "viz/drawing/imgui_versions.h"
 
 namespace tact {
 

@@ -130,7 +130,9 @@ void draw_view(App& app, PictureView view) {
         case PictureView::matrix:
             return draw_pane(
                 app.ui, app.layout, Pane::matrix, area,
-                {"Matrix", quantity_name(app.shown_map.quantity), {rendered_words(app.rendered)}},
+                {"Matrix",
+                 app.work.document.set.name + "   " + quantity_name(app.shown_map.quantity),
+                 {rendered_words(app.rendered)}},
                 [&app] { draw_matrix_panel(app.ui, app.work, app.shown_map); });
         case PictureView::table:
             return draw_bench_picture(app, BenchTab::candidates, area);

@@ -41,8 +41,11 @@ std::uint64_t AudioStream::ask() {
 std::uint64_t AudioStream::ask_after() {
     const std::lock_guard lock(mutex_);
     const bool is_over = plays_.empty() || has_told_end_ || plays_.front().serial <= stopped_;
-    if (is_over) trouble_.clear();
-    if (is_over) plays_.clear();
+    if (is_over) {
+        trouble_.clear();
+        halts_ = halts();
+        plays_.clear();
+    }
     has_told_end_ = false;
     plays_.push_back({++asked_});
     return plays_.back().serial;

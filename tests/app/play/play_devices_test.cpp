@@ -65,6 +65,7 @@ TEST_CASE("playing: how each device was used is remembered, in the session too")
     choose_device(app.ui, app.timeline, app.play, {"audio/JACK/system", 3, 0, 0.0});
     CHECK(remembered_choice(app.play, "audio/ALSA/pulse") == pulse);
     app.play.full_scale_g = 2.5;
+    app.play.whole_buffer_s = 0.3;
     keep_devices(app.work, app.play);
     App next = make_app();
     next.work.session = app.work.session;
@@ -73,6 +74,7 @@ TEST_CASE("playing: how each device was used is remembered, in the session too")
     CHECK(next.play.choice.channel == 3);
     CHECK(remembered_choice(next.play, "audio/ALSA/pulse") == pulse);
     CHECK(next.play.full_scale_g == 2.5);
+    CHECK(next.play.whole_buffer_s == 0.3);
     CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
 }
 
@@ -126,6 +128,33 @@ TEST_CASE("playing: with another calibration, or none, a level begins at 10 % ag
         choose_device(program.app.ui, program.app.timeline, play, choice);
         CHECK(play.level == kFirstLevel);
     }
+}
+
+TEST_CASE("playing: full scale for another acceleration is another level, and begins at 10 %") {
+    FeltProgram program;
+    program.app.play.level = 0.8;
+    program.app.ui.dialog = Dialog::devices;
+    program.settle();
+    program.click("entry:full_scale_g");
+    program.type("0.2");
+    program.press_key(key::kEnter);
+    CHECK(program.app.play.full_scale_g == doctest::Approx(0.2));
+    CHECK(program.app.play.level == kFirstLevel);
+    CHECK(program.app.ui.status.text == "The level starts at 10 % again.");
+}
+
+TEST_CASE("playing: the palette finds the level, and puts the keys there") {
+    FeltProgram program;
+    program.press('p', true);
+    program.settle();
+    program.type("level");
+    REQUIRE(program.shows("palette:Level..."));
+    program.click("palette:Level...");
+    program.settle();
+    REQUIRE(program.shows("typed"));
+    program.type("25");
+    program.press_key(key::kEnter);
+    CHECK(program.app.play.level == doctest::Approx(0.25));
 }
 
 TEST_CASE("playing: a name that leads to another output now is another device, at a low level") {

@@ -42,6 +42,7 @@ struct PulledDevice final : Device {
         return {.name = "coil",
                 .connected = !is_gone,
                 .playing = plays,
+                .position_s = plays ? 0.1 : 0.0,
                 .trouble = is_gone ? kGone : ""};
     }
 };
@@ -233,6 +234,41 @@ TEST_CASE("pulled: in the very frame in which it goes, an edit and a swap of A|B
         CHECK_FALSE(is_sounding(program.app.play));
         CHECK(program.app.ui.status.text == kGone);
     }
+}
+
+TEST_CASE("pulled: the level starts at 10 % again, said; the complaint goes with what is felt") {
+    Pulled program;
+    PlayState& play = program.app.play;
+    const StatusLine& line = program.app.ui.status;
+    play.level = 0.9;
+    program.space();
+    program.coil->is_gone = true;
+    program.settle();
+    CHECK(play.level == kFirstLevel);
+    CHECK(line.is_error);
+    CHECK(line.text == std::string(kGone) + ". The level starts at 10 % again.");
+    // Back again, it is red until something is felt.
+    program.coil->is_gone = false;
+    program.settle();
+    CHECK(line.is_error);
+    program.space();
+    program.settle();
+    CHECK(program.coil->plays);
+    CHECK(line.text.empty());
+    CHECK(play.level == kFirstLevel);
+}
+
+TEST_CASE("pulled: one that is listed no more, and comes back, is felt softly") {
+    Pulled program;
+    PlayState& play = program.app.play;
+    play.level = 0.9;
+    const auto listed = std::exchange(play.listed, std::make_shared<const Listing>());
+    program.settle();
+    CHECK(play.level == kFirstLevel);
+    CHECK(program.app.ui.status.text == "The level starts at 10 % again.");
+    play.listed = listed;
+    program.settle();
+    CHECK(play.level == kFirstLevel);
 }
 
 }  // namespace pulled_test

@@ -55,6 +55,7 @@ TEST_CASE("session: what is set in one run is there in the next") {
         session.device = "audio/ALSA/pulse";
         session.device_choices = {{"audio/ALSA/pulse", 2, 4, 0.02}, {"audio/JACK/system", 1, 0, 0}};
         session.full_scale_g = 2.5;
+        session.whole_buffer_s = 0.3;
         session.document = "/somewhere/caf\u00e9 \"1\".tactspace.json";
         remember_file(session, "/a.tactspace.json");
         REQUIRE(close_session(session));
@@ -73,6 +74,7 @@ TEST_CASE("session: what is set in one run is there in the next") {
     CHECK(session.device_choices == std::vector<DeviceChoice>{{"audio/ALSA/pulse", 2, 4, 0.02},
                                                               {"audio/JACK/system", 1, 0, 0}});
     CHECK(session.full_scale_g == 2.5);
+    CHECK(session.whole_buffer_s == 0.3);
     CHECK(session.document == "/somewhere/caf\u00e9 \"1\".tactspace.json");
     CHECK(session.recent_files == std::vector<fs::path>{"/a.tactspace.json"});
 }
