@@ -65,13 +65,14 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
         const DeviceInfo& device = (*listed)[k];
         if (device.kind != DeviceKind::audio) continue;
         const bool is_actuator = is_actuators(play, device);
-        const std::string label =
-            device.name + (is_actuator ? " (the actuator's)" : "") + "##" + device.id;
+        const std::string label = device.name + (is_actuator ? " (the actuator's)" : "");
+        ImGui::PushID(device.id.c_str());
         if (ImGui::Selectable(label_of(label).c_str(), device.id == design.headphones,
                               is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
             change_at_once(ui, work, "study: headphones",
                            [id = device.id](StudyDesign& d) { d.headphones = id; });
         }
+        ImGui::PopID();
         note_item(ui.rects, "study headphones:" + device.id, is_actuator ? "the actuator's" : "");
     }
     if (is_open) ImGui::EndCombo();
