@@ -9,9 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/screen/wayland.h"
 #include "devices/device/halt.h"
-
-struct wl_display;
 
 namespace tact {
 
@@ -45,15 +44,13 @@ int display_is_gone(Display* /*display*/) {
                               : "unsaved changes could not be kept: " + fault);
 }
 
-// False without Wayland: a GLFW built for X11 alone has none of these functions.
+// False without Wayland, whose library is not loaded then.
 bool is_compositor_gone() {
     void* const client = ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD);
-    const auto display_of =
-        reinterpret_cast<wl_display* (*)()>(::dlsym(RTLD_DEFAULT, "glfwGetWaylandDisplay"));
-    if (client == nullptr || display_of == nullptr) return false;
+    if (client == nullptr) return false;
     const auto error_of =
         reinterpret_cast<int (*)(wl_display*)>(::dlsym(client, "wl_display_get_error"));
-    wl_display* const display = display_of();
+    wl_display* const display = wayland_display();
     return error_of != nullptr && display != nullptr && error_of(display) != 0;
 }
 

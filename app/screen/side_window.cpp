@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <span>
 
+#include "app/screen/wayland.h"
+
 namespace tact {
 
 namespace {
@@ -33,8 +35,10 @@ ScreenArea area_of(GLFWmonitor* screen) {
     return area;
 }
 
-// One that the middle of the program's window is not on.
+// One that the middle of the program's window is not on. On Wayland no window knows where it is: it
+// could be covered by what is as large as a screen.
 std::optional<ScreenArea> other_screen(GLFWwindow& main) {
+    if (wayland_display() != nullptr) return std::nullopt;
     int x = 0;
     int y = 0;
     glfwGetWindowPos(&main, &x, &y);

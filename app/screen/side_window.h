@@ -3,7 +3,8 @@
 //
 // Input     what is to be in it, as a picture to be drawn for its size; keys pressed in it are the
 //           program's
-// Output    on another screen, where there is one: over the whole of it; else a window of its own
+// Output    on another screen, where there is one: over the whole of it; else, and on Wayland, a
+//           window of its own
 // Left out  the mouse
 #pragma once
 

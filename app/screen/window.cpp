@@ -20,6 +20,7 @@
 #include "app/screen/full_screen.h"
 #include "app/screen/kept_frame.h"
 #include "app/screen/side_window.h"
+#include "app/screen/wayland.h"
 #include "app/screen/window_events.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
@@ -48,7 +49,7 @@ std::string glfw_reason() {
 
 // Whether Wayland may be asked for a display. Without a folder for its sockets its library writes
 // to the terminal what GLFW then says once more.
-[[maybe_unused]] bool has_wayland_folder() {
+bool has_wayland_folder() {
     const auto is_path = [](const char* variable) {
         const char* value = std::getenv(variable);
         return value != nullptr && std::string_view(value).starts_with('/');
@@ -56,10 +57,18 @@ std::string glfw_reason() {
     return is_path("XDG_RUNTIME_DIR") || is_path("WAYLAND_DISPLAY");
 }
 
+// GLFW 3.4 and later: a program that was built with 3.3 may meet it on a newer system.
+bool knows_platforms() {
+    int major = 0;
+    int minor = 0;
+    glfwGetVersion(&major, &minor, nullptr);
+    return major > 3 || (major == 3 && minor >= 4);
+}
+
 bool start_glfw() {
-#ifdef GLFW_PLATFORM_X11  // since GLFW 3.4, which knows both
-    if (!has_wayland_folder()) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
-#endif
+    constexpr int kPlatform = 0x00050003;  // GLFW_PLATFORM and GLFW_PLATFORM_X11 of its header
+    constexpr int kPlatformX11 = 0x00060004;
+    if (knows_platforms() && !has_wayland_folder()) glfwInitHint(kPlatform, kPlatformX11);
     return glfwInit() == GLFW_TRUE;
 }
 
@@ -302,7 +311,8 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     window.title = options.title;
     window.events.maximised = options.maximised;
     glfwMakeContextCurrent(window.glfw);
-    glfwSwapInterval(1);
+    // Wayland asks a window that is covered for no frame: to wait for it would be to hang.
+    glfwSwapInterval(wayland_display() == nullptr ? 1 : 0);
     listen(*window.glfw, window.events);
     make_cursors(window);
     show_icon(window.glfw);

@@ -1,5 +1,4 @@
 #include "app/screen/window_events.h"
-#include "app/screen/display_loss.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
