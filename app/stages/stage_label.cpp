@@ -15,7 +15,11 @@ float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& 
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
     const float icon = line + 8.0F * theme.scale;
-    const float room = area.width() - icon;
+    // Where both do not fit, what it is comes before what is said of it.
+    const float beside = area.width() - icon;
+    const bool has_icon =
+        !ui.as_picture && text_size(theme.fonts.small, text.short_name).x <= beside;
+    const float room = has_icon || ui.as_picture ? beside : area.width();
     const bool wraps = area.height() >= 2.0F * line;
     const bool fits = text_size(theme.fonts.small, text.name).x <= room;
     const std::string name =
@@ -34,7 +38,7 @@ float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& 
     ImGui::PopFont();
 
     const float below = area.min.y + size.y;
-    if (ui.as_picture) {
+    if (!has_icon) {
         ImGui::PopID();
         return below;
     }
