@@ -19,6 +19,8 @@ namespace {
 constexpr double kReachOctaves = 1.0 / 3.0;  // beyond the table that is still trusted
 constexpr double kEdgeOctaves = 1.0 / 6.0;   // of it, until nothing is sent
 constexpr double kLargestBoost = 10.0;       // over the strongest point: 20 dB
+constexpr double kEndRampS = 0.005;          // of a pattern that does not end at rest ...
+constexpr double kRestShare = 0.02;          // ... of its peak
 
 double octaves_outside(const Calibration& calibration, double frequency_hz) {
     const double below = std::log2(calibration.points.front().frequency_hz / frequency_hz);
@@ -136,6 +138,44 @@ double excursion_of_loop_mm(const Drive& drive, const Calibration& calibration) 
             response_g(calibration, f_hz).value_or(0.0) * displaced_mm_per_g(f_hz, lowest_hz);
     }
     return largest_of(samples_of(half, drive.samples.size()));
+}
+
+// Below the reach of a table an actuator is taken to be as strong as at its end: nothing is sent
+// there but what a sudden end or start spreads.
+double pushed_g(const Calibration& calibration, double f_hz, double reach_hz) {
+    return interpolated_g(calibration, std::max(f_hz, reach_hz));
+}
+
+Travel travel_by(const Drive& drive, const Calibration& calibration, bool loop) {
+    const double reach_hz = calibration.points.front().frequency_hz * std::exp2(-kReachOctaves);
+    const auto made = [&](std::span<const double> acceleration_g) {
+        return travel_of(acceleration_g, drive.rate_hz, reach_hz, calibration.excursion_limit_mm,
+                         loop);
+    };
+    if (!loop || drive.samples.empty()) {
+        return made(zero_phase_filtered(drive.samples, drive.rate_hz, [&](double f_hz) {
+            return pushed_g(calibration, f_hz, reach_hz);
+        }));
+    }
+    std::vector<std::complex<double>> half = half_spectrum(drive.samples);
+    const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        half[k] *= pushed_g(calibration, static_cast<double>(k) / length_s, reach_hz);
+    }
+    return made(samples_of(half, drive.samples.size()));
+}
+
+// An end that is not at rest would be a blow: where the next sample would be, by the last two.
+void soften_end(std::vector<double>& samples, double rate_hz) {
+    const std::size_t count = samples.size();
+    if (count < 2) return;
+    const double next = 2.0 * samples[count - 1] - samples[count - 2];
+    if (std::abs(next) <= kRestShare * largest_of(samples)) return;
+    const std::size_t fall = std::min(sample_count(kEndRampS, rate_hz), count / 2);
+    for (std::size_t n = 0; n < fall; ++n) {
+        const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(fall);
+        samples[count - 1 - n] *= 0.5 - 0.5 * std::cos(std::numbers::pi * share);
+    }
 }
 
 // What of the energy meant the actuator will not give.
@@ -270,6 +310,7 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
             if (passed == 0.0) return 0.0;
             return passed / std::max(interpolated_g(calibration, f_hz), floor_g);
         });
+    if (!loop) soften_end(driven.drive.samples, waveform.rate_hz);
     driven.peak = largest_of(driven.drive.samples);
     driven.excursion_mm = excursion_of_pass_mm(driven.drive, calibration);
     // A single pass, too, is as strong however soon the next one comes.
@@ -277,6 +318,10 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
     if (loop) {
         driven.excursion_mm =
             std::max(driven.excursion_mm, excursion_of_loop_mm(driven.drive, calibration));
+    }
+    if (calibration.excursion_limit_mm > 0.0) {
+        driven.drive.travel = travel_by(driven.drive, calibration, loop);
+        driven.excursion_mm = std::max(driven.excursion_mm, most_travel_mm(driven.drive.travel));
     }
     // A limit of rms is one of heat; without it nobody knows how warm the actuator gets.
     driven.drive.longest_s = longest_s.value_or(

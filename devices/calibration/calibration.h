@@ -3,7 +3,8 @@
 // Between measured frequencies log S is linear in log f. The drive of a waveform is the waveform
 // divided by the response, frequency by frequency, without delay:
 //     H(f) = 1 / max(S(f), S_max / 10)        (20 dB of boost at most: more would tear at the coil)
-// and 0 beyond a third of an octave outside the table, with a soft edge on the way there.
+// and 0 beyond a third of an octave outside the table, with a soft edge on the way there. A drive
+// that is no loop and would end above 2 % of its peak ends in a ramp of 5 ms.
 //
 // Source    linear interpolation of log-log responses and regularised inversion are common
 // practice;
@@ -68,10 +69,11 @@ std::optional<double> response_g(const Calibration& calibration, double frequenc
 // that: a pattern that is bent would be another.
 struct CalibratedDrive {
     Drive drive;
-    double peak = 0.0;           // of full scale; above 1 it would be cut
-    double excursion_mm = 0.0;   // peak, down to the slowest that the table reaches
-    double rms = 0.0;            // of the loudest second of its repetition, looped or not: plays
-                                 // in turn may follow at once
+    double peak = 0.0;          // of full scale; above 1 it would be cut
+    double excursion_mm = 0.0;  // peak, down to the slowest that the table reaches; with a limit of
+                                // it also from rest, and stopped at any moment
+    double rms = 0.0;           // of the loudest second of its repetition, looped or not: plays
+                                // in turn may follow at once
     double over_measured = 0.0;  // peak, each frequency as a share of the largest drive measured
                                  // there; 0: measured up to full scale
     double share_lost = 0.0;     // of the energy meant: outside the table, or boosted too little

@@ -78,6 +78,8 @@ Clip clip_of(const Drive& drive, double rate_hz, bool loop) {
     clip.longest_frames = frames_in(drive.longest_s, rate_hz);
     clip.rms_limit = drive.rms_limit;
     clip.rest_after_s = drive.rest_after_s;
+    clip.travel = drive.travel;
+    clip.travel_from_s = loop ? 0.0 : kClipMarginS;
     if (drive.samples.empty()) return clip;
     // A loop is cut back to its own length; the margin lets the filter see the seam from both
     // sides.

@@ -30,6 +30,8 @@ struct Clip {
     Load load{};
     double rms_limit = 0.0;  // over any second, what came before it too; 0: not known
     double rest_after_s = std::numeric_limits<double>::infinity();
+    Travel travel{};
+    double travel_from_s = 0.0;  // in the clip, where that begins
 };
 
 // The filter's ringing before a sudden start and after a sudden end belongs to the signal: without

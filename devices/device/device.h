@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/device/travel.h"
 #include "model/common/expected.h"
 #include "model/common/units.h"
 
@@ -26,6 +27,7 @@ struct Drive {
     double rest_after_s = std::numeric_limits<double>::infinity();
     double lead_s = 0.0;  // in it before what is meant begins ...
     double tail_s = 0.0;  // ... and after it
+    Travel travel{};      // how far it moves the actuator, where a limit of that is known
 
     bool operator==(const Drive&) const = default;
 };

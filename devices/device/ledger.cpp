@@ -48,10 +48,10 @@ std::string words_on_held(double kept, bool is_warm) {
                "rest as long";
     }
     if (kept >= 1.0) return {};
-    char text[160];
+    char text[200];
     std::snprintf(text, sizeof text,
                   "was held back to %.0f %% of its level: with what was played just before, the "
-                  "actuator would have got more in one second than it may",
+                  "actuator would have got more in one second, or moved farther, than it may",
                   std::floor(100.0 * kept));
     return text;
 }
@@ -72,10 +72,22 @@ bool note(Ledger& ledger, double sample, double duration_s, bool is_driven) {
     return true;
 }
 
+void note_motion(Ledger& ledger, double duration_s, const Stretch& drive, const Stretch& under) {
+    ledger.motion = at_rest_after(ledger.motion, ledger.f0_hz, duration_s);
+    for (const Stretch* each : {&under, &drive}) {
+        if (each->travel == nullptr || each->travel->motions.empty()) continue;
+        const Motion more = driven_by(*each->travel, each->from_s, each->to_s, each->level);
+        ledger.motion.x_mm += more.x_mm;
+        ledger.motion.v_mm_s += more.v_mm_s;
+        ledger.f0_hz = each->travel->f0_hz;
+    }
+}
+
 void note_driven(Ledger& ledger, double driven_s) { ledger.driven_s += std::max(0.0, driven_s); }
 
 void note_rest(Ledger& ledger, double rest_s) {
     ledger.driven_s = std::max(0.0, ledger.driven_s - std::max(0.0, rest_s));
+    ledger.motion = at_rest_after(ledger.motion, ledger.f0_hz, rest_s);
     const double blocks = std::ceil(std::clamp(rest_s, 0.0, 1.0) / kLedgerBlockS - 1e-6);
     // A block more or less: what was given counts as less long ago rather than longer.
     for (double block = 1.0; block < blocks; block += 1.0) {

@@ -3,6 +3,8 @@
 //
 //     rms    over any second, of the drive as it left: what is to come is turned down until what
 //            lies less than a second back leaves room for it
+//     travel where a limit of it is known: what still moves from plays before adds up with what is
+//            to come, which is turned down until both together stay within it (travel.h)
 //     heat   where no limit is known: seconds of driving, less one for each second of rest. That is
 //            a time constant of the drive's own limit, kLongestOnEndS (devices/device/protection.h)
 //            unless a person says more. When it is used up, a play ends.
@@ -10,8 +12,8 @@
 // Source    choices of ours
 // Input     samples of -1..1, as they leave; what they are at level 1 of what is to come (Load)
 // Exact     but for what lies within one block of 2 ms, which counts as spread evenly over it
-// Left out  excursion, which does not add up from play to play: each drive's largest level holds
-//           it; what a program that ran before gave the actuator.
+// Left out  what a program that ran before gave the actuator. Controllers have no limits of rms and
+//           travel: no calibration is of one.
 #pragma once
 
 #include <array>
@@ -20,6 +22,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+#include "devices/device/travel.h"
 
 namespace tact {
 
@@ -33,6 +37,8 @@ struct Ledger {
     double square_s = 0.0;                          // of the block that is under way ...
     double filled_s = 0.0;                          // ... and how long that is
     double driven_s = 0.0;                          // on end, less the rests since
+    Motion motion{};                                // now, of all that was given
+    double f0_hz = 0.0;                             // ... by the newest travel known
 
     bool operator==(const Ledger&) const = default;
 };
@@ -51,6 +57,15 @@ std::string words_on_held(double kept, bool is_warm);
 
 // One sample has left. True: a block is complete.
 bool note(Ledger& ledger, double sample, double duration_s, bool is_driven);
+
+// So much of the drives that play, from one moment to another, at their mean levels meanwhile.
+struct Stretch {
+    const Travel* travel = nullptr;
+    double from_s = 0.0;
+    double to_s = 0.0;
+    double level = 0.0;
+};
+void note_motion(Ledger& ledger, double duration_s, const Stretch& drive, const Stretch& under);
 
 // `driven_s` of a drive whose samples nobody counts, or a rest.
 void note_driven(Ledger& ledger, double driven_s);

@@ -62,8 +62,29 @@ float kept(float sample, float ceiling) {
     return std::isfinite(sample) ? std::clamp(sample, -ceiling, ceiling) : 0.0F;
 }
 
+Stretch stretch_of(const Clip* clip, std::size_t at, double levels, const Playback& playback) {
+    if (clip == nullptr || clip->travel.motions.empty()) return {};
+    const double rate_hz = playback.layout.rate_hz;
+    const auto frames = static_cast<double>(playback.own.unsettled);
+    const double to_s = static_cast<double>(at) / rate_hz - clip->travel_from_s;
+    return {&clip->travel, to_s - frames / rate_hz, to_s, levels / frames};
+}
+
+// Before what plays becomes something else, and with each block of the ledger.
+void settle_motion(Playback& playback) {
+    Playback::Own& own = playback.own;
+    if (own.unsettled == 0) return;
+    note_motion(playback.ledger, static_cast<double>(own.unsettled) / playback.layout.rate_hz,
+                stretch_of(own.has_ended ? nullptr : own.clip, own.at, own.levels, playback),
+                stretch_of(own.under, own.under_at, own.under_levels, playback));
+    own.unsettled = 0;
+    own.levels = 0.0;
+    own.under_levels = 0.0;
+}
+
 void end_clip(Playback& playback) {
     Playback::Own& own = playback.own;
+    settle_motion(playback);
     own.has_ended = true;
     own.under = nullptr;
     own.ended_at = own.frames + 1;
@@ -78,16 +99,21 @@ void end_clip(Playback& playback) {
 // itself is left.
 void ask_ledger(Playback& playback) {
     Playback::Own& own = playback.own;
+    const Clip& clip = *own.clip;
     const double rate_hz = playback.layout.rate_hz;
-    const bool is_alone = static_cast<double>(own.fresh_frames) >= rate_hz;
-    own.allowed = is_alone ? 1.0F
-                           : static_cast<float>(allowed_level(playback.ledger, own.clip->load,
-                                                              static_cast<double>(own.at) / rate_hz,
-                                                              own.clip->loop, own.clip->rms_limit));
+    own.allowed = 1.0F;
+    if (static_cast<double>(own.fresh_frames) >= rate_hz) return;
+    const double at_s = static_cast<double>(own.at) / rate_hz;
+    const double by_rms =
+        allowed_level(playback.ledger, clip.load, at_s, clip.loop, clip.rms_limit);
+    const double by_travel =
+        level_within_travel(playback.ledger.motion, clip.travel, at_s - clip.travel_from_s);
+    own.allowed = static_cast<float>(std::min(by_rms, by_travel));
 }
 
 void begin_clip(Playback& playback, const Clip* clip) {
     Playback::Own& own = playback.own;
+    settle_motion(playback);
     // The end of the one before that this one did not wait for.
     own.under = clip != nullptr && clip->waits && own.leaves_end ? own.clip : nullptr;
     own.under_gain = own.gain;
@@ -147,6 +173,7 @@ bool may_change(const Playback& playback, const Clip* wanted) {
 // From the same time within it; a shorter loop is as far as it would be had it always played.
 void begin_change(Playback& playback, const Clip* wanted) {
     Playback::Own& own = playback.own;
+    settle_motion(playback);
     own.under = std::exchange(own.clip, wanted);
     own.is_end = false;
     own.under_at = own.at;
@@ -160,14 +187,19 @@ void begin_change(Playback& playback, const Clip* wanted) {
 // Of the clip, and of what fades under it.
 float mixed_sample(Playback::Own& own, float cross_step) {
     const float sample = own.clip->samples[own.at] * own.gain;
+    ++own.unsettled;
+    if (own.under == nullptr || own.is_end) own.levels += static_cast<double>(own.gain * own.fade);
     if (own.under == nullptr) return sample;
     if (own.is_end) {
+        own.under_levels += static_cast<double>(own.under_gain * own.fade);
         const float end = own.under->samples[own.under_at] * own.under_gain;
         if (++own.under_at >= own.under->samples.size()) own.under = nullptr;
         return sample + end;
     }
     const float t = own.crossed;
     const float share = t * t * (3.0F - 2.0F * t);
+    own.levels += static_cast<double>(share * own.gain * own.fade);
+    own.under_levels += static_cast<double>((1.0F - share) * own.under_gain * own.fade);
     const float before = own.under->samples[own.under_at] * own.under_gain;
     own.under_at = own.under_at + 1 < own.under->samples.size() ? own.under_at + 1 : 0;
     own.crossed += cross_step;
@@ -179,7 +211,10 @@ float mixed_sample(Playback::Own& own, float cross_step) {
 // Of one that ends by itself the last `spare` frames are left out.
 float next_sample(Playback& playback, bool leaving, const Steps& steps, std::size_t spare) {
     Playback::Own& own = playback.own;
-    if (own.has_ended) return 0.0F;
+    if (own.has_ended) {
+        ++own.unsettled;
+        return 0.0F;
+    }
     const float sample = mixed_sample(own, steps.cross) * own.fade;
     const bool is_over = own.clip_frames >= own.clip->longest_frames;
     const bool is_warm = playback.ledger.driven_s > own.clip->rest_after_s + kWarmSlackS;
@@ -193,9 +228,9 @@ float next_sample(Playback& playback, bool leaving, const Steps& steps, std::siz
     if (++own.at + last >= own.clip->samples.size()) {
         own.leaves_end = own.at < own.clip->samples.size();
         own.under_at = own.leaves_end ? own.at : own.under_at;
-        own.at = 0;
         notes_of(playback, own.clip->serial).rounds.fetch_add(1, std::memory_order_relaxed);
         if (!own.clip->loop) end_clip(playback);
+        own.at = 0;
     }
     if (!own.has_ended && own.fade <= 0.0F) end_clip(playback);
     return sample;
@@ -234,12 +269,13 @@ std::size_t spare_frames(const Playback& playback, const Clip* wanted) {
     return static_cast<std::size_t>(std::max<std::int64_t>(0, -wanted->rest_frames));
 }
 
-// True: the stream has to be cut now. Where the fade is heard in time none needs to be.
+// True: what is on its way has to go now. Where the fade is heard in time it need not.
 bool answers_cut(Playback& playback) {
     if (playback.cut.load(std::memory_order_acquire) != Cut::asked) return false;
     const bool cuts = playback.layout.latency_s > kLongestFadedS && is_under_way(playback);
     if (cuts && !playback.own.has_ended) end_clip(playback);
-    playback.cut.store(cuts ? Cut::done : Cut::none, std::memory_order_release);
+    const bool is_last = cuts && !playback.layout.takes_back;
+    playback.cut.store(is_last ? Cut::done : Cut::none, std::memory_order_release);
     return cuts;
 }
 
@@ -289,8 +325,9 @@ bool render(Playback& playback, float* interleaved, std::size_t frames, double h
         frame[layout.channel] = held;
         peak = std::max(peak, std::abs(held));
         const bool is_driven = !own.has_ended;
-        if (note(playback.ledger, static_cast<double>(held), frame_s, is_driven) && is_driven &&
-            own.allowed < 1.0F) {
+        if (!note(playback.ledger, static_cast<double>(held), frame_s, is_driven)) continue;
+        settle_motion(playback);
+        if (is_driven && own.allowed < 1.0F) {
             ask_ledger(playback);
             target = held_back(playback, level);
         }

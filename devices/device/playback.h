@@ -8,7 +8,7 @@
 // Output    interleaved frames: silence on all channels but one, or the same on all; never NaN.
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
-//           time; else the stream is cut, and what is on its way is not heard. A lower level
+//           time, or takes back what is on its way; else the stream is cut. A lower level
 //           takes about as long as a fade, a higher one up to kRiseS, changes or not. What plays
 //           before have left of an actuator's limits (devices/device/ledger.h) holds all of a clip
 //           back until they are a second back. A loop that is changed goes
@@ -48,6 +48,9 @@ struct StreamLayout {
     double ceiling = kCeiling;
     bool everywhere = false;  // on all channels instead
     double latency_s = 0.0;   // between a frame's rendering and its being heard
+    // Whoever renders can still change what is on its way: a stop is then answered by a fade in
+    // that, and the stream goes on in silence.
+    bool takes_back = false;
 };
 
 // How one play went.
@@ -102,6 +105,9 @@ struct Playback {
         std::uint64_t frames = 0;
         std::uint64_t clip_frames = 0;   // since the clip began
         std::uint64_t fresh_frames = 0;  // ... or became what it is
+        std::size_t unsettled = 0;       // frames whose motion is still to be noted ...
+        double levels = 0.0;             // ... the clip's levels in them, summed up ...
+        double under_levels = 0.0;       // ... and those of what fades under it
         float allowed = 1.0F;            // the largest level that the ledger leaves it
         double heard_s = 0.0;            // of the stream's frame 0, as this call knows it
         std::uint64_t ended_at = 0;      // frame of the stream
@@ -115,8 +121,9 @@ inline PlayNotes& notes_of(Playback& playback, std::uint64_t serial) {
 }
 
 // The whole callback: writes `frames` frames, of which the first will be heard at `heard_s` of the
-// steady clock, the stream's time. `broke_off`: there was a gap before them. False: the stream is
-// to be cut at once, these frames and all that are on their way.
+// steady clock, the stream's time. `broke_off`: there was a gap before them. False: these frames,
+// and all that are on their way, shall not be heard: they are to be faded and taken back, or the
+// stream cut.
 bool render(Playback& playback, float* interleaved, std::size_t frames, double heard_s,
             bool broke_off = false);
 
