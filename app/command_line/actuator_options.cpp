@@ -113,8 +113,8 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
     play.add_option(
             "--buffer", options.buffer_ms,
             "of sound rendered ahead, ms; default: 100. Less follows --level sooner and has "
-            "gaps on a busy computer; up to 10 a stop by Ctrl+C is a fade of 5 ms, with "
-            "more it is a cut")
+            "gaps on a busy computer. A stop by Ctrl+C is a fade of 5 ms; on a card without a "
+            "sound server it is a cut with more than 10")
         ->check(within(5.0, 2000.0));
     play.add_flag("--loop", options.loop, "until Ctrl+C");
     play.callback([&options, &chosen] {

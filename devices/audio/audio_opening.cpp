@@ -161,6 +161,7 @@ Expected<Done> AudioStream::open_at_server(SoundServer& server) {
     }
     lay_out(output->rate_hz);
     playback_.layout.latency_s = place_.buffer_s;
+    playback_.layout.takes_back = true;
     Expected<OutputPort> port = open_pulse_output(*output, place_.buffer_s, playback_);
     if (!port) return Error{on + " could not be opened: " + port.error().message};
     port_ = *std::move(port);

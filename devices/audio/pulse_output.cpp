@@ -17,6 +17,8 @@ namespace {
 constexpr double kOpenPatienceS = 2.0;
 // The server asks for no less at a time: it is what a stop waits for.
 constexpr double kPieceS = 0.005;
+// A server may hold more than the buffer that it was asked for.
+constexpr double kServerHoldsS = 0.25;
 
 constexpr auto kFlags = static_cast<pa_stream_flags_t>(
     PA_STREAM_DONT_MOVE | PA_STREAM_NO_REMAP_CHANNELS | PA_STREAM_NO_REMIX_CHANNELS |
@@ -40,6 +42,8 @@ class PulseOutput {
     bool connect(double until_s);
     bool begin_stream();
     void ask(std::size_t bytes);
+    bool write(std::size_t frames);
+    bool take_back();
     double latency_s();
     pa_stream_state_t state();
     std::string fault();
@@ -54,6 +58,9 @@ class PulseOutput {
     std::atomic<bool> active_ = false;
     bool had_gap_ = false;
     std::vector<float> frames_;
+    std::vector<float> written_;       // the newest frames that were, in turn
+    std::uint64_t written_count_ = 0;  // of frames
+    std::vector<float> instead_;       // of those that are taken back
     pa_threaded_mainloop* loop_ = nullptr;
     pa_context* context_ = nullptr;
     pa_stream* stream_ = nullptr;
@@ -109,6 +116,9 @@ bool PulseOutput::begin_stream() {
     pa_stream_set_state_callback(stream_, on_state, this);
     pa_stream_set_moved_callback(stream_, on_move, this);
     frames_.resize(static_cast<std::size_t>(kPieceS * spec.rate) * spec.channels);
+    written_.resize(static_cast<std::size_t>((buffer_s_ + kServerHoldsS) * spec.rate) *
+                    spec.channels);
+    instead_.reserve(written_.size());
     const auto bytes = [&](double seconds) {
         const auto frames = static_cast<std::uint32_t>(seconds * spec.rate);
         return static_cast<std::uint32_t>(frames * pa_frame_size(&spec));
@@ -181,6 +191,41 @@ double PulseOutput::latency_s() {
     return negative != 0 ? 0.0 : 1e-6 * static_cast<double>(latency_us);
 }
 
+bool PulseOutput::write(std::size_t frames) {
+    const std::size_t channels = output_.channels.size();
+    const std::size_t kept = written_.size() / channels;
+    for (std::size_t n = 0; n < frames; ++n, ++written_count_) {
+        std::copy_n(frames_.data() + n * channels, channels,
+                    written_.data() + written_count_ % kept * channels);
+    }
+    return pa_stream_write(stream_, frames_.data(), frames * channels * sizeof(float), nullptr, 0,
+                           PA_SEEK_RELATIVE) >= 0;
+}
+
+// What would be heard from kTakenBackS on is heard as a fade, and as silence behind it.
+bool PulseOutput::take_back() {
+    const std::size_t channels = output_.channels.size();
+    const double rate_hz = playback_.layout.rate_hz;
+    const double ahead = std::max(0.0, latency_s() - kTakenBackS) * rate_hz;
+    const std::size_t kept = written_.size() / channels;
+    const std::uint64_t count = std::min<std::uint64_t>(
+        {static_cast<std::uint64_t>(ahead), static_cast<std::uint64_t>(kept), written_count_});
+    instead_.assign(static_cast<std::size_t>(count) * channels, 0.0F);
+    const auto fade = std::min(count, static_cast<std::uint64_t>(kRampS * rate_hz));
+    for (std::uint64_t n = 0; n < fade; ++n) {
+        const float gain = 1.0F - (static_cast<float>(n) + 0.5F) / static_cast<float>(fade);
+        const auto at = static_cast<std::size_t>((written_count_ - count + n) % kept);
+        for (std::size_t c = 0; c < channels; ++c) {
+            instead_[static_cast<std::size_t>(n) * channels + c] =
+                gain * written_[at * channels + c];
+        }
+    }
+    const std::size_t bytes = instead_.size() * sizeof(float);
+    if (bytes == 0) return true;
+    return pa_stream_write(stream_, instead_.data(), bytes, nullptr,
+                           -static_cast<std::int64_t>(bytes), PA_SEEK_RELATIVE) >= 0;
+}
+
 // In pieces of a period, so that a long buffer is answered as a short one is.
 void PulseOutput::ask(std::size_t bytes) {
     const std::size_t channels = output_.channels.size();
@@ -193,13 +238,12 @@ void PulseOutput::ask(std::size_t bytes) {
         const double ahead_s = static_cast<double>(done) / rate_hz;
         const bool goes_on = render(playback_, frames_.data(), now, heard_s + ahead_s, had_gap_);
         had_gap_ = false;
-        if (!goes_on || pa_stream_write(stream_, frames_.data(), now * channels * sizeof(float),
-                                        nullptr, 0, PA_SEEK_RELATIVE) < 0) {
+        if (goes_on ? !write(now) : !take_back()) {
             active_ = false;
             pa_stream_disconnect(stream_);
             return;
         }
-        done += now;
+        if (goes_on) done += now;
     }
 }
 

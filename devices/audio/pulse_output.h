@@ -3,10 +3,14 @@
 // on the way, whatever the map of its channels says.
 //
 // The server must not move the stream: when the output goes, the stream ends with it, and nothing
-// of it is heard elsewhere. A gap is one where the server had nothing to play, and says so.
+// of it is heard elsewhere. A gap is one where the server had nothing to play, and says so. A stop
+// writes a fade and silence over what the server has not played yet, however much that is: it is
+// heard kTakenBackS later.
 //
 // Source    libpulse's asynchronous API, on a thread of its own
-// Left out  starting a server; waiting for an output that is not there.
+// Left out  outputs that the server cannot take anything back from, as some through the air: there
+//           the fade comes when what they have is played; starting a server; waiting for an output
+//           that is not there.
 #pragma once
 
 #include "devices/audio/output_port.h"
@@ -15,6 +19,8 @@
 #include "model/common/expected.h"
 
 namespace tact {
+
+inline constexpr double kTakenBackS = 0.008;
 
 // `playback`, laid out for this output before, lives as long as the port. `buffer_s` is rendered
 // ahead. An Error if the server does not take the stream as it is. Waits for up to two seconds.

@@ -200,6 +200,28 @@ TEST_CASE(
     CHECK_FALSE(stopped(0.01, 4800));
 }
 
+TEST_CASE("playback: a stream that can take back what is on its way goes on in silence") {
+    const Clip clip = sine(0.5, 48'000, true, 1);
+    const Clip next = sine(0.5, 48'000, true, 2);
+    Stream stream;
+    stream.playback.layout.latency_s = 0.1;
+    stream.playback.layout.takes_back = true;
+    stream.playback.wanted = &clip;
+    stream.run(kPad + 4800);
+    stream.playback.wanted = nullptr;
+    stream.playback.cut = Cut::asked;
+    std::vector<float> buffer(4 * 240, 9.0F);
+    CHECK_FALSE(render(stream.playback, buffer.data(), 240, 0.2));
+    CHECK(stream.playback.cut == Cut::none);
+    CHECK(stream.playback.ended == 1);
+    const std::size_t at = stream.heard.size();
+    stream.run(4800);
+    CHECK(loudest(stream.heard, at, stream.heard.size()) == 0.0);
+    stream.playback.wanted = &next;
+    stream.run(4800);
+    CHECK(loudest(stream.heard, at + 4800, stream.heard.size()) > 0.4);
+}
+
 TEST_CASE("playback: a level beyond what the actuator bears counts as the largest it does") {
     Clip clip = sine(0.5, 9600, false, 1);
     clip.largest_level = 0.25F;
