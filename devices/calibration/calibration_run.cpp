@@ -12,6 +12,7 @@
 #include "devices/calibration/aligned_recording.h"
 #include "devices/calibration/plan_alignment.h"
 #include "devices/calibration/resonance.h"
+#include "devices/calibration/ringing.h"
 #include "devices/calibration/tone_fit.h"
 
 namespace tact {
@@ -26,6 +27,7 @@ constexpr double kRampS = 0.02;  // of every tone
 constexpr double kMostThd = 0.1;
 constexpr double kMostError = 0.03;          // standard error of an amplitude: 0.26 dB
 constexpr double kMostOffProportion = 0.12;  // between levels: 1 dB
+constexpr double kToldRingingDb = 0.25;
 
 std::vector<double> frequencies(const CalibrationParams& params) {
     std::vector<double> all;
@@ -112,7 +114,8 @@ double off_proportion(std::span<const MeasuredTone* const> levels) {
 
 struct Points {
     std::vector<ResponsePoint> points;
-    std::vector<double> left_out_hz;  // out of proportion already at the lowest levels
+    std::vector<CalibrationTone> tones;  // by which those were measured
+    std::vector<double> left_out_hz;     // out of proportion already at the lowest levels
     std::size_t lowered = 0;  // measured at higher levels, too, which were not in proportion
 };
 
@@ -136,6 +139,7 @@ Points points_of(const std::vector<MeasuredTone>& tones) {
         const MeasuredTone& highest = *levels.back();
         made.points.push_back(
             {f_hz, strength(highest), highest.tone.level, highest.thd, off_proportion(levels)});
+        made.tones.push_back(highest.tone);
     }
     return made;
 }
@@ -144,6 +148,17 @@ std::string short_digits(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
+}
+
+void tell_ringing(const std::vector<Resonance>& sharp, std::vector<std::string>& remarks) {
+    for (const Resonance& one : sharp) {
+        if (one.corrected_db < kToldRingingDb) continue;
+        remarks.push_back("at " + short_digits(one.f0_hz) + " Hz it rings (Q " +
+                          short_digits(one.q) +
+                          ") for longer than the signal stays there: strengths around it are "
+                          "those of that resonance, by up to " +
+                          short_digits(one.corrected_db) + " dB other than was measured");
+    }
 }
 
 void tell_proportion(const Points& made, std::vector<std::string>& remarks) {
@@ -223,12 +238,14 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
     if (made.points.empty()) {
         return Error{"no tone of this recording is clean enough: all have " + words_on_left_out()};
     }
-    FinerTable finer = finer_table(made.points);
+    const std::vector<Resonance> sharp = sharp_resonances(plan, made.tones, made.points);
+    FinerTable finer = finer_table(made.points, sharp);
     result.points = std::move(finer.points);
     result.remarks = std::move(finer.remarks);
     if (const std::string left_out = remark_on_left_out(result.tones); !left_out.empty()) {
         result.remarks.insert(result.remarks.begin(), left_out);
     }
+    tell_ringing(sharp, result.remarks);
     tell_proportion(made, result.remarks);
     if (result.clock_off != 0.0) {
         result.remarks.insert(result.remarks.begin(),

@@ -1,5 +1,6 @@
 #include "devices/calibration/resonance.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -76,6 +77,34 @@ void add_between(const std::vector<ResponsePoint>& points, std::size_t k, const 
     add_between(points, k, middle, to, halvings + 1, added);
 }
 
+const Resonance* known_between(const std::vector<Resonance>& known, double low_hz, double high_hz) {
+    for (const Resonance& one : known) {
+        if (low_hz >= one.low_hz && high_hz <= one.high_hz) return &one;
+    }
+    return nullptr;
+}
+
+// The resonance's own strengths between two points, bent so that they meet both.
+void add_known(const Resonance& known, const ResponsePoint& from, const ResponsePoint& to,
+               int halvings, std::vector<ResponsePoint>& added) {
+    ResponsePoint middle = from;
+    middle.frequency_hz = std::sqrt(from.frequency_hz * to.frequency_hz);
+    middle.between = true;
+    const double off_from = from.g_per_full_scale / strength_g(known, from.frequency_hz);
+    const double off_to = to.g_per_full_scale / strength_g(known, to.frequency_hz);
+    middle.g_per_full_scale = strength_g(known, middle.frequency_hz) * std::sqrt(off_from * off_to);
+    if (halvings == kMostHalvings) return;
+    std::vector<ResponsePoint> finer;
+    add_known(known, from, middle, halvings + 1, finer);
+    finer.push_back(middle);
+    add_known(known, middle, to, halvings + 1, finer);
+    const bool bends = std::ranges::any_of(finer, [&](const ResponsePoint& point) {
+        const double line_g = by_line(from, to, point.frequency_hz);
+        return std::abs(decibels(point.g_per_full_scale / line_g)) > kStraightDb;
+    });
+    if (bends) added.insert(added.end(), finer.begin(), finer.end());
+}
+
 // What a straight line errs by at most, and what the parabolas leave open: of an interval.
 struct Bend {
     double most_db = 0.0;
@@ -113,11 +142,17 @@ std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, const Be
 
 }  // namespace
 
-FinerTable finer_table(const std::vector<ResponsePoint>& points) {
+FinerTable finer_table(const std::vector<ResponsePoint>& points,
+                       const std::vector<Resonance>& known) {
     FinerTable finer;
     for (std::size_t k = 0; k < points.size(); ++k) {
         finer.points.push_back(points[k]);
         if (k + 1 == points.size() || points.size() < 3) continue;
+        if (const Resonance* one =
+                known_between(known, points[k].frequency_hz, points[k + 1].frequency_hz)) {
+            add_known(*one, points[k], points[k + 1], 0, finer.points);
+            continue;
+        }
         const Bend bend = bend_of(points, k);
         if (std::max(bend.most_db, bend.doubt_db) <= kStraightDb) continue;
         if (bend.doubt_db > kAgreedDb) {

@@ -6,6 +6,8 @@
 // points are put between until straight lines in log f, log S, as a table is read, follow them to
 // 0.25 dB; where they do not, it is no single resonance, and what may be wrong is said.
 //
+// Around a sharp resonance that is known (ringing.h) the points between are its own.
+//
 // Source    the law of the oscillator; the limits are choices of ours
 // Input     a table with its points, frequencies rising
 // Output    the same points, with some between that say so
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "devices/calibration/calibration.h"
+#include "devices/calibration/ringing.h"
 
 namespace tact {
 
@@ -24,6 +27,7 @@ struct FinerTable {
     std::vector<std::string> remarks;  // sentences without a full stop
 };
 
-FinerTable finer_table(const std::vector<ResponsePoint>& points);
+FinerTable finer_table(const std::vector<ResponsePoint>& points,
+                       const std::vector<Resonance>& known = {});
 
 }  // namespace tact

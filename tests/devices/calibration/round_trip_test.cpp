@@ -236,4 +236,90 @@ TEST_CASE("round trip: on a sharp resonance what is told is no less than what th
     }
 }
 
+namespace {
+
+// "between 143 and 160 Hz strengths may be wrong by 9.1 dB": of the interval that begins at
+// `from_hz`; 0 where nothing is told.
+double told_db(const CalibrationResult& result, double from_hz) {
+    for (const std::string& remark : result.remarks) {
+        double low_hz = 0.0;
+        double high_hz = 0.0;
+        if (std::sscanf(remark.c_str(), "between %lf and %lf Hz", &low_hz, &high_hz) != 2) continue;
+        if (std::abs(low_hz - from_hz) > 1.0) continue;
+        const std::size_t at = remark.find("wrong by ");
+        return at == std::string::npos ? 99.0 : std::stod(remark.substr(at + 9));
+    }
+    return 0.0;
+}
+
+// What is told bounds the error, and is no more than 3 dB above it.
+void check_told(const CalibrationResult& result, const std::function<double(double)>& truth_g) {
+    Calibration calibration;
+    calibration.points = result.points;
+    double from_hz = 0.0;
+    for (const ResponsePoint& point : result.points) {
+        if (point.between) continue;
+        double most_db = 0.0;
+        for (double share = 0.0; from_hz > 0.0 && share <= 1.0; share += 0.05) {
+            const double f_hz = from_hz * std::pow(point.frequency_hz / from_hz, share);
+            most_db = std::max(most_db, std::abs(20.0 * std::log10(*response_g(calibration, f_hz) /
+                                                                   truth_g(f_hz))));
+        }
+        const double told = told_db(result, from_hz);
+        CAPTURE(from_hz);
+        CHECK(most_db <= std::max(told, 0.5));
+        CHECK(told <= most_db + 3.0);
+        from_hz = point.frequency_hz;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("round trip: the doubt that is told bounds the error, and is not far above it" *
+          doctest::test_suite("long")) {
+    for (const bool is_sweep : {false, true}) {
+        for (const double low_hz : {5.0, 20.0}) {
+            CalibrationParams params;
+            params.is_sweep = is_sweep;
+            params.low_hz = low_hz;
+            if (low_hz < 20.0) {
+                params.tone_s = 0.8;
+                params.settle_s = 0.4;
+            }
+            const CalibrationPlan plan = calibration_plan(params);
+            CAPTURE(is_sweep);
+            CAPTURE(low_hz);
+            const auto level = calibration_from(plan, recorded_of(flat(), plan));
+            REQUIRE(level);
+            check_told(*level, [](double) { return 1.0; });
+            for (const double q : {4.0, 10.0, 25.0}) {
+                for (const double resonance_hz : {60.0, 150.0, 163.0}) {
+                    if (low_hz < 20.0 && resonance_hz != 60.0) continue;
+                    CAPTURE(q);
+                    CAPTURE(resonance_hz);
+                    const Coil coil{resonance_hz, q, 1.0 / q};
+                    const auto result = calibration_from(
+                        plan,
+                        recorded_of([&](const auto& drive) { return coil.moved(drive); }, plan));
+                    REQUIRE(result);
+                    check_told(*result, [&](double f_hz) { return coil.gain_at(f_hz); });
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("round trip: a sharp resonance is worked out beside a sensor's noise, too, and told") {
+    CalibrationParams params;
+    params.is_sweep = true;
+    const CalibrationPlan plan = calibration_plan(params);
+    const Coil coil{97.0, 25.0, 0.04};
+    const auto result = calibration_from(plan, recorded(coil, plan, 500, 1e-3));
+    REQUIRE(result);
+    check_told(*result, [&](double f_hz) { return coil.gain_at(f_hz); });
+    CHECK(std::ranges::any_of(result->remarks, [](const std::string& remark) {
+        return remark.find("at 97 Hz it rings (Q 2") == 0;
+    }));
+}
+
 }  // namespace round_trip_test
