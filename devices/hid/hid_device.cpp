@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "devices/device/bounds.h"
 #include "devices/device/halt.h"
+#include "devices/device/playback.h"
 #include "devices/hid/patient_port.h"
 #include "model/common/quantile.h"
 
@@ -183,12 +185,14 @@ Expected<Done> HidDevice::ready() {
 
 void HidDevice::perform(const Play& play, const std::stop_token& quit) {
     halts_ = halts();
-    RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_),
-                    level_for(play.drive));
+    // A play begins at its level.
+    risen_ = level_for(play.drive);
+    RumblePlan plan(play.drive, traits(actuator_.kind).language, frame_hop_s(actuator_), risen_);
     if (plan.size() > 0) plan.rumble(0);
     // Interrupted while it waits it drives nothing.
     const bool begins = wait_until(begins_at_ - kMadeReady, quit);
     begin_notes(play);
+    risen_at_ = Clock::now();
     if (begins && plan.size() > 0) {
         note_rest(ledger_, seconds(Clock::now() - rests_since_));
         if (!send_frames(play, plan, quit)) rests_since_ = Clock::now();
@@ -223,6 +227,13 @@ double HidDevice::level_for(const Drive& drive) {
     return kept;
 }
 
+// One click is no blow, here as at an output of sound: a lower level is there at once.
+double HidDevice::risen_to(double level) {
+    const Clock::time_point now = Clock::now();
+    risen_ = std::min(level, risen_ + seconds(now - std::exchange(risen_at_, now)) / kRiseS);
+    return risen_;
+}
+
 // What the loop is changed into goes on from where that is: of a shorter one, as if it had always
 // been that.
 void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
@@ -236,7 +247,7 @@ void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
     if (!change) return;
     const double hop_s = frame_hop_s(actuator_);
     const double kept = kept_level(level, change->largest_level);
-    plan = RumblePlan(*std::move(change), traits(actuator_.kind).language, hop_s, kept);
+    plan = RumblePlan(*std::move(change), traits(actuator_.kind).language, hop_s, risen_to(kept));
     const double since_s = std::max(0.0, seconds(Clock::now() - pass.begin));
     const double at_s = std::fmod(since_s, pass.duration_s);
     const Drive& drive = plan.drive();
@@ -336,7 +347,7 @@ void HidDevice::note_lateness(Clock::time_point deadline) {
 
 // False when the controller is lost.
 bool HidDevice::send_if_due(RumblePlan& plan, std::size_t k) {
-    plan.set_level(level_for(plan.drive()));
+    plan.set_level(risen_to(level_for(plan.drive())));
     const RumbleFrame now = plan.rumble(k);
     {
         const std::lock_guard lock(mutex_);

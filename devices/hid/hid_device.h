@@ -109,6 +109,7 @@ class HidDevice final : public Device {
     Expected<Done> ready();
     void perform(const Play& play, const std::stop_token& quit);
     double level_for(const Drive& drive);
+    double risen_to(double level);
     bool send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit);
     static void prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadline);
     Clock::time_point soonest() const;
@@ -141,6 +142,8 @@ class HidDevice final : public Device {
     Packet last_sent_;
     Clock::time_point last_sent_at_;  // when the port had taken it, or not
     bool owes_rest_ = false;          // it was told to vibrate, and not yet to be still
+    double risen_ = 0.0;              // the level as it goes out: it rises within kRiseS, and ...
+    Clock::time_point risen_at_;      // ... that was then
     std::uint64_t halts_ = 0;         // of the program, at the beginning of the play
     Ledger ledger_;                   // of all plays until ...
     Clock::time_point rests_since_;   // ... the end of the last one

@@ -180,6 +180,38 @@ TEST_CASE("hid: level nought is neutral, and half of it half as strong" *
     }
 }
 
+TEST_CASE(
+    "hid: a level that is raised at once rises within a fifth of a second, and falls at once" *
+    doctest::test_suite("long")) {
+    const auto pad = std::make_shared<FakePad>();
+    HidDevice device = device_on(pad, actuator(ActuatorKind::joy_con, HidBus::bluetooth));
+    device.set_level(0.1);
+    REQUIRE(device.play(tone(1.0), true));
+    REQUIRE(soon([&] { return pad->taken().size() > 8; }));
+    const auto peak_within = [&](double low, double high) {
+        return soon([&] {
+            const double peak = device.status().peak;
+            return peak > low && peak < high;
+        });
+    };
+    // A thread that had to wait for the processor may miss what lies between, but not each time.
+    const bool rises = soon([&] {
+        device.set_level(0.1);
+        REQUIRE(peak_within(0.0, 0.06));
+        device.set_level(1.0);
+        bool is_between = false;
+        REQUIRE(soon([&] {
+            const double peak = device.status().peak;
+            is_between = is_between || (peak > 0.1 && peak < 0.4);
+            return peak > 0.48;
+        }));
+        return is_between;
+    });
+    CHECK(rises);
+    device.stop();
+    CHECK(ended(device));
+}
+
 TEST_CASE("hid: one that is unplugged is noticed, says so, and is refused until it is back" *
           doctest::test_suite("long")) {
     const auto pad = std::make_shared<FakePad>();
