@@ -227,6 +227,29 @@ std::vector<int> quantised(const std::vector<double>& samples, int bits) {
     return result;
 }
 
+void put_le32(std::string& bytes, std::size_t at, std::uint32_t value) {
+    for (std::size_t k = 0; k < 4; ++k) bytes[at + k] = static_cast<char>(value >> (8 * k));
+}
+
+std::uint32_t le32(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        value |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + k])} << (8 * k);
+    }
+    return value;
+}
+
+// A format that is not PCM says how long its extension is, even where it has none; libsndfile
+// leaves that out, and others warn of it.
+void extend_format(std::string& bytes) {
+    constexpr std::uint32_t kPlain = 16;
+    const std::size_t at = bytes.find("fmt ");
+    if (at == std::string::npos || at + 24 > bytes.size() || le32(bytes, at + 4) != kPlain) return;
+    put_le32(bytes, at + 4, kPlain + 2);
+    bytes.insert(at + 8 + kPlain, 2, '\0');
+    put_le32(bytes, 4, le32(bytes, 4) + 2);
+}
+
 bool write_samples(SNDFILE* sound, std::vector<double> samples, const WaveOptions& options) {
     for (double& sample : samples) sample /= options.scale_g;
     const auto count = static_cast<sf_count_t>(samples.size());
@@ -335,6 +358,7 @@ Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& option
         return Error{name + ": cannot be encoded: " + sf_strerror(sound.get())};
     }
     sound.reset();  // completes the header
+    if (options.encoding == WaveEncoding::float32) extend_format(memory.bytes);
     const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_text(memory.bytes)}};
     return WaveText{std::move(memory.bytes), sidecar.dump() + "\n"};
 }

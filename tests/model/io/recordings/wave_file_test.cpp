@@ -334,4 +334,35 @@ TEST_CASE("wave file: after an accident it is refused, or written and read again
     CHECK(accepted > 20);
 }
 
+TEST_CASE("waves: the head of each encoding is as long as its format wants, and whole") {
+    for (const auto encoding : {WaveEncoding::float32, WaveEncoding::int16, WaveEncoding::int24}) {
+        const auto written = wave_text({kModelRateHz, {0.0, 0.5, -0.25}}, {encoding, 1.0}, "w");
+        REQUIRE(written);
+        const std::string& bytes = written->bytes;
+        const auto number = [&](std::size_t at, std::size_t count) {
+            std::uint32_t value = 0;
+            for (std::size_t k = 0; k < count; ++k) {
+                value |= std::uint32_t{static_cast<std::uint8_t>(bytes.at(at + k))} << (8 * k);
+            }
+            return value;
+        };
+        CHECK(number(4, 4) == bytes.size() - 8);
+        // Chunk by chunk to the end.
+        std::size_t at = 12;
+        std::string names;
+        while (at < bytes.size()) {
+            names += bytes.substr(at, 4);
+            if (bytes.substr(at, 4) == "fmt ") {
+                const bool is_float = encoding == WaveEncoding::float32;
+                CHECK(number(at + 4, 4) == (is_float ? 18 : 16));
+                CHECK(number(at + 8, 2) == (is_float ? 3 : 1));
+                if (is_float) CHECK(number(at + 24, 2) == 0);
+            }
+            at += 8 + number(at + 4, 4) + number(at + 4, 4) % 2;
+        }
+        CHECK(at >= bytes.size());
+        CHECK(names.find("data") != std::string::npos);
+    }
+}
+
 }  // namespace wave_file_test
