@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "devices/rumble/actuator_kind.h"
 #include "model/common/parallel.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
@@ -27,6 +28,13 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
     return same ? waveform_at(*moved) : nullptr;
 }
 
+// Nobody has measured any (devices/rumble/motor_envelope.h).
+std::string words_on_motors(const RenderedBy& by) {
+    const Language language = traits(by.kind).language;
+    const bool has_motors = language == Language::motor_pair || language == Language::intensity;
+    return has_motors ? "; how fast its motors turn and how soon is a guess" : "";
+}
+
 }  // namespace
 
 std::string words_on(const RenderedBy& by) {
@@ -37,7 +45,9 @@ std::string words_on(const RenderedBy& by) {
 }
 
 std::string strength_words(const RenderedBy& by) {
-    if (!is_calibrated(by)) return "full scale stands for " + significant(by.full_scale_g) + " g";
+    if (!is_calibrated(by)) {
+        return "full scale stands for " + significant(by.full_scale_g) + " g" + words_on_motors(by);
+    }
     const Calibration& made = *by.calibration;
     std::string words = "by the calibration";
     if (!made.actuator.empty()) words += " of " + made.actuator;

@@ -99,8 +99,9 @@ TEST_CASE("report command: what plays the patterns goes with the page and the an
     CHECK(json.at("closer_below") != short_set.reported({}).at("closer_below"));
     output_of(short_set.words({"--rendered-by", "dualshock-4", "--sure", "2"}));
     const std::string page = bytes_of(short_set.page);
-    CHECK(
-        contains(page, "as a DualShock 4 plays them, uncalibrated: full scale stands for 1.00 g"));
+    CHECK(contains(page,
+                   "as a DualShock 4 plays them, uncalibrated: full scale stands for 1.00 g; "
+                   "how fast its motors turn and how soon is a guess"));
     CHECK(contains(page, "In 2 draws of what is uncertain"));
 }
 
