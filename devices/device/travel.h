@@ -26,7 +26,7 @@ struct Motion {
     bool operator==(const Motion&) const = default;
 };
 
-// Of a drive at level 1. Nothing in `motions`: its limit is not known.
+// A drive's, at level 1. Nothing in `motions`: its limit is not known.
 struct Travel {
     double limit_mm = 0.0;
     double f0_hz = 0.0;
