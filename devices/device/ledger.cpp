@@ -72,9 +72,10 @@ bool note(Ledger& ledger, double sample, double duration_s, bool is_driven) {
     return true;
 }
 
-void note_motion(Ledger& ledger, double duration_s, const Stretch& drive, const Stretch& under) {
+void note_motion(Ledger& ledger, double duration_s, const MotionStretch& drive,
+                 const MotionStretch& under) {
     ledger.motion = at_rest_after(ledger.motion, ledger.f0_hz, duration_s);
-    for (const Stretch* each : {&under, &drive}) {
+    for (const MotionStretch* each : {&under, &drive}) {
         if (each->travel == nullptr || each->travel->motions.empty()) continue;
         const Motion more = driven_by(*each->travel, each->from_s, each->to_s, each->level);
         ledger.motion.x_mm += more.x_mm;

@@ -59,13 +59,14 @@ std::string words_on_held(double kept, bool is_warm);
 bool note(Ledger& ledger, double sample, double duration_s, bool is_driven);
 
 // So much of the drives that play, from one moment to another, at their mean levels meanwhile.
-struct Stretch {
+struct MotionStretch {
     const Travel* travel = nullptr;
     double from_s = 0.0;
     double to_s = 0.0;
     double level = 0.0;
 };
-void note_motion(Ledger& ledger, double duration_s, const Stretch& drive, const Stretch& under);
+void note_motion(Ledger& ledger, double duration_s, const MotionStretch& drive,
+                 const MotionStretch& under);
 
 // `driven_s` of a drive whose samples nobody counts, or a rest.
 void note_driven(Ledger& ledger, double driven_s);

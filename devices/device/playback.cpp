@@ -62,7 +62,8 @@ float kept(float sample, float ceiling) {
     return std::isfinite(sample) ? std::clamp(sample, -ceiling, ceiling) : 0.0F;
 }
 
-Stretch stretch_of(const Clip* clip, std::size_t at, double levels, const Playback& playback) {
+MotionStretch stretch_of(const Clip* clip, std::size_t at, double levels,
+                         const Playback& playback) {
     if (clip == nullptr || clip->travel.motions.empty()) return {};
     const double rate_hz = playback.layout.rate_hz;
     const auto frames = static_cast<double>(playback.own.unsettled);
