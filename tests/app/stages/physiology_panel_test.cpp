@@ -189,6 +189,19 @@ TEST_CASE(
     CHECK(program.app.layout.physiology == Fold::row);
 }
 
+TEST_CASE("physiology: stages keep their names at every size of text, before the i beside them") {
+    PhysiologyProgram program;
+    for (const float scale : {1.0F, 1.5F, 2.0F}) {
+        CAPTURE(scale);
+        program.resize({1600.0F, 1000.0F}, scale);
+        for (const char* stage : {"vibration", "spikes", "central", "brain"}) {
+            CAPTURE(stage);
+            const Place& label = program.at(std::string("label:") + stage);
+            CHECK(label.max.x - label.min.x > 25.0F * scale);  // three dots are 8 wide
+        }
+    }
+}
+
 TEST_CASE("physiology: the i of a stage explains it, and leads on to the next") {
     PhysiologyProgram program;
     program.click("explain:networks");
