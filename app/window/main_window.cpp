@@ -69,6 +69,7 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     request.wake_after_s = next_wake_s(app);
     request.rebuild_fonts = app.ui.fonts_outdated;
     request.close = app.ui.quit;
+    if (request.close) stop.stop();  // what the window is made of is taken down first
     request.full_screen = is_study_running(app.studying) || is_presenting(app.lesson);
     if (context.side_closed) app.lesson.notes_wanted = false;
     show_notes(app, request);
@@ -115,7 +116,11 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
         drop_paths(app, paths);
     };
-    client.close = [&app] { return close_window(app); };
+    client.close = [&app, &stop] {
+        const bool closes = close_window(app);
+        if (closes) stop.stop();
+        return closes;
+    };
     client.build_fonts = [&app](float content_scale) {
         app.ui.content_scale = content_scale;
         make_theme(app);

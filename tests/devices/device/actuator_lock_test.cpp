@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "tests/support/temporary_folder.h"
 
@@ -42,6 +44,20 @@ TEST_CASE("actuator lock: an actuator has one program at a time, and its neighbo
         CHECK(ActuatorLock::of("alsa:card 1", "its neighbour"));
     }
     CHECK(ActuatorLock::of("alsa:card 0", "the card"));
+}
+
+TEST_CASE("actuator lock: names that are alike, or long, are not those of one actuator") {
+    const RuntimeFolder folder;
+    const std::string long_name(300, 'x');
+    for (const auto& [one, other] :
+         {std::pair<std::string, std::string>{"server a.b 1", "server a_b 1"},
+          {long_name + " 1", long_name + " 2"}}) {
+        CAPTURE(one);
+        const Expected<ActuatorLock> first = ActuatorLock::of(one, "the first");
+        REQUIRE(first);
+        CHECK(ActuatorLock::of(other, "the other"));
+        CHECK_FALSE(ActuatorLock::of(one, "the first"));
+    }
 }
 
 TEST_CASE("actuator lock: moved on, it is held until its new place ends") {

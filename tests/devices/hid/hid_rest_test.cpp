@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "devices/device/halt.h"
 #include "devices/hid/patient_port.h"
 #include "tests/support/fake_pad.h"
 
@@ -97,6 +98,18 @@ TEST_CASE("hid rest: refused packets end a play, and neutral ones follow once th
         CHECK(soon([&] { return is_at_rest(*bad); }));
         CHECK_FALSE(device->status().trouble.empty());
     }
+}
+
+TEST_CASE("hid rest: before a program ends without its destructors, a pad is told to be still" *
+          doctest::test_suite("long")) {
+    const auto bad = std::make_shared<BadPad>();
+    const auto device = device_on_bad(bad, ActuatorKind::switch_pro);
+    REQUIRE(device->play(tone(0.5), true));
+    REQUIRE(soon([&] { return bad->pad->taken().size() > 10; }));
+    rest_all();
+    CHECK(ended(*device));
+    CHECK(soon([&] { return is_at_rest(*bad); }));
+    CHECK(device->status().trouble.ends_with(kHalted));
 }
 
 TEST_CASE("hid rest: a write that does not return holds up neither a stop nor the end" *
