@@ -156,7 +156,7 @@ bool AudioStream::play(AudioHost& host, const Drive& drive, bool loop, std::uint
 
 // The callback knows one clip besides the one that plays: a further one comes when that has begun.
 bool AudioStream::has_one_waiting() const {
-    return port_ && clip_ && clip_->waits && playback_.begun.load() < clip_->serial &&
+    return port_ && clip_ && playback_.begun.load() < clip_->serial &&
            clip_->serial > stopped_.load();
 }
 
