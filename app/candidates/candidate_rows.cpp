@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "app/rendering/labels.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/text/numbers.h"
@@ -150,11 +151,12 @@ std::string candidates_csv(const PatternSet& set, const std::vector<CandidateRow
     };
     const auto line = [](const std::vector<std::string>& cells) { return csv_row(cells); };
     std::string csv = line({"name", "amplitude_g", "carriers_hz", "modulation_hz", "rhythm",
-                            "duration_s", "nearest", "nearest_pm", "picked"});
+                            "duration_s", "nearest", "nearest_pm", "picked", "mark"});
+    const std::string mark = corner_text(mark_of(set));
     for (const CandidateRow& row : rows) {
         csv += line({set.vibrations[row.place].name, number(row.amplitude_g), carriers(row),
                      number(row.modulation_hz), row.rhythm.value_or(""), number(row.duration_s),
-                     row.nearest_name, number(row.nearest_pm), row.picked ? "yes" : "no"});
+                     row.nearest_name, number(row.nearest_pm), row.picked ? "yes" : "no", mark});
     }
     return csv;
 }

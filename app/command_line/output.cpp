@@ -120,7 +120,7 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
         loaded->set.model_origin = origin_of(*file);
     }
     const std::string remark = remark_on_synthetic(loaded->set.model_origin);
-    labels.synthetic_model = !remark.empty();
+    labels.mark.synthetic_model = !remark.empty();
     if (!remark.empty()) {
         const std::string whose =
             options.model.empty() ? "the set's model" : options.model.string();
@@ -129,7 +129,7 @@ Expected<PatternSet> loaded_side(const CommonOptions& options, Labels& labels) {
     tell_of_weights(loaded->set.model);
     labels.only = options.only;
     PatternSet side = one_side(loaded->set, options.only);
-    labels.synthetic_patterns = has_synthetic_patterns(side);
+    labels.mark.synthetic_patterns = has_synthetic_patterns(side);
     labels.actuators = actuators_of(side);
     if (options.only == Side::both) return side;
     std::cerr << "tactspace: only the " << side.vibrations.size() << " "
@@ -195,6 +195,7 @@ Expected<FeltSet> load_felt(const CommonOptions& options) {
     result.felt = rendered_set(result.felt, **by, nullptr, {options.threads, {}})->played;
     result.felt.name = name;
     label_name(words_on(**by));
+    result.labels.mark.uncalibrated = !is_calibrated(**by);
     result.labels.by = *std::move(by);
     std::cerr << "tactspace: " << sentence_on(*result.labels.by) << "\n";
     return result;

@@ -71,9 +71,8 @@ Error with_hint(Error error, const PatternSet& set) {
 
 }  // namespace
 
-std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>& left_out) {
+std::string text_on(const std::vector<LeftOutParticipant>& left_out) {
     std::string text;
-    if (synthetic) text += "SYNTHETIC: some or all of these ratings were given by nobody\n";
     for (const std::string& remark : remarks_on(left_out)) text += shown_text(remark) + "\n";
     return text;
 }
@@ -121,7 +120,7 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (!loaded) return loaded.error();
         const PatternSet set = of_side(loaded->felt, common.only);
         loaded->labels.only = common.only;
-        loaded->labels.synthetic_patterns = has_synthetic_patterns(set);
+        loaded->labels.mark.synthetic_patterns = has_synthetic_patterns(set);
         if (const auto pair = need_a_pair(set, one); !pair) return pair.error();
         const auto all_files = std::span(ratings);
         const bool one_each = sets.size() > 1 && !ratings.empty();
@@ -131,14 +130,14 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (common.only != Side::measured && common.rendered_by.empty() &&
             common.rendered_calibration.empty() && common.exported_as.empty()) {
             note_edited(people->study, loaded->meant);
-            loaded->labels.changed_since_felt = !people->study.edited.empty();
             loaded->labels.edited = people->study.edited;
-            if (loaded->labels.changed_since_felt) {
+            if (!people->study.edited.empty()) {
                 std::cerr << "tactspace: the patterns have changed since they were felt\n";
             }
         } else {
             people->study.edited.clear();  // known of patterns as they are meant
         }
+        loaded->labels.mark = loaded->labels.mark | mark_of(people->study);
         loaded->labels.gone = people->study.gone;
         if (!people->study.gone.empty()) {
             std::cerr << "tactspace: " << words_on_gone(people->study.gone) << "\n";
@@ -174,7 +173,7 @@ Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const Ta
 
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
                                            const std::vector<std::string>& names,
-                                           const TableHints& written, std::string* mark) {
+                                           const TableHints& written, NumberMark* mark) {
     const Expected<LabelledMatrix> matrix = told_matrix(file, written);
     if (!matrix) return matrix.error();
     if (mark != nullptr) *mark = matrix->mark;

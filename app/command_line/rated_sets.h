@@ -25,8 +25,8 @@ struct RatedPatterns {
     Labels labels;
 };
 
-// "" or, on a line of its own, that nobody was asked; and whom the numbers leave out.
-std::string text_on_people(bool synthetic, const std::vector<LeftOutParticipant>& left_out);
+// Whom the numbers leave out, a line each.
+std::string text_on(const std::vector<LeftOutParticipant>& left_out);
 
 // [{"participant": .., "why": ..}, ..]
 nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out);
@@ -48,9 +48,9 @@ Error with_columns_option(Error error);
 Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written);
 
 // How far apart the patterns of these names are by a matrix that may have others and another order.
-// `mark`: what the file says of its numbers.
+// `mark`: of what the file says of its numbers.
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
                                            const std::vector<std::string>& names,
-                                           const TableHints& written, std::string* mark = nullptr);
+                                           const TableHints& written, NumberMark* mark = nullptr);
 
 }  // namespace tact

@@ -77,7 +77,7 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
         comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
-    const RatingMark mark = mark_of(comparison);
+    const NumberMark mark = mark_of(comparison);
     std::string corner = of_people("rho ", mark) + digits(row.evaluation->rho, 2);
     const double ceiling = comparison.people->said.ceilings.of_mean;
     if (!std::isnan(ceiling)) corner += ", at most " + digits(ceiling, 2);

@@ -73,7 +73,7 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     if (!single.empty()) ceiling += " " + single;
     const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(people.mark == RatingMark{} ? ui.theme.dim_text : ui.theme.warning, text);
+    reading_text(words_of(people.mark).empty() ? ui.theme.dim_text : ui.theme.warning, text);
     note_item(ui.rects, "compare:people", text);
     draw_versions(ui, set, people);
     if (!unrated.empty()) {

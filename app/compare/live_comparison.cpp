@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/compare/people_text.h"
+#include "app/rendering/labels.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/set_ratings.h"
 #include "model/text/numbers.h"
@@ -149,15 +150,16 @@ std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissi
     return all;
 }
 
-RatingMark mark_of(const Comparison& comparison) {
-    return comparison.people ? comparison.people->said.mark : RatingMark{};
+NumberMark mark_of(const Comparison& comparison) {
+    return comparison.people ? comparison.people->said.mark : NumberMark{};
 }
 
 std::string comparison_csv(const Comparison& comparison) {
-    std::vector<std::string> cells{"metric",   "rho_with_pm", "rho", "rho_low",
-                                   "rho_high", "p",           "K",   "K_p"};
+    std::vector<std::string> cells{"metric", "rho_with_pm", "rho", "rho_low", "rho_high",
+                                   "p",      "K",           "K_p", "mark"};
     const std::size_t columns = cells.size();
     std::string csv = csv_row(cells);
+    const NumberMark mark = mark_of(comparison) | mark_of(*comparison.request.map->request.set);
     for (const ComparedMetric& row : comparison.metrics) {
         cells = {traits(row.metric).name, shortest_digits(row.rho_with_pm)};
         if (const auto& e = row.evaluation) {
@@ -166,7 +168,8 @@ std::string comparison_csv(const Comparison& comparison) {
                 cells.push_back(shortest_digits(value));
             }
         }
-        cells.resize(columns);
+        cells.resize(columns - 1);
+        cells.push_back(corner_text(mark));
         csv += csv_row(cells);
     }
     return csv;

@@ -86,6 +86,6 @@ std::string verdict_on_pm(const Comparison& comparison);
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings);
 
 // Whether nobody was asked for some of the ratings.
-RatingMark mark_of(const Comparison& comparison);
+NumberMark mark_of(const Comparison& comparison);
 
 }  // namespace tact

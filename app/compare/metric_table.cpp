@@ -66,7 +66,7 @@ std::string interval_text(const Evaluation& e) {
     return digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2);
 }
 
-std::string tip_of(const ComparedMetric& row, const RatingMark& mark) {
+std::string tip_of(const ComparedMetric& row, const NumberMark& mark) {
     std::string tip = metric_help(row.metric);
     if (!row.evaluation) return tip;
     const Evaluation& e = *row.evaluation;
@@ -84,7 +84,7 @@ std::string tip_of(const ComparedMetric& row, const RatingMark& mark) {
 enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
-              const RatingMark& mark) {
+              const NumberMark& mark) {
     const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -119,7 +119,7 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
 }
 
-void draw_head(Ui& ui, Columns columns, const RatingMark& mark) {
+void draw_head(Ui& ui, Columns columns, const NumberMark& mark) {
     struct Column {
         const char* name;
         const char* tip;
@@ -180,7 +180,7 @@ void draw_head(Ui& ui, Columns columns, const RatingMark& mark) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
         head(is_with_pm ? "rho" : name, &column == &kColumns.front());
         note_item(ui.rects, "compare:head " + name,
-                  of_people(name, labelled ? mark : RatingMark{}));
+                  of_people(name, labelled ? mark : NumberMark{}));
         draw_tooltip(ui, column.tip);
         if (!below.empty()) {
             head(below, false);
@@ -216,7 +216,7 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
 
 void draw_metric_table(Ui& ui, Comparing& comparing, const Comparison& comparison,
                        const Rect& area) {
-    const RatingMark mark = mark_of(comparison);
+    const NumberMark mark = mark_of(comparison);
     const float room = area.width() / ui.theme.scale;
     const Columns columns = !comparison.people ? Columns::few
                             : room >= 560.0F   ? Columns::all

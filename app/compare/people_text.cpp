@@ -4,17 +4,16 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
-#include <string_view>
-
-#include "model/set/set_ratings.h"
 
 namespace tact {
 
 namespace {
 
-std::string without_label(const std::string& file) {
-    const std::string_view label = kSyntheticRatings;
-    return file.starts_with(label) ? file.substr(label.size()) : file;
+// Of all voices, who are of one study each.
+NumberMark mark_of(const std::vector<Ratings>& ratings) {
+    NumberMark mark;
+    for (const Ratings& one : ratings) mark = mark | one.mark;
+    return mark;
 }
 
 }  // namespace
@@ -28,15 +27,14 @@ std::string digits(double value, int decimals) {
     return result;
 }
 
-std::string words_of(const RatingMark& mark) {
-    std::string words = mark.synthetic ? "synthetic" : "";
-    if (mark.stale) words += words.empty() ? "stale" : ", stale";
-    return words;
-}
-
-std::string of_people(const std::string& quantity, const RatingMark& mark) {
+std::string of_people(const std::string& quantity, const NumberMark& mark) {
     const std::string words = words_of(mark);
     return words.empty() ? quantity : words + " " + quantity;
+}
+
+std::string of_counted(const std::string& quantity, const NumberMark& mark) {
+    const std::string left_out = left_out_text(mark);
+    return of_people(quantity, mark) + (left_out.empty() ? "" : " (" + left_out + ")");
 }
 
 std::string people_text(const PatternSet& set, const RatedPeople& people) {
@@ -44,10 +42,12 @@ std::string people_text(const PatternSet& set, const RatedPeople& people) {
     std::set<std::string> nobody;
     for (const Ratings& one : set.ratings) {
         voices.insert(one.name);
-        if (is_synthetic(one)) nobody.insert(one.name);
+        if (one.mark.synthetic) nobody.insert(one.name);
     }
-    const std::string file = set.ratings.empty() ? "" : without_label(set.ratings.front().file);
+    const std::string file = set.ratings.empty() ? "" : set.ratings.front().file;
     std::string text = file.empty() ? "Ratings of the set" : file;
+    const std::string left_out = left_out_text(mark_of(set.ratings));
+    if (!left_out.empty()) text += " (" + left_out + ")";
     text += ": " + std::to_string(voices.size());
     text += voices.size() == 1 ? " participant" : " participants";
     if (nobody.size() == voices.size() && !nobody.empty()) text += ", synthetic: nobody was asked";
@@ -66,7 +66,7 @@ std::string people_text(const PatternSet& set, const RatedPeople& people) {
            std::to_string(pair_count(patterns)) + " pairs";
 }
 
-std::string ceiling_text(const Reliability& reliability, const RatingMark& mark) {
+std::string ceiling_text(const Reliability& reliability, const NumberMark& mark) {
     if (reliability.voices < 2) return "Noise ceiling unknown: it takes two voices.";
     const std::string voices = std::to_string(reliability.voices);
     const std::string mean = reliability.is_of_one_person
@@ -79,7 +79,7 @@ std::string ceiling_text(const Reliability& reliability, const RatingMark& mark)
            digits(reliability.one_with_others, 2) + " with the mean of the others.";
 }
 
-std::string single_ceiling_text(const Ceilings& ceilings, const RatingMark& mark) {
+std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark) {
     if (ceilings.voices < 2) return {};
     const auto bound = [](const Spread& spread) {
         return digits(spread.mean, 2) + " (median " + digits(spread.median, 2) + ")";

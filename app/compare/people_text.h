@@ -17,8 +17,9 @@ namespace tact {
 std::string digits(double value, int decimals);
 
 // "rho", or "synthetic rho", "stale rho", "synthetic, stale rho".
-std::string of_people(const std::string& quantity, const RatingMark& mark);
-std::string words_of(const RatingMark& mark);  // "synthetic, stale"; empty: nothing is to be said
+std::string of_people(const std::string& quantity, const NumberMark& mark);
+// "rating (2 participants left out)", where it stands without anything that says whose it is.
+std::string of_counted(const std::string& quantity, const NumberMark& mark);
 
 // "people.csv (2 participants left out): 18 participants, 6 of them synthetic, 72 passes, 9 of 12
 // patterns rated, 36 of 66 pairs", of the set's own ratings.
@@ -26,10 +27,10 @@ std::string people_text(const PatternSet& set, const RatedPeople& people);
 
 // What a metric can reach with the mean of the ratings, and what one person reaches: two ceilings,
 // of which only the first is one for the metrics.
-std::string ceiling_text(const Reliability& reliability, const RatingMark& mark);
+std::string ceiling_text(const Reliability& reliability, const NumberMark& mark);
 
 // What the best metric there could be has with single people, by its two bounds; empty where nobody
 // can tell.
-std::string single_ceiling_text(const Ceilings& ceilings, const RatingMark& mark);
+std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark);
 
 }  // namespace tact

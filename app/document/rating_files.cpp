@@ -32,7 +32,7 @@ void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem
     const std::string file = path.filename().string();
     const Expected<RatingStudy> study = study_for(work.document.set, loaded);
     if (!study) return complain(ui, file + ": " + study.error().message);
-    auto ratings = kept_ratings(*study, ratings_source(file, loaded.left_out.size()));
+    auto ratings = kept_ratings(*study, file);
     note_versions(ratings, *study, work.document.set);
     work.document.edit().ratings = std::move(ratings);
     document_changed(work);

@@ -114,8 +114,7 @@ std::string export_report(const ExportPage& page) {
     html.lead = sentence(std::string("The patterns") +
                          (page.set.name.empty() ? "" : " of \"" + page.set.name + "\"") + " " +
                          words_on(loss.target) + ". " + summary_of(loss));
-    for (const std::string& line :
-         lines_of(Labels{.synthetic_model = page.set.model_origin.synthetic})) {
+    for (const std::string& line : lines_of(Labels{.mark = mark_of(page.set)})) {
         html.body += paragraph(sentence(line), "label");
     }
     html.body += set_section(loss) + map_section(page) + pairs_section(loss) +

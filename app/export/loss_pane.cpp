@@ -94,7 +94,7 @@ void draw_moved_pairs(Ui& ui, const ExportLoss& loss) {
 }
 
 void draw_loss(Ui& ui, const ExportLoss& loss, const ModelOrigin& origin) {
-    if (const std::string mark = mark_of(origin); !mark.empty()) {
+    if (const std::string mark = phrase_of(mark_of(origin)); !mark.empty()) {
         coloured_text(ui.theme.warning, "Predicted " + mark + ".");
         note_item(ui.rects, "loss:mark", mark);
     }

@@ -231,9 +231,7 @@ std::string matrix_csv(const LiveMap& map) {
     std::ostringstream csv;
     Dissimilarity pm = map.prediction.pm;
     tie_rounding_noise(pm.condensed);
-    write_matrix_csv(csv, labels, pm,
-                     mark_of(Labels{.synthetic_patterns = has_synthetic_patterns(set),
-                                    .synthetic_model = set.model_origin.synthetic}));
+    write_matrix_csv(csv, labels, pm, corner_text(mark_of(set)));
     return csv.str();
 }
 

@@ -1,5 +1,6 @@
 // The model bench: every parameter of PM, what the paper gives, what is ours, and what was changed.
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -101,26 +102,33 @@ void draw_heading(const Ui& ui, const char* text, const char* detail) {
     ImGui::PopFont();
 }
 
-// How many parameters are not as they come.
+// How many controls are not as they come: the choice of thresholds is one, and not four tables.
 int count_changed(const Model& model, const Model& original) {
     int count = 0;
+    Model chosen = original;
+    for (const ModelChoice& row : choice_rows()) {
+        if (row.get(model) < static_cast<int>(row.options.size())) row.set(chosen, row.get(model));
+    }
     for (const ModelNumber& row : trained_rows()) count += row.get(model) != row.get(original);
     for (const ModelNumber& row : number_rows()) count += row.get(model) != row.get(original);
-    for (const ModelChoice& row : choice_rows()) count += row.get(model) != row.get(original);
+    for (const ModelChoice& row : choice_rows()) count += row.get(chosen) != row.get(original);
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         count += model.coding.tables.slope[c] != original.coding.tables.slope[c];
-        count += model.coding.tables.threshold[c] != original.coding.tables.threshold[c];
+        count += model.coding.tables.threshold[c] != chosen.coding.tables.threshold[c];
     }
     return count;
 }
 
 void draw_summary(Ui& ui, Workspace& work, const Model& original) {
+    constexpr const char* kAsPublished =
+        "As published: trained parameters of the paper, choices of ours where it leaves one open.";
+    const float width_px = ImGui::GetContentRegionAvail().x;
+    const float below_px = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y +
+                           ImGui::CalcTextSize(kAsPublished, nullptr, false, width_px).y;
     const int changed = count_changed(work.document.set.model, original);
     if (changed == 0) {
         ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui,
-                 "As published: trained parameters of the paper, choices of ours where it "
-                 "leaves one open.");
+        dim_text(ui, kAsPublished);
         ImGui::PopTextWrapPos();
         return;
     }
@@ -138,6 +146,8 @@ void draw_summary(Ui& ui, Workspace& work, const Model& original) {
         commit_model(ui, work, "the model back to the paper's");
     }
     note_item(ui.rects, "reset:model");
+    // As high as the sentence: rows stay under the pointer at the first change.
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below_px));
 }
 
 void draw_views(Ui& ui, ModelBench& model_bench) {

@@ -74,7 +74,7 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
     const std::string detail =
         (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + stress +
         fit_label(space) +
-        after_comma(marks.mark.empty() && marks.source.empty() ? mark_of(set.model_origin)
+        after_comma(marks.mark.empty() && marks.source.empty() ? phrase_of(mark_of(set))
                                                                : marks.mark);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
         const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();

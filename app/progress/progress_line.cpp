@@ -24,14 +24,24 @@ std::string progress_text(Ui& ui, const ProgressLine& line) {
            " %" + (left.empty() ? "" : ", " + left);
 }
 
+// Behind the widest words that the line may have: it stays under the pointer while they change.
+void place_cancel(const Ui& ui, const ProgressLine& line, float begin_px, float room_px) {
+    const std::string widest = std::string(line.doing) + ", 100 %, about 55 min left";
+    const float behind_px = ImGui::CalcTextSize(widest.c_str()).x + ui.theme.gap_px;
+    if (behind_px + ImGui::CalcTextSize(line.word).x > room_px) return;  // on a line of its own
+    ImGui::SameLine(begin_px + behind_px);
+}
+
 }  // namespace
 
 bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
     const std::string text = progress_text(ui, line);
+    const float begin_px = ImGui::GetCursorPosX();
+    const float room_px = ImGui::GetContentRegionAvail().x;
     if (beside_buttons) ImGui::AlignTextToFramePadding();
     dim_text(ui, text);
     note_item(ui.rects, std::string("progress:") + line.cancels, text);
-    flow_on(ImGui::CalcTextSize(line.word).x, ui.theme.gap_px);
+    place_cancel(ui, line, begin_px, room_px);
     const std::string id = std::string("cancel ") + line.cancels;
     const bool cancelled =
         beside_buttons ? row_link(ui, id.c_str(), line.word) : link(ui, id.c_str(), line.word);

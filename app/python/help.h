@@ -131,7 +131,7 @@ stress1                 of the metric's map
 reliability             of the mean of people: split halves, Spearman-Brown
 one_with_others         mean rho of one of them with the mean of the others
 ceiling_of_mean         rho that a metric can reach with their mean
-participants, synthetic, unrated_patterns, remarks)";
+participants, synthetic, participants_left_out, rehearsals_left_out, unrated_patterns, remarks)";
 
 inline constexpr const char* kTrain =
     R"(train(sets, objective="mean-rho", step=0.1, leave_out="", rate_hz=10000.0, threads=0, model=None)
@@ -152,7 +152,8 @@ model      the model before; None: that of the first set, else the paper's. Its 
 Returns a dict: model (for predict()), parameters and parameters_before (L_E, L_I layers; w_.. weights),
 value, value_before (of the objective), combinations, equally_good, share_near_best (0 to 1), near_best,
 best_of (a dict of arrays, (5,) of layers 0 to 4 and (1 / step + 1,) of weights 0 to 1: the best value
-with each), synthetic, sets (a dict each: name, patterns, rated_pairs, synthetic, rho_before,
+with each), synthetic, sets (a dict each: name, patterns, rated_pairs, synthetic,
+participants_left_out, rehearsals_left_out, rho_before,
 rho_after), and without_set, without_participant or without_pattern (a dict each) where asked for. A fit flatters itself: only what was left out tells how it does on others.)";
 
 inline constexpr const char* kRender =
@@ -204,6 +205,8 @@ participants  p texts, equal for repetitions
 ratings       (p, m) dissimilarities, condensed, in the unit of the file; NaN: not rated
 mean          (n, n): over repetitions, then over participants
 synthetic     participants whom nobody asked
+participants_left_out, rehearsals_left_out
+              how many do not count, and how many of these felt nothing
 left_out      a dict for each who does not count: participant, why
 remarks       what was guessed or left out, also given as UserWarnings)";
 

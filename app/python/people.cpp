@@ -21,18 +21,19 @@ namespace {
 
 py::dict dict_of(const Evaluation& e, const RatedPeople& people) {
     const Reliability& reliability = people.reliability;
-    return py::dict("rho"_a = e.rho, "rho_low"_a = e.rho_interval.low,
-                    "rho_high"_a = e.rho_interval.high, "p"_a = e.rho_p, "tau_b"_a = e.tau_b,
-                    "K"_a = e.k, "K_paper"_a = agreement_of(e, Bookkeeping::paper).k,
-                    "K_low"_a = e.k_spread.low, "K_high"_a = e.k_spread.high,
-                    "K_chance"_a = rated_part(people.rated).k_chance.mean, "K_p"_a = e.k_p,
-                    "K_corrected"_a = e.k_corrected, "K_procrustes"_a = e.k_procrustes,
-                    "protest_p"_a = e.protest_p, "stress1"_a = e.stress1,
-                    "reliability"_a = reliability.spearman_brown,
-                    "one_with_others"_a = reliability.one_with_others,
-                    "ceiling_of_mean"_a = reliability.ceiling_of_mean,
-                    "participants"_a = people.participants, "synthetic"_a = people.mark.synthetic,
-                    "unrated_patterns"_a = people.unrated, "remarks"_a = e.remarks);
+    return py::dict(
+        "rho"_a = e.rho, "rho_low"_a = e.rho_interval.low, "rho_high"_a = e.rho_interval.high,
+        "p"_a = e.rho_p, "tau_b"_a = e.tau_b, "K"_a = e.k,
+        "K_paper"_a = agreement_of(e, Bookkeeping::paper).k, "K_low"_a = e.k_spread.low,
+        "K_high"_a = e.k_spread.high, "K_chance"_a = rated_part(people.rated).k_chance.mean,
+        "K_p"_a = e.k_p, "K_corrected"_a = e.k_corrected, "K_procrustes"_a = e.k_procrustes,
+        "protest_p"_a = e.protest_p, "stress1"_a = e.stress1,
+        "reliability"_a = reliability.spearman_brown,
+        "one_with_others"_a = reliability.one_with_others,
+        "ceiling_of_mean"_a = reliability.ceiling_of_mean, "participants"_a = people.participants,
+        "synthetic"_a = people.mark.synthetic, "participants_left_out"_a = people.mark.left_out,
+        "rehearsals_left_out"_a = people.mark.rehearsals, "unrated_patterns"_a = people.unrated,
+        "remarks"_a = e.remarks);
 }
 
 }  // namespace
@@ -93,6 +94,8 @@ py::dict dict_of(const Training& training, std::span<const TrainingSet> given) {
         synthetic = synthetic || is_synthetic;
         sets.append(py::dict("name"_a = set.name, "patterns"_a = set.patterns,
                              "rated_pairs"_a = set.rated_pairs, "synthetic"_a = is_synthetic,
+                             "participants_left_out"_a = given[k].study.left_out,
+                             "rehearsals_left_out"_a = given[k].study.rehearsals,
                              "rho_before"_a = set.rho_before, "rho_after"_a = set.rho_after));
     }
     return py::dict("model"_a = python_of(json_of(training.model)),

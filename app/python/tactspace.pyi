@@ -19,6 +19,8 @@ class Ratings(TypedDict, total=False):
     ratings: Numbers
     mean: Numbers
     synthetic: list[str]
+    participants_left_out: int
+    rehearsals_left_out: int
     left_out: list[dict[str, str]]
     remarks: list[str]
 

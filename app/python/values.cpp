@@ -154,6 +154,11 @@ RatingStudy study_of_dict(const py::dict& ratings) {
             study.standings.push_back({.participant = name, .synthetic = true});
         }
     }
+    const auto count = [&ratings](const char* key) {
+        return ratings.contains(key) ? ratings[key].cast<std::size_t>() : 0;
+    };
+    study.left_out = count("participants_left_out");
+    study.rehearsals = count("rehearsals_left_out");
     return study;
 }
 
@@ -311,6 +316,8 @@ py::dict python_of(const RatingStudy& study) {
     result["ratings"] = values;
     result["mean"] = square_array(mean_ratings(study));
     result["synthetic"] = synthetic;
+    result["participants_left_out"] = study.left_out;
+    result["rehearsals_left_out"] = study.rehearsals;
     return result;
 }
 

@@ -35,16 +35,13 @@ std::vector<std::string> lines_of(const Labels& labels) {
         lines.push_back(std::string("only the ") +
                         kSideNames[static_cast<std::size_t>(labels.only)] + " patterns");
     }
-    if (labels.synthetic_patterns) {
-        lines.push_back("SYNTHETIC: some or all of these patterns were measured by nobody");
-    }
-    if (labels.synthetic_model) {
-        lines.push_back("SYNTHETIC: the model was fitted to ratings that nobody gave");
-    }
-    if (labels.changed_since_felt) {
-        lines.push_back(
-            "CHANGED: some or all of these patterns are others than those that were felt" +
-            (labels.edited.empty() ? "" : "; " + words_on_edited(labels.edited)));
+    NumberMark mark = labels.mark;
+    if (labels.by) mark.uncalibrated = false;  // its sentence has said so
+    const bool has_names = mark.stale && !labels.edited.empty();
+    mark.stale = mark.stale && !has_names;
+    for (std::string& line : sentences_of(mark)) lines.push_back(std::move(line));
+    if (has_names) {
+        lines.push_back(corner_text({.stale = true}) + "; " + words_on_edited(labels.edited));
     }
     if (!labels.gone.empty()) lines.push_back(words_on_gone(labels.gone));
     return lines;
@@ -56,23 +53,30 @@ std::string text_of(const Labels& labels) {
     return text;
 }
 
-std::string mark_of(const Labels& labels) {
-    std::string mark;
-    for (const std::string& line : lines_of(labels)) {
-        if (!line.starts_with("SYNTHETIC") && !line.starts_with("CHANGED")) continue;
-        mark += (mark.empty() ? "" : "; ") + line;
+std::string corner_of(const Labels& labels) {
+    std::string corner;
+    for (const std::string& line : lines_of({.mark = labels.mark, .edited = labels.edited})) {
+        corner += (corner.empty() ? "" : "; ") + line;
     }
-    return mark;
+    return corner;
 }
 
-std::string mark_of(const ModelOrigin& origin) {
-    return origin.synthetic ? "by a model trained on synthetic ratings" : "";
+NumberMark mark_of(const ModelOrigin& origin) { return {.synthetic_model = origin.synthetic}; }
+
+NumberMark mark_of(const PatternSet& set) {
+    return mark_of(set.model_origin) |
+           NumberMark{.synthetic_patterns = has_synthetic_patterns(set)};
 }
 
 void add_labels(nlohmann::json& json, const Labels& labels) {
-    json["synthetic_patterns"] = labels.synthetic_patterns;
-    json["synthetic_model"] = labels.synthetic_model;
-    if (labels.changed_since_felt) json["changed_since_felt"] = true;
+    const NumberMark& mark = labels.mark;
+    json["synthetic_patterns"] = mark.synthetic_patterns;
+    json["synthetic_model"] = mark.synthetic_model;
+    if (mark.synthetic) json["synthetic"] = true;
+    if (mark.rehearsal) json["rehearsal"] = true;
+    if (mark.left_out > 0) json["people_left_out"] = mark.left_out;
+    if (mark.rehearsals > 0) json["rehearsals_left_out"] = mark.rehearsals;
+    if (mark.stale) json["changed_since_felt"] = true;
     if (!labels.edited.empty()) json["edited_since_felt"] = labels.edited;
     if (!labels.gone.empty()) json["gone_since_felt"] = labels.gone;
     if (labels.only != Side::both) {

@@ -19,10 +19,8 @@ struct Labels {
     std::optional<RenderedBy> by{};          // none: the patterns as they are meant
     std::optional<ExportTarget> exported{};  // as they come back from its files, before any device
     Side only = Side::both;
-    bool synthetic_patterns = false;                 // measurements that were computed
-    bool synthetic_model = false;                    // fitted to ratings that nobody gave
-    bool changed_since_felt = false;                 // other patterns than those that were rated
-    std::vector<std::string> edited{};               // which, where that is known
+    NumberMark mark{};                               // of the ratings, the model and the patterns
+    std::vector<std::string> edited{};               // since they were felt, where that is known
     std::vector<std::string> gone{};                 // were rated, are not in the set, left out
     std::map<std::string, std::size_t> actuators{};  // maps by which patterns were read, how many
 };
@@ -39,13 +37,16 @@ std::string sentence_on(const ExportTarget& target);
 std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
-// What is false about who gave or felt what these numbers rest on: for the corner of a table, or
-// the title of a picture; empty where nothing is. Everything that hands numbers on hands it on.
-std::string mark_of(const Labels& labels);
-// The same of a model alone: "by a model trained on synthetic ratings".
-std::string mark_of(const ModelOrigin& origin);
+// Of the mark alone, with the names of what was edited: for the corner of a table, or the title of
+// a picture; empty where nothing is to be said. Everything that hands numbers on hands it on.
+std::string corner_of(const Labels& labels);
 
-// Keys of an object: synthetic_patterns and synthetic_model always; changed_since_felt,
+// Of what a model says; of what it says of the patterns of this set.
+NumberMark mark_of(const ModelOrigin& origin);
+NumberMark mark_of(const PatternSet& set);
+
+// Keys of an object: synthetic_patterns and synthetic_model always; synthetic, rehearsal,
+// people_left_out, rehearsals_left_out, changed_since_felt,
 // edited_since_felt, gone_since_felt, only,
 // exported_as with exported_onto and exported_onto_source or exported_rate_hz, and rendered_by with
 // calibrated, full_scale_g and level, where they apply; actuators, of patterns that were read from

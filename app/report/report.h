@@ -50,7 +50,8 @@ struct Report {
     std::optional<RenderedBy> by{};        // the device
     std::string program{};                 // "tactspace 0.1.0"
     std::string date{};                    // of the page
-    std::vector<std::string> labels{};     // further sentences that every number is to be read with
+    NumberMark mark{};                     // of every number ...
+    std::vector<std::string> labels{};     // ... in sentences, with further ones
 };
 
 std::string report_page(const Report& report);

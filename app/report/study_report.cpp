@@ -211,7 +211,8 @@ std::string map_html(const StudyReport& report, const Dissimilarity& matrix,
 
 std::string maps_section(const StudyReport& report) {
     const StudyTables& tables = report.tables;
-    const std::string people = tables.results.synthetic ? "synthetic ratings" : "people's ratings";
+    const std::string people =
+        tables.results.mark.synthetic ? "synthetic ratings" : "people's ratings";
     std::string html = map_html(report, tables.people.dissimilarity, tables.people.space,
                                 "Mean of " + people, "map-people");
     const auto pm = std::ranges::find(tables.metrics, "pm", &MetricOfStudy::key);

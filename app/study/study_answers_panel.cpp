@@ -1,6 +1,7 @@
 // What people said, as a matrix or as a map: of all who count, or of one beside them.
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
@@ -64,6 +65,16 @@ void draw_map(const Ui& ui, const Workspace& work, ShownMap& shown_map, const St
     draw_space("study map", ui.theme, area, scene, shown_map.camera);
 }
 
+// Of one participant, where one is chosen, else of the mean.
+NumberMark shown_mark(const StudyState& studying) {
+    const StudyAnswers& answers = *studying.answers;
+    if (!studying.shown) return answers.results->mark;
+    const std::string& code = answers.records[*studying.shown].header.participant.code;
+    const auto person = std::ranges::find(answers.results->people, code, &ParticipantSummary::code);
+    if (person == answers.results->people.end()) return {};
+    return {.synthetic = person->synthetic, .rehearsal = person->rehearsal};
+}
+
 void draw_values(const Ui& ui, const StudyState& studying, const StudyAnswers& answers,
                  const Rect& area) {
     const auto shown = studying.shown;
@@ -71,9 +82,7 @@ void draw_values(const Ui& ui, const StudyState& studying, const StudyAnswers& a
     MatrixScene scene;
     scene.condensed = matrix.condensed;
     scene.labels = answers.results->study.labels;
-    const bool synthetic =
-        shown ? answers.records[*shown].header.synthetic : answers.results->synthetic;
-    const std::string quantity = of_people("dissimilarity", {.synthetic = synthetic});
+    const std::string quantity = of_people("dissimilarity", shown_mark(studying));
     scene.quantity = quantity;
     scene.largest = studying.rule.scaling == RatingScaling::none ? 100.0 : 0.0;
     draw_matrix("study matrix", ui.theme, area, scene);

@@ -224,11 +224,7 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
     const StudyResults& results = *answers->results;
     const Expected<RatingStudy> study = matched(results.study, names_of(work.document.set));
     if (!study) return complain(ui, study.error().message);
-    const std::string source = std::string(results.synthetic ? kSyntheticRatings : "") +
-                               answers->question.folder.filename().string();
-    const auto left_out = static_cast<std::size_t>(std::ranges::count_if(
-        results.people, [](const ParticipantSummary& person) { return !person.excluded.empty(); }));
-    auto ratings = kept_ratings(*study, ratings_source(source, left_out));
+    auto ratings = kept_ratings(*study, answers->question.folder.filename().string());
     note_versions(ratings, *study, work.document.set);
     work.document.edit().ratings = std::move(ratings);
     document_changed(work);

@@ -10,6 +10,7 @@
 #include "app/ui/widgets.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
+#include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -142,7 +143,7 @@ void draw_foot(Ui& ui, const StudyState& studying, const Rect& area) {
 void draw_entry(Ui& ui, const char* label, const char* id, std::string& text, const char* hint) {
     draw_label(ui, label);
     ImGui::SetNextItemWidth(kEntryPx * ui.theme.scale);
-    ImGui::InputText((std::string("##") + id).c_str(), &text);
+    ImGui::InputText((std::string("##") + id).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
     note_item(ui.rects, std::string("study field:") + id, text);
     if (*hint == '\0') return;
     ImGui::SameLine();
@@ -166,6 +167,7 @@ std::string code_fault(const Workspace& work, const StudyState& studying) {
 bool draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     ImGui::BeginGroup();
     const std::string fault = code_fault(work, studying);
+    if (ImGui::IsWindowAppearing()) focus_next_item();
     draw_entry(ui, "Code", "code", studying.code, fault.empty() ? "no name, please" : "");
     if (!fault.empty()) {
         ImGui::SameLine();

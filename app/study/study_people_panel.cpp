@@ -78,12 +78,12 @@ std::string agreement_text(const StudyAnswers& answers) {
     std::string text =
         std::to_string(counted) + " of " + std::to_string(results.people.size()) +
         (results.people.size() == 1 ? " participant counts." : " participants count.");
-    if (results.synthetic) text += " Synthetic: nobody was asked.";
+    if (results.mark.synthetic) text += " Synthetic: nobody was asked.";
     if (results.order == StudyOrder::adaptive) text += " Adaptive order, not the full design.";
     const std::string unrated =
         remark_on_unrated(unrated_patterns(results.study), results.study.labels.size());
     if (counted > 0 && !unrated.empty()) text += " " + unrated + ".";
-    return text + " " + ceiling_text(results.agreement, {.synthetic = results.synthetic});
+    return text + " " + ceiling_text(results.agreement, results.mark);
 }
 
 // How alike people rate by the numbers of other fields, and whether order or sides shift ratings.
@@ -91,8 +91,7 @@ std::string raters_text(const StudyAnswers& answers) {
     const InterRater& raters = answers.raters;
     std::string text;
     if (raters.people > 1) {
-        const bool synthetic = answers.results->synthetic;
-        text = "Agreement: " + of_people("ICC(2,1) ", {.synthetic = synthetic}) +
+        text = "Agreement: " + of_people("ICC(2,1) ", answers.results->mark) +
                digits(raters.single.value, 2) + ", ICC(3,k) " + digits(raters.mean.value, 2) +
                ", Krippendorff's alpha " + digits(raters.alpha, 2) + ".";
     }
@@ -117,7 +116,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
         text = "The latest participant's map has settled: more would change little.";
     if (settling.change.empty()) text = "Too few answers to tell whether the map has settled.";
     if (!settling.change.empty()) {
-        text += " " + of_people("K ", {.synthetic = answers.results->synthetic}) +
+        text += " " + of_people("K ", answers.results->mark) +
                 significant(settling.change.front(), 2) +
                 " since so many trials as there "
                 "are patterns.";

@@ -229,7 +229,8 @@ void draw_people_table(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
     for (const Column& column : kHeads) {
         ImGui::TableNextColumn();
         const std::string name = column.name;
-        dim_text(ui, of_people(name, {.synthetic = answers.results->synthetic && name == "rho"}));
+        dim_text(ui,
+                 of_people(name, {.synthetic = answers.results->mark.synthetic && name == "rho"}));
         draw_tooltip(ui, column.tip);
     }
     ImGui::PopFont();

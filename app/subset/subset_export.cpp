@@ -56,9 +56,10 @@ Expected<Done> write_subset(const fs::path& folder, const Report& report) {
         PictureSize size;
         size.format = format;
         size.dark = false;
-        const Picture picture =
-            space_picture(report.set, report.dissimilarity, report.space, size,
-                          {.chosen = report.answer.best.members, .quantity = report.space_of});
+        const Picture picture = space_picture(report.set, report.dissimilarity, report.space, size,
+                                              {.chosen = report.answer.best.members,
+                                               .quantity = report.space_of,
+                                               .mark = phrase_of(report.mark)});
         const fs::path file = folder / kFiles[format == PictureFormat::png ? 2 : 3];
         if (auto written = write_picture(file, picture); !written) return written;
     }
@@ -111,9 +112,7 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     rating.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rating.front())));
     const StalePatterns stale = by_ratings ? stale_patterns(set) : StalePatterns{};
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
-                        .synthetic_patterns = has_synthetic_patterns(set),
-                        .synthetic_model = set.model_origin.synthetic,
-                        .changed_since_felt = !stale.edited.empty(),
+                        .mark = mark_of(set) | pick.mark,
                         .edited = stale.edited,
                         .gone = stale.gone};
     Report report{
@@ -131,6 +130,7 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
         .by = labels.by,
         .program = kProgramVersion,
         .date = utc_today(),
+        .mark = labels.mark,
         .labels = lines_of(labels)};
     if (&shown != &pick.answer.best) {
         const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;

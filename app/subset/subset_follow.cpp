@@ -22,7 +22,7 @@ const PatternSet& set_of(const PickRequest& request) { return *request.map->requ
 
 // How far apart the patterns are by what was asked for.
 Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::stop_token stop,
-                                            RatingMark& mark) {
+                                            NumberMark& mark) {
     const Prediction& prediction = request.map->prediction;
     if (request.by_ratings) {
         const Expected<RatingStudy> study = study_of(set_of(request));
@@ -71,7 +71,7 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
 
 std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_token stop,
                                       std::atomic<float>& progress) {
-    RatingMark mark;
+    NumberMark mark;
     const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, mark);
     if (!matrix) return std::nullopt;
     SubsetOptions options;

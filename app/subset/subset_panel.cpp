@@ -270,8 +270,8 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
 
 }  // namespace
 
-std::string quantity_of(const PickRequest& request, const RatingMark& mark) {
-    if (request.by_ratings) return of_people("rating", mark);
+std::string quantity_of(const PickRequest& request, const NumberMark& mark) {
+    if (request.by_ratings) return of_counted("rating", mark);
     return traits(request.metric).name;
 }
 

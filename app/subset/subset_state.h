@@ -38,13 +38,13 @@ struct Pick {
     std::shared_ptr<const Dissimilarity> dissimilarity;
     std::string fault;  // why there is none
     SubsetAnswer answer;
-    RatingMark mark{};  // of the ratings, where it is by them
+    NumberMark mark{};  // of the ratings, where it is by them
 };
 
 struct PickCurve {
     PickRequest request;
     std::vector<CurvePoint> points;
-    RatingMark mark{};
+    NumberMark mark{};
 };
 
 struct SeparationRequest {
@@ -96,7 +96,7 @@ struct TooClosePairs {
     double threshold = 0.0;             // in the matrix's own unit
     std::size_t count = 0;              // of all such pairs ...
     std::vector<ConfusablePair> pairs;  // ... of which the closest are kept
-    RatingMark mark{};                  // of the ratings, where it is by them
+    NumberMark mark{};                  // of the ratings, where it is by them
 };
 
 // A change that was to part a pair: whether it did is known once the map is exact.

@@ -26,7 +26,7 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
 // How far apart the weakest pair is for each count; a click chooses one.
 bool has_curve(const SubsetState& picking);  // or will have
 std::string quantity_of(const PickRequest& request,
-                        const RatingMark& mark);  // what "far apart" is in: "PM"
+                        const NumberMark& mark);  // what "far apart" is in: "PM"
 void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const Rect& area);
 
 // What is left of the pane, or where that is less so many lines, which scroll.

@@ -131,9 +131,9 @@ std::string summary_of(const SubsetState& picking, const TooClosePairs& pairs) {
     }
     if (pairs.pairs.empty()) return "None is closer than this.";
     const std::string total = grouped_digits(pairs.count) + (pairs.count == 1 ? " pair" : " pairs");
-    const std::string by = words_of(pairs.mark);
     const std::string which =
-        " " + criterion_of(pairs, picking) + (by.empty() ? "" : ", by " + by + " ratings");
+        " " + criterion_of(pairs, picking) +
+        (pairs.mark == NumberMark{} ? "" : ", by " + of_counted("ratings", pairs.mark));
     if (pairs.count == pairs.pairs.size()) return total + which;
     return "The first " + grouped_digits(pairs.pairs.size()) + " of " + total + which;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "app/ui/number_field.h"
@@ -116,20 +117,26 @@ bool draw_bar(Ui& ui, const Field& field, double& value) {
     return changed;
 }
 
+// In whole steps, without a unit.
+bool is_count(const Field& field) {
+    return field.snap == 1.0 && std::string_view(field.format) == "%.0f";
+}
+
 NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px) {
     if (ui.field.wanted == field.id) {
         focus_next_item();
         ui.field.wanted.clear();
     }
-    const NumberEdit edit = edit_entry(ui,
-                                       {.id = "entry",
-                                        .label = field.label,
-                                        .format = field.format,
-                                        .rules = {field.typed, unit_in(field.format)},
-                                        .width_px = width_px,
-                                        .step = std::max(field.step, field.snap),
-                                        .mixed = field.mixed.has_value()},
-                                       value);
+    const NumberEdit edit =
+        edit_entry(ui,
+                   {.id = "entry",
+                    .label = field.label,
+                    .format = field.format,
+                    .rules = {field.typed, unit_in(field.format), is_count(field)},
+                    .width_px = width_px,
+                    .step = std::max(field.step, field.snap),
+                    .mixed = field.mixed.has_value()},
+                   value);
     note_item(ui.rects, std::string("entry:") + field.id,
               field.mixed ? "mixed" : std::to_string(value));
     if (ImGui::IsItemActive()) note_item(ui.rects, "typed", field.id);

@@ -119,7 +119,10 @@ NumberEdit take_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, d
         typing.refused = typing.entry;
         return {};
     }
-    if (!typed->remark.empty()) complain_of(ui, entry, typed->remark);
+    if (!typed->remark.empty()) {
+        complain_of(ui, entry, typed->remark);
+        typing.refused = typing.entry;  // what stands there is not what was typed
+    }
     const bool changed = std::exchange(value, typed->value) != typed->value || entry.mixed;
     if (typed->factor) return {changed, false, Along::factor, *typed->factor};
     return {changed, false, Along::same};

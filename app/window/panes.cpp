@@ -181,13 +181,20 @@ std::string shown_voice(const App& app) {
     const auto& shown = app.studying.shown;
     // Who rated similarity, 0 to 100, is shown as what is left of 100.
     const std::string what = "dissimilarity, ";
-    if (!shown || *shown >= answers->records.size()) return what + "mean of those who count";
-    return what + answers->records[*shown].header.participant.code;
+    if (!shown || *shown >= answers->records.size()) {
+        const std::string left_out = left_out_text(answers->results->mark);
+        return what + "mean of those who count" + (left_out.empty() ? "" : ", " + left_out);
+    }
+    const std::string& code = answers->records[*shown].header.participant.code;
+    const auto& people = answers->results->people;
+    const auto person = std::ranges::find(people, code, &ParticipantSummary::code);
+    const bool counts = person == people.end() || person->excluded.empty();
+    return what + code + (counts ? "" : ", left out: " + person->excluded);
 }
 
 // Results that are not of the patterns as they were meant say so in their title.
 PaneTitle with_origin(const App& app, PaneTitle title) {
-    const std::string model = mark_of(app.work.document.set.model_origin);
+    const std::string model = phrase_of(mark_of(app.work.document.set));
     for (const std::string& origin : {rendered_words(app.rendered), model}) {
         if (origin.empty()) continue;
         title.detail += (title.detail.empty() ? "" : "   ") + origin;
@@ -200,7 +207,8 @@ PaneTitle title_of(const App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
             if (app.layout.arrangement == Arrangement::select)
-                return {"Candidates", "side by side", {shown_patterns_text(app.work)}};
+                return with_origin(app,
+                                   {"Candidates", "side by side", {shown_patterns_text(app.work)}});
             return {"Patterns", "", {shown_patterns_text(app.work)}};
         case Pane::editor:
             return {"Editor", name, together_forms(app)};
@@ -209,8 +217,7 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::space:
             return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
         case Pane::matrix:
-            return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device ||
-                           app.layout.bench == BenchTab::candidates
+            return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device
                        ? bench_title(app)
                        : with_origin(app, bench_title(app));
         case Pane::study_design:

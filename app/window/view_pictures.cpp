@@ -72,7 +72,7 @@ const char* quantity_name(MatrixQuantity quantity) {
 // The actuator that plays the patterns, and the mark of the model.
 void add_origin(const App& app, PaneTitle& title) {
     for (const std::string& origin :
-         {rendered_words(app.rendered), mark_of(app.work.document.set.model_origin)}) {
+         {rendered_words(app.rendered), phrase_of(mark_of(app.work.document.set))}) {
         if (!origin.empty()) title.detail += "   " + origin;
     }
 }
@@ -87,6 +87,14 @@ PaneTitle physiology_title(const App& app) {
     std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.timeline.playhead.at_s,
                   shown_duration_s(app.work));
     title.right = {at};
+    return title;
+}
+
+PaneTitle matrix_title(const App& app) {
+    PaneTitle title{"Matrix", app.work.document.set.name, {}};
+    if (!title.detail.empty()) title.detail += "   ";
+    title.detail += quantity_name(app.shown_map.quantity);
+    add_origin(app, title);
     return title;
 }
 
@@ -128,12 +136,8 @@ void draw_view(App& app, PictureView view) {
                 draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
             });
         case PictureView::matrix:
-            return draw_pane(
-                app.ui, app.layout, Pane::matrix, area,
-                {"Matrix",
-                 app.work.document.set.name + "   " + quantity_name(app.shown_map.quantity),
-                 {rendered_words(app.rendered)}},
-                [&app] { draw_matrix_panel(app.ui, app.work, app.shown_map); });
+            return draw_pane(app.ui, app.layout, Pane::matrix, area, matrix_title(app),
+                             [&app] { draw_matrix_panel(app.ui, app.work, app.shown_map); });
         case PictureView::table:
             return draw_bench_picture(app, BenchTab::candidates, area);
         case PictureView::subset:

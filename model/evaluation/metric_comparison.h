@@ -39,7 +39,7 @@ struct RatedPeople {
     Ceilings ceilings;
     std::size_t rated_pairs = 0;
     std::size_t participants = 0;
-    RatingMark mark;
+    NumberMark mark;
     std::vector<std::string> unrated;   // patterns that have no ratings and are left out
     std::vector<std::string> edited{};  // patterns that are others than were felt
     std::vector<std::string> gone{};    // rated, not in the set, and left out

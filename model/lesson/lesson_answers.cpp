@@ -70,7 +70,7 @@ std::string people_text(const PatternSet& set, const LessonQuestion& question,
     const std::vector<double> values = of_pairs(set, question.pairs, mean);
     if (std::ranges::any_of(values, [](double v) { return !std::isfinite(v); })) return {};
     const bool least = question.kind == QuestionKind::closest;
-    const RatingMark mark = mark_of(*study);
+    const NumberMark mark = mark_of(*study);
     return std::string(mark.synthetic ? "Simulated people" : "People") +
            (mark.stale ? ", before patterns were edited: " : ": ") +
            chosen_text(options, extreme_places(values, least)) + ".";

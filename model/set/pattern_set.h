@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/common/number_mark.h"
 #include "model/design_space/design_space.h"
 #include "model/pattern/felt_steps.h"
 #include "model/pattern/pattern.h"
@@ -65,6 +66,7 @@ struct Ratings {
     std::string file{};  // they were read from, without its folder
     // Of the patterns when they were felt, by label (felt_versions.h); empty: not recorded.
     std::vector<std::string> versions{};
+    NumberMark mark{};  // synthetic, and who of the study is left out
 
     bool operator==(const Ratings&) const = default;
 };

@@ -7,28 +7,21 @@
 
 namespace tact {
 
-bool is_synthetic(const Ratings& ratings) { return ratings.file.starts_with(kSyntheticRatings); }
-
-std::string ratings_source(const std::string& file, std::size_t left_out) {
-    if (left_out == 0) return file;
-    return file + " (" + std::to_string(left_out) +
-           (left_out == 1 ? " participant left out)" : " participants left out)");
-}
-
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file) {
     const bool is_many = study.judgements.size() > kMostKeptRatings;
-    const std::string marked =
-        (file.starts_with(kSyntheticRatings) ? "" : kSyntheticRatings) + file;
     std::vector<Ratings> kept;
     for (const Judgement& judgement : is_many ? participant_means(study) : study.judgements) {
         const auto standing =
             std::ranges::find(study.standings, judgement.participant, &Standing::participant);
         const bool is_nobody = standing != study.standings.end() && standing->synthetic;
-        Ratings ratings{judgement.participant,
-                        study.labels,
-                        judgement.condensed,
-                        {},
-                        is_nobody ? marked : file};
+        Ratings ratings{
+            judgement.participant,
+            study.labels,
+            judgement.condensed,
+            {},
+            file,
+            {},
+            {.synthetic = is_nobody, .left_out = study.left_out, .rehearsals = study.rehearsals}};
         std::ranges::replace_if(
             ratings.condensed, [](double value) { return std::isnan(value); }, kUnrated);
         kept.push_back(std::move(ratings));
@@ -61,7 +54,9 @@ Expected<RatingStudy> study_of(const PatternSet& set) {
         }
         Expected<RatingStudy> voice = spread_over(without_gone(one, study.labels), study.labels);
         study.judgements.push_back(std::move(voice->judgements.front()));
-        if (is_synthetic(ratings)) study.standings.push_back({ratings.name, true});
+        study.left_out = std::max(study.left_out, ratings.mark.left_out);
+        study.rehearsals = std::max(study.rehearsals, ratings.mark.rehearsals);
+        if (ratings.mark.synthetic) study.standings.push_back({ratings.name, true});
     }
     Expected<RatingStudy> fitting = matched(study, study.labels);
     const std::size_t rated = study.labels.size() - unrated_patterns(study).size();

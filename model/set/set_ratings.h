@@ -14,16 +14,10 @@
 
 namespace tact {
 
-// Their file's name begins so where nobody was asked.
-inline constexpr const char* kSyntheticRatings = "synthetic, ";
-bool is_synthetic(const Ratings& ratings);
-
 inline constexpr std::size_t kMostKeptRatings = 1000;  // of a set file
 
-// What is kept as the ratings' file: who of it does not count stays known.
-std::string ratings_source(const std::string& file, std::size_t left_out);
-
-// `file`: where the study was read from; may be empty. Who was not asked is marked so.
+// `file`: where the study was read from; may be empty. Who was not asked is marked so, and how many
+// are left out stays known.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 
 // The ratings of a set as a study in the order of its patterns, with what was edited since, and

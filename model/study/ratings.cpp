@@ -127,18 +127,20 @@ std::string extra_among(const std::vector<std::string>& given,
 struct Voices {
     std::size_t people = 0;     // who judged anything
     std::size_t simulated = 0;  // of these
+    std::size_t rehearsing = 0;
 };
 
 Voices voices_of(const RatingStudy& study) {
     std::set<std::string_view> people;
     std::set<std::string_view> simulated;
+    std::set<std::string_view> rehearsing;
     for (const Judgement& judgement : study.judgements) people.insert(judgement.participant);
     for (const Standing& standing : study.standings) {
-        if (standing.synthetic && people.contains(standing.participant)) {
-            simulated.insert(standing.participant);
-        }
+        if (!people.contains(standing.participant)) continue;
+        if (standing.synthetic) simulated.insert(standing.participant);
+        if (standing.rehearsal) rehearsing.insert(standing.participant);
     }
-    return {people.size(), simulated.size()};
+    return {people.size(), simulated.size(), rehearsing.size()};
 }
 
 // Whether each object has a pair with a value.
@@ -174,8 +176,8 @@ RatingStudy moved_to(const RatingStudy& study, const std::vector<std::string>& n
         from.push_back(study.is_named ? static_cast<std::size_t>(found - study.labels.begin()) : k);
     }
     const std::size_t known = study.labels.size();
-    RatingStudy result{names, true,         {},        study.standings, study.fingerprint,
-                       {},    study.edited, study.gone};
+    RatingStudy result{names, true,         {},         study.standings, study.fingerprint,
+                       {},    study.edited, study.gone, study.left_out,  study.rehearsals};
     for (const std::size_t k : from) {
         if (study.versions.empty()) break;
         result.versions.push_back(k < known ? study.versions[k] : std::string());
@@ -206,8 +208,12 @@ std::string words_on_simulated(const RatingStudy& study) {
 
 bool is_partly_synthetic(const RatingStudy& study) { return voices_of(study).simulated > 0; }
 
-RatingMark mark_of(const RatingStudy& study) {
-    return {is_partly_synthetic(study), !study.edited.empty()};
+NumberMark mark_of(const RatingStudy& study) {
+    return {.synthetic = is_partly_synthetic(study),
+            .rehearsal = voices_of(study).rehearsing > 0,
+            .stale = !study.edited.empty(),
+            .left_out = study.left_out,
+            .rehearsals = study.rehearsals};
 }
 
 std::string words_on_edited(const std::vector<std::string>& edited) {

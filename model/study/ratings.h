@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/common/number_mark.h"
 #include "model/dissimilarity/dissimilarity.h"
 
 namespace tact {
@@ -48,6 +49,8 @@ struct RatingStudy {
         versions{};                     // of each label (model/set/felt_versions.h); empty: as well
     std::vector<std::string> edited{};  // labels of patterns that are others than were felt
     std::vector<std::string> gone{};    // were rated; left out, as they are not in the set
+    std::size_t left_out = 0;           // participants who do not count, and are not among these
+    std::size_t rehearsals = 0;         // of those
 
     bool operator==(const RatingStudy&) const = default;
 };
@@ -58,14 +61,8 @@ std::string words_on_simulated(const RatingStudy& study);
 // Whether nobody was asked for some of the judgements.
 bool is_partly_synthetic(const RatingStudy& study);
 
-// What is not true, or no longer, of numbers that are made of ratings: it goes where they go.
-struct RatingMark {
-    bool synthetic = false;  // nobody was asked, for some of the ratings at least
-    bool stale = false;      // some of the patterns are others than were felt
-
-    bool operator==(const RatingMark&) const = default;
-};
-RatingMark mark_of(const RatingStudy& study);
+// Of every number that is made of these ratings.
+NumberMark mark_of(const RatingStudy& study);
 
 // A phrase on patterns that were edited or are gone since they were rated, with names: "edited
 // since they were rated: "a", "b"". Empty for none.

@@ -290,7 +290,7 @@ Expected<StudyResults> study_results(std::span<const StudyRecord> records,
         person.excluded = left_out == counted->left_out.end() ? "" : left_out->why;
     }
     results.study = std::move(counted->study);
-    results.synthetic = is_partly_synthetic(results.study);
+    results.mark = mark_of(results.study);
     const std::vector<VoiceAgreement> agreement = agreement_with_others(results.study);
     for (ParticipantSummary& person : results.people) {
         const auto found = std::ranges::find(agreement, person.code, &VoiceAgreement::participant);

@@ -61,7 +61,7 @@ struct ParticipantSummary {
 struct StudyResults {
     StudyKind kind = StudyKind::pairwise;
     StudyOrder order = StudyOrder::full;
-    bool synthetic = false;  // one of those counted at least is none
+    NumberMark mark{};  // of what those who count said
     RatingScaling scaling = RatingScaling::none;
     RatingStudy study;  // of those counted
     std::vector<ParticipantSummary> people;

@@ -97,6 +97,9 @@ Expected<Counted> who_counts(RatingStudy study, const CountRule& rule) {
     };
     std::erase_if(study.judgements, is_left_out);
     std::erase_if(study.standings, is_left_out);
+    study.left_out += counted.left_out.size();
+    study.rehearsals += static_cast<std::size_t>(
+        std::ranges::count(counted.left_out, kNothingFelt, &LeftOutParticipant::why));
     counted.study = std::move(study);
     return counted;
 }

@@ -41,10 +41,16 @@ std::vector<std::string> words(std::string_view line) {
     return result;
 }
 
-// Whether a formula begins there, behind apostrophes if any.
+// Whether a formula begins there, behind apostrophes if any. Spreadsheets of East Asia take the
+// full-width forms of the four signs for them.
 bool is_run_behind(std::string_view text, std::size_t first) {
-    constexpr std::string_view kRun = "=+-@\t";
-    return first != text.npos && kRun.find(text[first]) != kRun.npos && text.size() > first + 1;
+    constexpr std::string_view kRun[] = {"=",  "+",      "-",      "@",      "\t",    "\r",
+                                         "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
+    if (first == text.npos) return false;
+    text.remove_prefix(first);
+    return std::ranges::any_of(kRun, [text](std::string_view sign) {
+        return text.starts_with(sign) && text.size() > sign.size();
+    });
 }
 
 // Fields of a line; one whose quotes are open at its end goes on in the next line.

@@ -162,6 +162,9 @@ Expected<TypedNumber> typed_number(std::string_view text, double present,
     if (!meaning) return meaning.error();
     const double value = applied(*meaning, present);
     if (!std::isfinite(value)) return no_number(text);
+    if (std::fpclassify(value) == FP_SUBNORMAL) {
+        return Error{quoted(text) + " is too near zero to be computed with: type 0"};
+    }
     if (rules.whole && value != std::floor(value)) {
         return Error{quoted(text) + " is no whole number"};
     }

@@ -13,14 +13,16 @@ namespace {
 std::string yes_no(bool value) { return value ? "1" : "0"; }
 
 // Whose numbers these are; in front of every row.
-const TextRow kLabelHead{"set",      "participants",       "synthetic",       "left_out",
-                         "patterns", "synthetic_patterns", "synthetic_model", "played"};
+const TextRow kLabelHead{"set",        "participants", "synthetic",          "left_out",
+                         "rehearsals", "patterns",     "synthetic_patterns", "synthetic_model",
+                         "played"};
 
 // What the patterns went through before they were compared; empty: nothing.
 std::string played_text(const Labels& labels) {
     std::string text;
-    for (const std::string& line : lines_of(labels)) {
-        if (line.starts_with("SYNTHETIC")) continue;  // has columns of its own
+    Labels played = labels;  // the rest has columns of its own
+    played.mark = {.uncalibrated = labels.mark.uncalibrated, .stale = labels.mark.stale};
+    for (const std::string& line : lines_of(played)) {
         text += (text.empty() ? "" : "; ") + line;
     }
     return text;
@@ -30,10 +32,11 @@ TextRow labels_of(const SetAgreement& set) {
     return {set.name,
             std::to_string(set.people.participants),
             yes_no(set.people.mark.synthetic),
-            std::to_string(set.left_out.size()),
+            std::to_string(set.people.mark.left_out),
+            std::to_string(set.people.mark.rehearsals),
             std::to_string(set.patterns),
-            yes_no(set.labels.synthetic_patterns),
-            yes_no(set.labels.synthetic_model),
+            yes_no(set.labels.mark.synthetic_patterns),
+            yes_no(set.labels.mark.synthetic_model),
             played_text(set.labels)};
 }
 

@@ -44,7 +44,7 @@ std::string head_of(const SetAgreement& set) {
     if (!unrated.empty()) text += shown_text(unrated) + "\n";
     const std::string collapsed = remark_on_people_map(rated_of(set));
     if (!collapsed.empty()) text += collapsed + "\n";
-    return text + text_of(set.labels) + text_on_people(set.people.mark.synthetic, set.left_out);
+    return text + text_of(set.labels) + text_on(set.left_out);
 }
 
 std::string table_of(const SetAgreement& set) {

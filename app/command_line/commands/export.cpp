@@ -115,8 +115,9 @@ Expected<Exported> exported_part(const ExportCommand& command, const PatternSet&
     return result;
 }
 
-// `is_synthetic`: what it costs is said by a model that was trained on ratings of nobody.
-void print_table(const Exported& exported, const std::filesystem::path& folder, bool is_synthetic) {
+// `mark`: of the model that says what it costs.
+void print_table(const Exported& exported, const std::filesystem::path& folder,
+                 const NumberMark& mark) {
     for (std::size_t k = 0; k < exported.remarks.size(); ++k) {
         std::string file = (folder / exported.names[k]).string();
         if (*traits(exported.target.format).beside != '\0') {
@@ -129,7 +130,7 @@ void print_table(const Exported& exported, const std::filesystem::path& folder, 
         if (exported.remarks[k].empty()) std::cout << "    nothing lost\n";
     }
     if (!exported.loss) return;
-    std::cout << text_of(Labels{.synthetic_model = is_synthetic}) << text_of(*exported.loss);
+    std::cout << text_of(Labels{.mark = mark}) << text_of(*exported.loss);
 }
 
 nlohmann::json target_json(const ExportTarget& target) {
@@ -167,7 +168,7 @@ void print_json(const Exported& exported, const PatternSet& part,
     answer["files"] = list;
     if (exported.loss) {
         answer["loss"] = json_of(*exported.loss);
-        add_labels(answer["loss"], {.synthetic_model = part.model_origin.synthetic});
+        add_labels(answer["loss"], {.mark = mark_of(part)});
     }
     std::cout << answer.dump() << "\n";
 }
@@ -210,7 +211,7 @@ Expected<Done> run(const ExportCommand& command) {
     if (command.common.json) {
         print_json(*exported, *part, command.out);
     } else {
-        print_table(*exported, command.out, part->model_origin.synthetic);
+        print_table(*exported, command.out, mark_of(*part));
     }
     return Done{};
 }

@@ -177,14 +177,14 @@ Expected<Done> write_matrix(const PredictCommand& command, const Named& named,
         if (command.common.json) {
             print_json(stream, named, command.metric, matrix);
         } else {
-            write_matrix_csv(stream, named.patterns, matrix, mark_of(named.labels));
+            write_matrix_csv(stream, named.patterns, matrix, corner_of(named.labels));
         }
     });
     show("", matrix.condensed.size());
     if (!written || command.image.empty()) return written;
     const std::string quantity = traits(*metric_named(command.metric)).name;
     return write_picture(command.image, matrix_picture(named.patterns, matrix, quantity, image,
-                                                       mark_of(named.labels)));
+                                                       corner_of(named.labels)));
 }
 
 bool has_tiles(const std::string& metric) {

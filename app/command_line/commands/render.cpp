@@ -116,7 +116,8 @@ Expected<Done> run(const RenderCommand& command) {
     if (command.common.json) {
         nlohmann::json answer{{"files", files}};
         if (*by) {
-            add_labels(answer, {.by = *by, .synthetic_patterns = has_synthetic_patterns(*set)});
+            add_labels(answer,
+                       {.by = *by, .mark = {.synthetic_patterns = has_synthetic_patterns(*set)}});
             answer["patterns"] = report.patterns;
         }
         std::cout << answer.dump() << "\n";

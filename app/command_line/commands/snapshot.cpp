@@ -78,7 +78,7 @@ Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSe
     const Prediction prediction = *predict(model_waveforms(set), set.model, options);
     if (command.view == "matrix") {
         return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size,
-                              mark_of(set.model_origin));
+                              phrase_of(mark_of(set)));
     }
     MdsParams params = standard_mds_params(set.vibrations.size(), 3);
     params.threads = command.common.threads;

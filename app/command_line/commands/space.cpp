@@ -29,9 +29,7 @@ struct Mappable {
     Dissimilarity apart;
     std::string quantity;  // PM
     bool of_people = false;
-    bool synthetic = false;  // people that nobody asked
-    Labels labels{};
-    std::string mark{};  // what has to be said of all numbers
+    Labels labels{};  // of people and matrices without what is said of the model
 };
 
 // How a map lies upon another one.
@@ -41,7 +39,7 @@ struct OnOtherMap {
     ProcrustesFit fit;
     double k = 0.0;
     PermutationTest protest;
-    std::string mark{};  // of the other map
+    NumberMark mark{};  // of the other map
 };
 
 constexpr PermutationParams kProtest{10'000, 6, 0};
@@ -61,18 +59,14 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
     Expected<std::vector<RatedPatterns>> rated = load_rated(command.common, command.ratings);
     if (!rated) return rated.error();
     RatedPatterns& one = rated->front();
-    std::istringstream remarks(text_on_people(is_partly_synthetic(one.study), one.left_out));
+    std::istringstream remarks(text_on(one.left_out));
     for (std::string remark; std::getline(remarks, remark);) std::cerr << remark << "\n";
     const std::vector<std::string> unrated = unrated_patterns(one.study);
-    Mappable result{
-        rated_alone(one.set, unrated), {}, "ratings", true, is_partly_synthetic(one.study)};
-    result.labels.changed_since_felt = one.labels.changed_since_felt;
+    Mappable result{rated_alone(one.set, unrated), {}, "ratings", true};
+    result.labels.mark = mark_of(one.study);
     result.labels.edited = one.labels.edited;
     result.labels.gone = one.labels.gone;
-    result.mark = mark_of(result.labels);
-    if (result.synthetic) {
-        result.mark = kNobodyAsked + (result.mark.empty() ? "" : "; " + result.mark);
-    }
+    std::cerr << text_of(result.labels);
     // Of an unrated pattern there is nothing to say where it lies.
     const Expected<RatingStudy> study = spread_over(one.study, names_of(one.set));
     const Dissimilarity mean = mean_ratings(*study);
@@ -96,12 +90,12 @@ Expected<Mappable> mappable(const SpaceCommand& command) {
     const PatternSet& set = loaded->felt;
     if (const Expected<Done> pair = need_a_pair(set, command.common); !pair) return pair.error();
     if (!command.matrix.empty()) {
-        std::string mark;
-        Expected<Dissimilarity> read =
-            dissimilarities_in(command.matrix, names_of(set), command.ratings.written, &mark);
+        Labels labels;
+        Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(set),
+                                                          command.ratings.written, &labels.mark);
         if (!read) return read.error();
-        return Mappable{set, *std::move(read), command.matrix.filename().string(), false, false, {},
-                        mark};
+        return Mappable{set, *std::move(read), command.matrix.filename().string(), false,
+                        std::move(labels)};
     }
     const Expected<Metric> metric = metric_named(command.metric);
     if (!metric) return metric.error();
@@ -109,13 +103,7 @@ Expected<Mappable> mappable(const SpaceCommand& command) {
     options.threads = command.common.threads;
     options.progress = progress_line("comparing pairs");
     auto matrices = *compared_matrices(set, {&*metric, 1}, nullptr, options);
-    return Mappable{set,
-                    std::move(matrices.front()),
-                    traits(*metric).name,
-                    false,
-                    false,
-                    loaded->labels,
-                    mark_of(loaded->labels)};
+    return Mappable{set, std::move(matrices.front()), traits(*metric).name, false, loaded->labels};
 }
 
 // Errors: fewer than three patterns in common; maps that cannot lie upon each other.
@@ -161,18 +149,19 @@ nlohmann::json json_of(const OnOtherMap& on) {
                         {"procrustes_m2", 1.0 - on.fit.correlation * on.fit.correlation},
                         {"protest_p", on.protest.p},
                         {"K", on.k}};
-    if (!on.mark.empty()) json["mark"] = on.mark;
+    if (on.mark != NumberMark{}) json["mark"] = corner_text(on.mark);
     return json;
 }
 
 // What has to be said of the coordinates: of the map, and of the one that it is turned onto.
-std::string mark_of(const Mappable& of, const std::optional<OnOtherMap>& on) {
-    if (!on || on->mark.empty()) return of.mark;
-    const std::string turned = "turned onto a map: " + on->mark;
-    return of.mark.empty() ? turned : of.mark + "; " + turned;
+std::string corner_of(const Mappable& of, const std::optional<OnOtherMap>& on) {
+    const std::string own = corner_of(of.labels);
+    if (!on || on->mark == NumberMark{}) return own;
+    const std::string turned = "turned onto a map: " + corner_text(on->mark);
+    return own.empty() ? turned : own + "; " + turned;
 }
 
-nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
+nlohmann::json json_of(const Mappable& of, bool of_matrix, const PerceptualSpace& space,
                        const std::optional<OnOtherMap>& alignment) {
     nlohmann::json coordinates = nlohmann::json::array();
     for (Eigen::Index i = 0; i < space.points.rows(); ++i) {
@@ -183,10 +172,9 @@ nlohmann::json json_of(const Mappable& of, const PerceptualSpace& space,
     nlohmann::json json{
         {"labels", names_of(of.set)}, {"coordinates", coordinates}, {"stress1", space.stress1}};
     const bool labelled = !lines_of(of.labels).empty();
-    if (of.of_people) json["synthetic"] = of.synthetic;
-    if (labelled) add_labels(json, of.labels);
-    // Beside keys that say the same it would be said twice: it is of a matrix that carries it.
-    if (!of.of_people && !labelled && !of.mark.empty()) json["mark"] = of.mark;
+    if (of.of_people) json["synthetic"] = of.labels.mark.synthetic;
+    if (labelled && of_matrix) json["mark"] = corner_of(of.labels);
+    if (labelled && !of_matrix) add_labels(json, of.labels);
     if (alignment) json["aligned"] = json_of(*alignment);
     return json;
 }
@@ -206,16 +194,19 @@ void print_remarks(const PerceptualSpace& space, const std::optional<OnOtherMap>
         on->protest.is_exact ? "all orders of the patterns"
                              : (grouped_digits(on->protest.orders) + " orders").c_str(),
         on->protest.is_exact ? "" : ", seed 6");
-    if (!on->mark.empty()) std::cerr << "tactspace: the other map: " << on->mark << "\n";
+    for (const std::string& said : sentences_of(on->mark)) {
+        std::cerr << "tactspace: the other map: " << said << "\n";
+    }
 }
 
 Expected<Done> draw(const SpaceCommand& command, const Mappable& of, const PerceptualSpace& space,
                     const std::optional<OnOtherMap>& alignment, const PictureSize& size) {
     SpaceMarks marks;
     marks.quantity = of.quantity;
-    if (of.of_people) marks.source = of.synthetic ? "synthetic ratings" : "rated by people";
+    if (of.of_people)
+        marks.source = of.labels.mark.synthetic ? "synthetic ratings" : "rated by people";
     if (!command.matrix.empty()) marks.source = "by " + of.quantity;
-    marks.mark = mark_of(of, alignment);
+    marks.mark = corner_of(of, alignment);
     // Arrows from where the other map has them, if it has all.
     const bool has_all = alignment && alignment->target.rows() == space.points.rows();
     if (has_all) marks.before = &alignment->target;
@@ -249,9 +240,9 @@ Expected<Done> run(const SpaceCommand& command) {
     print_remarks(space, alignment);
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
-            stream << json_of(*of, space, alignment).dump() << "\n";
+            stream << json_of(*of, !command.matrix.empty(), space, alignment).dump() << "\n";
         } else {
-            write_coordinates_csv(stream, labels, space.points, mark_of(*of, alignment));
+            write_coordinates_csv(stream, labels, space.points, corner_of(*of, alignment));
         }
     });
     if (!written || command.image.empty()) return written;

@@ -31,15 +31,15 @@ Expected<Done> run(const StagesCommand& command) {
         }
     }
     // Their columns are time series: what is to be said of the model stands beside them.
-    const Labels labels{.synthetic_model = set->model_origin.synthetic};
-    if (const std::string mark = mark_of(labels); !mark.empty()) {
+    const Labels labels{.mark = mark_of(set->model_origin)};
+    if (const std::string mark = corner_of(labels); !mark.empty()) {
         const auto path = command.out / "model.txt";
         if (const auto written = write_atomically(path, mark + "\n"); !written) return written;
         listed.push_back(path.string());
     }
     if (command.common.json) {
         nlohmann::json json{{"pattern", command.pattern}, {"files", listed}};
-        if (labels.synthetic_model) json["synthetic_model"] = true;
+        if (labels.mark.synthetic_model) json["synthetic_model"] = true;
         std::cout << json.dump() << "\n";
     }
     return Done{};

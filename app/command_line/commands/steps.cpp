@@ -75,9 +75,7 @@ Expected<AnsweredSteps> answered(const StepsCommand& command, const PatternSet& 
 }
 
 // How far apart they are is the model's word.
-Labels labels_of(const AnsweredSteps& answer) {
-    return {.synthetic_model = answer.written.model_origin.synthetic};
-}
+Labels labels_of(const AnsweredSteps& answer) { return {.mark = mark_of(answer.written)}; }
 
 nlohmann::json json_of(const AnsweredSteps& answer) {
     const EvenSteps& steps = answer.steps;

@@ -175,8 +175,10 @@ nlohmann::json json_of(const StudyResults& results, const OrderEffects& effects)
     const Reliability& agreement = results.agreement;
     nlohmann::json json{{"kind", word_of(results.kind)},
                         {"order", word_of(results.order)},
-                        {"synthetic", results.synthetic},
+                        {"synthetic", results.mark.synthetic},
                         {"scaling", kScalingNames[static_cast<std::size_t>(results.scaling)]},
+                        {"left_out", results.mark.left_out},
+                        {"rehearsals", results.mark.rehearsals},
                         {"labels", results.study.labels},
                         {"condensed", results.mean.condensed},
                         {"counted", agreement.is_of_one_person ? 1 : agreement.voices},
@@ -200,8 +202,9 @@ std::string head_of(const StudyResults& results, const OrderEffects& effects) {
     std::string text = results.kind == StudyKind::pairwise ? "pairs rated" : "patterns sorted";
     text += " by " + std::to_string(counted_in(results)) + " of " +
             std::to_string(results.people.size()) + " participants";
+    if (results.mark.left_out > 0) text += ", " + left_out_text(results.mark);
     if (results.order == StudyOrder::adaptive) text += ", in adaptive order";
-    if (results.synthetic) text += "; SYNTHETIC: " + words_on_simulated(results.study);
+    if (results.mark.synthetic) text += "; SYNTHETIC: " + words_on_simulated(results.study);
     if (results.scaling != RatingScaling::none) {
         text += std::string("; each one's similarities scaled: ") +
                 kScalingNames[static_cast<std::size_t>(results.scaling)];
@@ -290,8 +293,7 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
         const auto written = write_result(command.matrix, [&](std::ostream& stream) {
             Dissimilarity mean = results.mean;
             tie_rounding_noise(mean.condensed);
-            write_matrix_csv(stream, results.study.labels, mean,
-                             results.synthetic ? kNobodyAsked : "");
+            write_matrix_csv(stream, results.study.labels, mean, corner_text(results.mark));
         });
         if (!written) return written.error();
     }

@@ -42,8 +42,7 @@ struct Source {
     PatternSet felt;  // as a device plays it: what is compared
     Dissimilarity dissimilarity;
     Labels labels;
-    bool synthetic_ratings = false;
-    std::string mark{};                 // of the file of a matrix
+    NumberMark matrix_mark{};           // of the file of a matrix
     std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
 };
 
@@ -61,8 +60,7 @@ Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSe
     Expected<RatingStudy> study = matched(loaded->study, names_of(set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
     note_edited(*study, set);
-    source.synthetic_ratings = is_partly_synthetic(*study);
-    source.labels.changed_since_felt = !study->edited.empty();
+    source.labels.mark = source.labels.mark | mark_of(*study);
     source.labels.edited = study->edited;
     source.labels.gone = study->gone;
     Dissimilarity mean = mean_ratings(*study);
@@ -103,7 +101,7 @@ Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     source.labels = std::move(sets->labels);
     Expected<Dissimilarity> matrix =
         !command.matrix.empty()
-            ? dissimilarities_in(command.matrix, names, command.written, &source.mark)
+            ? dissimilarities_in(command.matrix, names, command.written, &source.matrix_mark)
         : !command.ratings.empty() ? of_ratings(command, sets->meant, source)
                                    : of_metric(command, sets->felt, stop);
     if (!matrix) return matrix.error();
@@ -324,7 +322,7 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
     Report report{.set = source.set,
                   .felt = source.felt,
                   .dissimilarity = source.dissimilarity,
-                  .quantity = source.synthetic_ratings ? "Synthetic rating" : quantity,
+                  .quantity = source.labels.mark.synthetic ? "Synthetic rating" : quantity,
                   .objective = result.objective,
                   .answer = result.answer,
                   .space = space,
@@ -336,8 +334,11 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                   .by = source.labels.by,
                   .program = kProgramVersion,
                   .date = utc_today(),
+                  .mark = source.labels.mark | source.matrix_mark,
                   .labels = lines_of(source.labels)};
-    if (!source.mark.empty()) report.labels.push_back(source.mark);
+    for (std::string& said : sentences_of(source.matrix_mark)) {
+        report.labels.push_back(std::move(said));
+    }
     if (result.stability) report.stability = &*result.stability;
     return write_subset(command.report, report);
 }
@@ -372,17 +373,17 @@ Expected<Done> run(const SubsetCommand& command) {
         if (!written) return written;
     }
     const Names names = names_of(source->set);
+    const std::string matrix_mark = corner_text(source->matrix_mark);
     return write_result({}, [&](std::ostream& stream) {
         if (command.common.json) {
             nlohmann::json json = json_of(*result, command, names);
             add_labels(json, source->labels);
-            if (!command.ratings.empty()) json["synthetic"] = source->synthetic_ratings;
-            if (!source->mark.empty()) json["mark"] = source->mark;
+            if (!command.ratings.empty()) json["synthetic"] = source->labels.mark.synthetic;
+            if (!matrix_mark.empty()) json["mark"] = matrix_mark;
             stream << json.dump() << "\n";
         } else {
-            if (!source->mark.empty()) stream << source->mark << "\n";
-            stream << text_of(source->labels) << text_on_people(source->synthetic_ratings, {})
-                   << text_of(*result, shown_texts(names));
+            if (!matrix_mark.empty()) stream << matrix_mark << "\n";
+            stream << text_of(source->labels) << text_of(*result, shown_texts(names));
         }
     });
 }

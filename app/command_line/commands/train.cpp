@@ -175,7 +175,7 @@ nlohmann::json json_of(const Training& training, const GridPoint& point) {
 std::string people_text(const std::vector<RatedPatterns>& rated) {
     std::string text;
     for (const RatedPatterns& one : rated) {
-        text += text_of(one.labels) + text_on_people(is_partly_synthetic(one.study), one.left_out);
+        text += text_of(one.labels) + text_on(one.left_out);
         const std::string unrated =
             remark_on_unrated(unrated_patterns(one.study), one.study.labels.size());
         if (!unrated.empty()) text += unrated + "\n";
@@ -245,13 +245,19 @@ std::string text_of(const Training& training, const TrainCommand& command,
 // A row a fit: of all ratings on each set, then without what was left out on just that.
 void write_csv(std::ostream& stream, const Training& training, const TrainCommand& command,
                const std::vector<RatedPatterns>& rated) {
-    TextRow head{"left_out", "tried_on", "synthetic", "patterns", "rated_pairs"};
+    TextRow head{"left_out",   "tried_on", "synthetic",  "people_left_out",
+                 "rehearsals", "patterns", "rated_pairs"};
     head.insert(head.end(), kTrainedNames.begin(), kTrainedNames.end());
     head.insert(head.end(), {"objective", "value", "rho_before", "rho_after"});
     stream << csv_line(head);
-    bool synthetic = false;
-    const auto add = [&](TextRow row, const PerceptualModelParams& model, double value,
-                         double before, double after) {
+    NumberMark all;
+    const auto add = [&](const std::string& left_out, const std::string& tried_on,
+                         const NumberMark& mark, const TextRow& counts,
+                         const PerceptualModelParams& model, double value, double before,
+                         double after) {
+        TextRow row{left_out, tried_on, mark.synthetic ? "1" : "0", std::to_string(mark.left_out),
+                    std::to_string(mark.rehearsals)};
+        row.insert(row.end(), counts.begin(), counts.end());
         for (const double one : trained_values(model)) row.push_back(csv_number(one));
         row.insert(row.end(),
                    {command.objective, csv_number(value), csv_number(before), csv_number(after)});
@@ -259,17 +265,16 @@ void write_csv(std::ostream& stream, const Training& training, const TrainComman
     };
     for (std::size_t s = 0; s < training.sets.size(); ++s) {
         const TrainedSet& set = training.sets[s];
-        const bool by_nobody = is_partly_synthetic(rated[s].study);
-        synthetic = synthetic || by_nobody;
-        add({"", set.name, by_nobody ? "1" : "0", std::to_string(set.patterns),
-             std::to_string(set.rated_pairs)},
+        const NumberMark mark = mark_of(rated[s].study);
+        all = all | mark;
+        add("", set.name, mark, {std::to_string(set.patterns), std::to_string(set.rated_pairs)},
             training.model, training.best.value, set.rho_before, set.rho_after);
     }
     for (const LeftOutTable& table : left_out_tables(training)) {
         if (command.leave_out != table.option) continue;
         for (const LeftOut& one : table.rows) {
-            add({table.what, one.name, synthetic ? "1" : "0", "", ""}, one.model, one.value,
-                one.rho_before, one.rho_after);
+            add(table.what, one.name, all, {"", ""}, one.model, one.value, one.rho_before,
+                one.rho_after);
         }
     }
 }

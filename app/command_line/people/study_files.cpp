@@ -102,9 +102,7 @@ Expected<StudyTables> tables_of(const StudyCommand& command, const PatternSet& s
 
 std::vector<std::string> labels_of(const StudyTables& tables) {
     std::vector<std::string> labels;
-    if (tables.results.synthetic) {
-        labels.emplace_back("SYNTHETIC: some or all of these ratings were given by nobody.");
-    }
+    for (const std::string& said : sentences_of(tables.results.mark)) labels.push_back(said + ".");
     if (tables.results.order == StudyOrder::adaptive) {
         labels.emplace_back("Pairs were asked in adaptive order, not the publication's design.");
     }

@@ -191,6 +191,8 @@ Expected<Done> take_file(RatingsText& all, RatingsText more) {
     for (Standing& standing : more.study.standings) {
         all.study.standings.push_back(std::move(standing));
     }
+    all.study.left_out += more.study.left_out;
+    all.study.rehearsals += more.study.rehearsals;
     for (std::string& remark : more.remarks) all.remarks.push_back(std::move(remark));
     if (all.study.fingerprint != more.study.fingerprint) all.study.fingerprint.clear();
     return Done{};

@@ -96,9 +96,10 @@ Expected<RatingsText> labelled_square(const std::string& file,
     if (is_permuted) {
         into.remarks.push_back(into.file + ": its rows are in another order than its columns");
     }
-    if (trimmed(records[0].fields[0]).starts_with(kSyntheticMark)) {
-        into.study.standings.push_back({.participant = {}, .synthetic = true});
-    }
+    const NumberMark mark = mark_in(records[0].fields[0]);
+    if (mark.synthetic) into.study.standings.push_back({.participant = {}, .synthetic = true});
+    into.study.left_out = mark.left_out;
+    into.study.rehearsals = mark.rehearsals;
     if (records.size() - 1 != labels.size()) {
         return at_line(file, records.back().line,
                        "expected " + std::to_string(labels.size()) +
@@ -214,7 +215,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     }
     const std::string_view corner = trimmed(head.fields[0]);
     const bool has_names =
-        head.fields.size() > 1 && (corner.empty() || corner.starts_with(kSyntheticMark));
+        head.fields.size() > 1 && (corner.empty() || mark_in(corner) != NumberMark{});
     const bool are_words =
         head.fields.size() > 1 && std::ranges::none_of(head.fields, [](const std::string& cell) {
             return rating_in(cell).has_value();

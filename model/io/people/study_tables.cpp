@@ -20,6 +20,14 @@ std::string cell(const std::string& text) { return text.empty() ? "NA" : csv_fie
 
 const char* yes_no(bool is_so) { return is_so ? "1" : "0"; }
 
+// What every line says of the ratings that it rests on.
+std::string marks_of(const NumberMark& mark) {
+    return std::string(yes_no(mark.synthetic)) + ',' + std::to_string(mark.left_out) + ',' +
+           std::to_string(mark.rehearsals);
+}
+
+std::string marks_of(const StudyTables& tables) { return marks_of(tables.results.mark); }
+
 template <class... Cells>
 void write_row(std::ostream& stream, const std::string& first, const Cells&... cells) {
     stream << first;
@@ -127,7 +135,7 @@ void write_map(std::ostream& stream, const std::string& name, const StudyTables&
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             stream << ',' << cell(axis < space.points.cols() ? space.points(k, axis) : kNone);
         }
-        stream << ',' << yes_no(tables.results.synthetic) << '\n';
+        stream << ',' << marks_of(tables) << '\n';
     }
 }
 
@@ -158,18 +166,18 @@ void write_participants_csv(std::ostream& stream, const StudyTables& tables) {
 }
 
 void write_reliability_csv(std::ostream& stream, const StudyTables& tables) {
-    stream << "statistic,value,low,high,p,people,n,how,synthetic\n";
+    stream << "statistic,value,low,high,p,people,n,how,synthetic,left_out,rehearsals\n";
     for (const ReliabilityRow& row : reliability_rows(tables)) {
         write_row(stream, row.statistic, cell(row.value), cell(row.interval.low),
                   cell(row.interval.high), cell(row.p), row.people, row.n, csv_field(row.how),
-                  yes_no(tables.results.synthetic));
+                  marks_of(tables));
     }
 }
 
 void write_pairs_csv(std::ostream& stream, const StudyTables& tables) {
     stream << "a,b,people";
     for (const MetricOfStudy& metric : tables.metrics) stream << ',' << csv_field(metric.key);
-    stream << ",synthetic\n";
+    stream << ",synthetic,left_out,rehearsals\n";
     const std::vector<double>& people = tables.people.dissimilarity.condensed;
     for (std::size_t p = 0; p < people.size(); ++p) {
         const auto [i, j] = pair_at(tables.labels.size(), p);
@@ -178,25 +186,25 @@ void write_pairs_csv(std::ostream& stream, const StudyTables& tables) {
         for (const MetricOfStudy& metric : tables.metrics) {
             stream << ',' << cell(metric.matrix.condensed[p]);
         }
-        stream << ',' << yes_no(tables.results.synthetic) << '\n';
+        stream << ',' << marks_of(tables) << '\n';
     }
 }
 
 void write_metrics_csv(std::ostream& stream, const StudyTables& tables) {
     stream << "metric,rho,rho_low,rho_high,p,tau_b,K,K_low,K_high,K_p,K_corrected,K_procrustes,"
-              "K_chance,stress1,participants,synthetic\n";
+              "K_chance,stress1,participants,synthetic,left_out,rehearsals\n";
     for (const MetricOfStudy& metric : tables.metrics) {
         const Evaluation& e = metric.evaluation;
         write_row(stream, csv_field(metric.key), cell(e.rho), cell(e.rho_interval.low),
                   cell(e.rho_interval.high), cell(e.rho_p), cell(e.tau_b), cell(e.k),
                   cell(e.k_spread.low), cell(e.k_spread.high), cell(e.k_p), cell(e.k_corrected),
                   cell(e.k_procrustes), cell(tables.k_chance.mean), cell(e.stress1),
-                  participant_means(tables.results.study).size(), yes_no(tables.results.synthetic));
+                  participant_means(tables.results.study).size(), marks_of(tables));
     }
 }
 
 void write_maps_csv(std::ostream& stream, const StudyTables& tables) {
-    stream << "map,pattern,x,y,z,synthetic\n";
+    stream << "map,pattern,x,y,z,synthetic,left_out,rehearsals\n";
     write_map(stream, "people", tables, tables.people.space);
     for (const MetricOfStudy& metric : tables.metrics) {
         if (!metric.evaluation.is_failed_map) write_map(stream, metric.key, tables, metric.space);
@@ -205,27 +213,28 @@ void write_maps_csv(std::ostream& stream, const StudyTables& tables) {
 
 void write_weights_csv(std::ostream& stream, const StudyTables& tables) {
     const auto& standings = tables.results.people;
-    stream << "participant" << dimension_heads(tables.weights) << ",explained,synthetic\n";
+    stream << "participant" << dimension_heads(tables.weights)
+           << ",explained,synthetic,left_out,rehearsals\n";
     for (const PersonWeights& person : tables.weights.people) {
         stream << csv_field(person.participant);
         for (const double weight : person.weights) stream << ',' << cell(weight);
         const auto known =
             std::ranges::find(standings, person.participant, &ParticipantSummary::code);
-        const bool synthetic =
-            known == standings.end() ? tables.results.synthetic : known->synthetic;
-        stream << ',' << cell(person.explained) << ',' << yes_no(synthetic) << '\n';
+        NumberMark mark = tables.results.mark;
+        if (known != standings.end()) mark.synthetic = known->synthetic;
+        stream << ',' << cell(person.explained) << ',' << marks_of(mark) << '\n';
     }
 }
 
 void write_dimensions_csv(std::ostream& stream, const StudyTables& tables) {
     const IndividualWeights& weights = tables.weights;
-    stream << "pattern" << dimension_heads(weights) << ",synthetic\n";
+    stream << "pattern" << dimension_heads(weights) << ",synthetic,left_out,rehearsals\n";
     for (Eigen::Index k = 0; k < weights.group.rows(); ++k) {
         stream << csv_field(weights.labels[static_cast<std::size_t>(k)]);
         for (Eigen::Index r = 0; r < weights.group.cols(); ++r) {
             stream << ',' << cell(weights.group(k, r));
         }
-        stream << ',' << yes_no(tables.results.synthetic) << '\n';
+        stream << ',' << marks_of(tables) << '\n';
     }
 }
 

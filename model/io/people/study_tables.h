@@ -2,15 +2,17 @@
 // the same pairs, and the maps. The answers themselves: model/io/people/study_csv.h.
 //
 //     participants.csv  participant,counted,why,synthetic,rehearsal,answers,..,<their own fields>
-//     reliability.csv   statistic,value,low,high,p,people,n,how,synthetic
-//     pairs.csv         a,b,people,<a column a metric>,synthetic
-//     table.csv         metric,rho,rho_low,rho_high,p,tau_b,K,..,synthetic
-//     maps.csv          map,pattern,x,y,z,synthetic
-//     weights.csv       participant,dimension_1,..,explained,synthetic
-//     dimensions.csv    pattern,dimension_1,..,synthetic: the map that the weights are of
+//     reliability.csv   statistic,value,low,high,p,people,n,how,<marks>
+//     pairs.csv         a,b,people,<a column a metric>,<marks>
+//     table.csv         metric,rho,rho_low,rho_high,p,tau_b,K,..,<marks>
+//     maps.csv          map,pattern,x,y,z,<marks>
+//     weights.csv       participant,dimension_1,..,explained,<marks>
+//     dimensions.csv    pattern,dimension_1,..,<marks>: the map that the weights are of
 //
 // Output    "NA" where there is no number; the shortest digits that read back as the same.
-//           `synthetic` is 1 where nobody was asked for some of the ratings that a line rests on
+//           <marks>: synthetic,left_out,rehearsals; `synthetic` is 1 where nobody was asked for
+//           some of the ratings that a line rests on, `left_out` how many participants do not
+//           count, of whom `rehearsals` felt nothing
 // Exact     same input, same bytes.
 #pragma once
 

@@ -35,7 +35,9 @@ TrainedOn trained_on(JsonObject object) {
     set.patterns = count("patterns");
     set.rated_pairs = count("rated_pairs");
     set.participants = count("participants");
-    set.synthetic = yes_no_field(object, "synthetic", false);
+    set.mark.synthetic = yes_no_field(object, "synthetic", false);
+    set.mark.left_out = count("left_out");
+    set.mark.rehearsals = count("rehearsals");
     set.rho_before = rho_field(object, "rho_before");
     set.rho_after = rho_field(object, "rho_after");
     set.felt = text_field(object, "felt", {});
@@ -76,7 +78,9 @@ Json json_of(const TrainingRecord& record) {
                         {"participants", set.participants},
                         {"rho_before", set.rho_before},
                         {"rho_after", set.rho_after}});
-        if (set.synthetic) sets.back()["synthetic"] = true;
+        if (set.mark.synthetic) sets.back()["synthetic"] = true;
+        if (set.mark.left_out > 0) sets.back()["left_out"] = set.mark.left_out;
+        if (set.mark.rehearsals > 0) sets.back()["rehearsals"] = set.mark.rehearsals;
         if (!set.felt.empty()) sets.back()["felt"] = set.felt;
     }
     Json fields = {{"program", record.program},
@@ -108,7 +112,8 @@ std::string words_on(const TrainingRecord& record) {
                 counted(set.patterns, "pattern", "patterns") + ", " +
                 counted(set.rated_pairs, "pair", "pairs") + ", " +
                 counted(set.participants, "person", "people") +
-                (set.synthetic ? ", synthetic: nobody was asked)" : ")");
+                (set.mark.left_out > 0 ? ", " + left_out_text(set.mark) : "") +
+                (set.mark.synthetic ? ", synthetic: nobody was asked)" : ")");
     }
     if (record.sets.size() > kNamedSets) {
         sets += " and " + std::to_string(record.sets.size() - kNamedSets) + " more";
@@ -123,7 +128,8 @@ std::string words_on(const TrainingRecord& record) {
 }  // namespace
 
 bool is_partly_synthetic(const TrainingRecord& record) {
-    return std::ranges::any_of(record.sets, &TrainedOn::synthetic);
+    return std::ranges::any_of(record.sets,
+                               [](const TrainedOn& set) { return set.mark.synthetic; });
 }
 
 std::string remark_on_synthetic(const ModelOrigin& origin) {
@@ -164,8 +170,8 @@ TrainingRecord record_of(const Training& training, std::span<const TrainingSet> 
         const TrainedSet& trained = training.sets[s];
         record.sets.push_back({trained.name, fingerprint_of(sets[s]), trained.patterns,
                                trained.rated_pairs, participant_means(sets[s].study).size(),
-                               trained.rho_before, trained.rho_after,
-                               is_partly_synthetic(sets[s].study), sets[s].study.fingerprint});
+                               trained.rho_before, trained.rho_after, mark_of(sets[s].study),
+                               sets[s].study.fingerprint});
     }
     return record;
 }

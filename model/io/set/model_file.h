@@ -35,7 +35,7 @@ struct TrainedOn {
     std::size_t participants = 0;
     double rho_before = 0.0;
     double rho_after = 0.0;
-    bool synthetic = false;  // nobody was asked, for some of the ratings at least
+    NumberMark mark{};  // of the ratings
     // Of the patterns that were felt, as participants' files and their CSV have it
     // (model/set/set_study.h); empty: not known.
     std::string felt{};

@@ -144,6 +144,19 @@ std::vector<std::string> versions_of(JsonObject& object, std::size_t labels) {
     return versions;
 }
 
+// Files of before November 2026 say in the name of the ratings' file that nobody was asked.
+NumberMark rating_mark_in(JsonObject& object, std::string& file) {
+    constexpr std::string_view kEarlier = "synthetic, ";
+    const bool is_earlier = file.starts_with(kEarlier);
+    if (is_earlier) file.erase(0, kEarlier.size());
+    const auto count = [&object](const char* key) {
+        return static_cast<std::size_t>(number_field(object, key, 0.0, {0.0, 1e6}));
+    };
+    return {.synthetic = yes_no_field(object, "synthetic", false) || is_earlier,
+            .left_out = count("left_out"),
+            .rehearsals = count("rehearsals")};
+}
+
 Ratings ratings_of(JsonObject& object) {
     Ratings ratings;
     ratings.name = name_field(object, "name", "");
@@ -168,6 +181,7 @@ Ratings ratings_of(JsonObject& object) {
             values[k]->is_null() ? kUnrated : number_at(reading, *values[k], place, kAnyNumber));
     }
     ratings.file = text_field(object, "file", "");
+    ratings.mark = rating_mark_in(object, ratings.file);
     ratings.versions = versions_of(object, labels.size());
     ratings.unknown_json = kept_text(unknown_fields(object));
     return ratings;
@@ -257,6 +271,9 @@ Json json_of(const Ratings& ratings) {
         {"name", ratings.name}, {"labels", ratings.labels}, {"condensed", ratings.condensed}};
     if (!ratings.file.empty()) fields["file"] = ratings.file;
     if (!ratings.versions.empty()) fields["versions"] = ratings.versions;
+    if (ratings.mark.synthetic) fields["synthetic"] = true;
+    if (ratings.mark.left_out > 0) fields["left_out"] = ratings.mark.left_out;
+    if (ratings.mark.rehearsals > 0) fields["rehearsals"] = ratings.mark.rehearsals;
     restore_text(fields, ratings.unknown_json);
     return fields;
 }

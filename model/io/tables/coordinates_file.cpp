@@ -20,9 +20,7 @@ Expected<LabelledPoints> parse_coordinates(std::string_view text, const std::str
         return Error{file + ":1: expected a head such as name,D1,D2,D3"};
     }
     LabelledPoints result;
-    const std::string_view corner = trimmed(head.fields[0]);
-    const bool is_mark = corner.find("SYNTHETIC") != corner.npos || corner.starts_with("CHANGED");
-    if (is_mark) result.mark = corner;
+    result.mark = mark_in(head.fields[0]);
     std::vector<double> values;
     for (CsvRecord row = next_record(reader); row.line != 0; row = next_record(reader)) {
         const std::string place = file + ":" + std::to_string(row.line) + ": expected ";

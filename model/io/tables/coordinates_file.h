@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/common/number_mark.h"
 
 namespace tact {
 
@@ -23,7 +24,7 @@ inline constexpr std::size_t kMaxCoordinatesBytes = std::size_t{1} << 25;
 struct LabelledPoints {
     std::vector<std::string> labels;
     Eigen::MatrixXd points;  // one row a label
-    std::string mark{};      // of SYNTHETIC or CHANGED; else the corner is a heading
+    NumberMark mark{};       // of the corner, where it is no heading
 };
 
 Expected<LabelledPoints> parse_coordinates(std::string_view text, const std::string& file);

@@ -26,8 +26,8 @@ namespace {
 constexpr double kAsymmetry = 1e-9;  // of the larger value: rounding of other programs
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string head_row(std::span<const std::string> labels, const std::string& mark) {
-    std::string row = csv_field(mark);
+std::string head_row(std::span<const std::string> labels, const std::string& corner) {
+    std::string row = csv_field(corner);
     for (const std::string& label : labels) row += "," + csv_field(label);
     return row + "\n";
 }
@@ -109,7 +109,7 @@ std::string take_labels(MatrixReading& reading, const CsvRecord& first, const Cs
         }
     } else {
         const bool has_corner = reading.shape == MatrixShape::labelled;
-        if (has_corner) reading.matrix.mark = first.fields.front();
+        if (has_corner) reading.matrix.mark = mark_in(first.fields.front());
         labels.assign(first.fields.begin() + (has_corner ? 1 : 0), first.fields.end());
         while (!labels.empty() && labels.back().empty()) labels.pop_back();  // a sign at the end
         if (reading.shape == MatrixShape::triangle) labels.push_back(last.fields.front());
@@ -353,9 +353,9 @@ std::string csv_field(std::string_view plain) {
 }
 
 void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
-                      const Dissimilarity& dissimilarity, const std::string& mark) {
+                      const Dissimilarity& dissimilarity, const std::string& corner) {
     assert(labels.size() == dissimilarity.size && "one label for each object");
-    stream << head_row(labels, mark);
+    stream << head_row(labels, corner);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         stream << matrix_row(labels, dissimilarity, i);
     }
@@ -377,9 +377,9 @@ Expected<Done> write_matrix_file(const std::filesystem::path& path,
 }
 
 void write_coordinates_csv(std::ostream& stream, std::span<const std::string> labels,
-                           const Eigen::MatrixXd& points, const std::string& mark) {
+                           const Eigen::MatrixXd& points, const std::string& corner) {
     assert(static_cast<Eigen::Index>(labels.size()) == points.rows() && "one label for each point");
-    stream << (mark.empty() ? "name" : csv_field(mark));
+    stream << (corner.empty() ? "name" : csv_field(corner));
     for (Eigen::Index k = 0; k < points.cols(); ++k) stream << ",D" << k + 1;
     stream << '\n';
     for (Eigen::Index i = 0; i < points.rows(); ++i) {

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/common/number_mark.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/table/dialect.h"
 
@@ -33,14 +34,9 @@ namespace tact {
 struct LabelledMatrix {
     std::vector<std::string> labels;
     Dissimilarity dissimilarity;  // of values that differ by rounding, the ones above the diagonal
-    std::string mark{};           // of the corner: what has to be said of the numbers
+    NumberMark mark{};            // of the corner
     std::vector<std::string> remarks{};  // how the table was understood, where it could be misread
 };
-
-// A mark that begins so says that nobody was asked. It stands in the corner of a table, where
-// programs that take names from the first row and column read past it.
-inline constexpr const char* kSyntheticMark = "SYNTHETIC";
-inline constexpr const char* kNobodyAsked = "SYNTHETIC: nobody was asked for some or all of these";
 
 // A text as a field of a CSV line: in quotes where it has to be, and guarded from spreadsheets.
 std::string csv_field(std::string_view text);
@@ -49,15 +45,16 @@ std::string csv_field(std::string_view text);
 std::string csv_row(std::span<const std::string> texts);
 
 // Row by row, so that a matrix of 10,000 needs no gigabyte of memory. As many labels as objects.
+// The corner says what is to be said of the numbers (model/common/number_mark.h).
 void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
-                      const Dissimilarity& dissimilarity, const std::string& mark = {});
+                      const Dissimilarity& dissimilarity, const std::string& corner = {});
 Expected<Done> write_matrix_file(const std::filesystem::path& path,
                                  std::span<const std::string> labels,
                                  const Dissimilarity& dissimilarity);
 
-// One row a label, k columns. A mark stands in the place of "name".
+// One row a label, k columns. A corner stands in the place of "name".
 void write_coordinates_csv(std::ostream& stream, std::span<const std::string> labels,
-                           const Eigen::MatrixXd& points, const std::string& mark = {});
+                           const Eigen::MatrixXd& points, const std::string& corner = {});
 
 Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& file,
                                       const TableHints& hints = {});

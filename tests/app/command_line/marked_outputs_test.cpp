@@ -1,6 +1,9 @@
 // What is false about who was asked reaches every output of every command: whatever the program
-// prints or writes of a set whose ratings and model are of nobody says so.
+// prints or writes of a set whose ratings and model are of nobody says so, and what it makes of a
+// study of which somebody is left out, and another only rehearsed.
+#include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <regex>
@@ -58,6 +61,52 @@ bool is_silent(const fs::path& file) {
     return kind == ".csv" && file.parent_path().filename() == "stages";
 }
 
+// Cells of a table without quotes.
+Words cells_of(const std::string& line) {
+    Words cells(1);
+    for (const char c : line) {
+        if (c == ',') {
+            cells.emplace_back();
+        } else {
+            cells.back() += c;
+        }
+    }
+    return cells;
+}
+
+// Of a table with such columns, in every line.
+bool has_counts(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    const Words head = cells_of(line);
+    const auto place_of = [&head](const char* name) {
+        return static_cast<std::size_t>(std::ranges::find(head, name) - head.begin());
+    };
+    const std::size_t rehearsals = place_of("rehearsals");
+    const bool is_of_folds = place_of("people_left_out") < head.size();  // "left_out": of a fold
+    const std::size_t left_out = place_of(is_of_folds ? "people_left_out" : "left_out");
+    if (std::max(left_out, rehearsals) >= head.size()) return false;
+    while (std::getline(lines, line)) {
+        const Words cells = cells_of(line);
+        const std::size_t extra = cells.size() - head.size();  // commas within quotes before them
+        const bool at_end = rehearsals + 1 == head.size();
+        const std::size_t shift = at_end ? extra : 0;
+        if (cells.at(left_out + shift) != "2" || cells.at(rehearsals + shift) != "1") return false;
+    }
+    return true;
+}
+
+bool says_left_out(const std::string& text) {
+    const auto has = [&text](const char* what) { return text.find(what) != text.npos; };
+    if (has("2 participants left out, 1 rehearsal among them")) return true;
+    if (has("a rehearsal, nothing was felt") && has("fell asleep")) return true;
+    if (has("\"left_out\":2") && has("\"rehearsals\":1")) return true;
+    if (has("\"left_out\": 2") && has("\"rehearsals\": 1")) return true;
+    if (has("\"people_left_out\":2") && has("\"rehearsals_left_out\":1")) return true;
+    return has_counts(text);
+}
+
 struct Bench {
     TemporaryFolder folder;
     std::string of_nobody = write("of nobody.json", std::string(kRatings) + kModel);
@@ -67,14 +116,36 @@ struct Bench {
     std::string out = (folder.path / "out").string();
     std::string people = (folder.path / "people").string();
     std::string matrix = (folder.path / "matrix.csv").string();  // of simulated people
+    std::string mixed = (folder.path / "mixed").string();        // two, one left out, one rehearsal
+    std::string mixed_matrix = (folder.path / "mixed.csv").string();
 
     Bench() {
+        make_mixed();
         fs::create_directories(out);
         ran({"study", plain, "--simulate", "3", "--out", people});
         ran({"study", plain, "--collect", people, "--matrix", matrix});
     }
     std::string write(const char* name, const std::string& more) const {
         return folder.write(name, std::string(kPatterns) + more + "}").string();
+    }
+    // Four who were simulated, as if they had been asked.
+    void make_mixed() const {
+        ran({"study", plain, "--simulate", "4", "--out", mixed});
+        for (const char* code : {"S01", "S02", "S03", "S04"}) {
+            const fs::path file = fs::path(mixed) / (std::string(code) + ".jsonl");
+            std::string text = bytes_of(file);
+            replace_in(text, "\"synthetic\":true", "\"synthetic\":false");
+            replace_in(text, "none: simulated",
+                       code == std::string("S04") ? "no device" : "Voice coil");
+            std::ofstream(file) << text;
+        }
+        ran({"study", plain, "--collect", mixed, "--exclude", "S03", "--because", "fell asleep"});
+        ran({"study", plain, "--collect", mixed, "--matrix", mixed_matrix});
+    }
+    static void replace_in(std::string& text, const std::string& what, const std::string& by) {
+        const std::size_t at = text.find(what);
+        REQUIRE(at != text.npos);
+        text.replace(at, what.size(), by);
     }
     static Ran ran(const Words& arguments) {
         Ran ran = run_program(arguments);
@@ -96,6 +167,22 @@ struct Bench {
             if (!entry.is_regular_file() || is_silent(entry.path())) continue;
             CAPTURE(entry.path().string());
             CHECK(contains(lower_case(bytes_of(entry.path())), "synthetic"));
+        }
+    }
+    // The same of whom the numbers leave out; `raw`: files with a line an answer of those who
+    // count.
+    void check_says_left_out(const Words& arguments, const std::set<std::string>& raw = {}) const {
+        std::string words;
+        for (const std::string& word : arguments) words += word + " ";
+        CAPTURE(words);
+        fs::remove_all(out);
+        fs::create_directories(out);
+        const Ran answer = ran(arguments);
+        if (!answer.out.empty()) CHECK_MESSAGE(says_left_out(answer.out), answer.out);
+        for (const auto& entry : fs::recursive_directory_iterator(out)) {
+            if (!entry.is_regular_file() || is_silent(entry.path())) continue;
+            if (raw.contains(entry.path().filename().string())) continue;
+            CHECK_MESSAGE(says_left_out(bytes_of(entry.path())), entry.path().string());
         }
     }
     std::string at(const char* name) const { return (fs::path(out) / name).string(); }
@@ -258,6 +345,82 @@ TEST_CASE("marked outputs: all that a command prints or writes says that nobody 
     for (const auto& [name, check] : checks()) {
         if (check) check(bench);
     }
+}
+
+// Of commands that make numbers of ratings; the others have no people to leave out.
+const Checks& left_out_checks() {
+    static const Checks kChecks{
+        {"space",
+         [](const Bench& b) {
+             for (const Words& from :
+                  {Words{b.plain, "--ratings", b.mixed}, Words{b.plain, "--matrix", b.mixed_matrix},
+                   Words{b.plain, "--ratings", b.mixed_matrix}}) {
+                 Words words{"space"};
+                 words.insert(words.end(), from.begin(), from.end());
+                 b.check_says_left_out(words);
+                 words.push_back("--json");
+                 b.check_says_left_out(words);
+                 words.insert(words.end(), {"--out", b.at("s.csv"), "--image", b.at("s.svg")});
+                 b.check_says_left_out(words);
+             }
+         }},
+        {"subset",
+         [](const Bench& b) {
+             for (const Words& from : {Words{b.plain, "--ratings", b.mixed},
+                                       Words{b.plain, "--matrix", b.mixed_matrix}}) {
+                 Words words{"subset", "-k", "2"};
+                 words.insert(words.end(), from.begin(), from.end());
+                 b.check_says_left_out(words);
+                 words.push_back("--json");
+                 b.check_says_left_out(words);
+                 words.insert(words.end(), {"--report", b.at("report")});
+                 Bench::ran(words);
+                 CHECK(says_left_out(bytes_of(b.at("report/report.html"))));
+             }
+         }},
+        {"compare",
+         [](const Bench& b) {
+             for (const std::string& from : {b.mixed, b.mixed_matrix}) {
+                 Words words{"compare", b.plain, "--ratings", from, "--metric", "pm", "rmse"};
+                 Words tables = words;
+                 tables.insert(tables.end(), {"--csv", b.at("a.csv"), "--people-csv", b.at("b.csv"),
+                                              "--differences-csv", b.at("c.csv"), "--methods"});
+                 b.check_says_left_out(tables);
+                 words.push_back("--json");
+                 b.check_says_left_out(words);
+             }
+         }},
+        {"train",
+         [](const Bench& b) {
+             const Words words{"train", b.plain, "--ratings", b.mixed, "--step", "0.5"};
+             b.check_says_left_out(words);
+             Words files = words;
+             files.insert(files.end(),
+                          {"--json", "--csv", b.at("t.csv"), "--out", b.at("model.json")});
+             b.check_says_left_out(files);
+         }},
+        {"study",
+         [](const Bench& b) {
+             for (const Words& more : {Words{}, Words{"--json"}, Words{"--weights", "2"}}) {
+                 Words words{"study",       b.plain,    "--collect",   b.mixed,    "--out",
+                             b.at("a.csv"), "--matrix", b.at("m.csv"), "--report", b.at("report")};
+                 words.insert(words.end(), more.begin(), more.end());
+                 b.check_says_left_out(words, {"a.csv"});
+             }
+         }},
+    };
+    return kChecks;
+}
+
+TEST_CASE("marked outputs: whatever takes ratings says whom its numbers leave out" *
+          doctest::test_suite("long")) {
+    for (const std::string& name : commands()) {
+        const bool takes_people = contains(output_of({name, "--help"}), "--ratings") ||
+                                  contains(output_of({name, "--help"}), "--collect");
+        CHECK_MESSAGE(takes_people == left_out_checks().contains(name), name);
+    }
+    const Bench bench;
+    for (const auto& [name, check] : left_out_checks()) check(bench);
 }
 
 TEST_CASE("marked outputs: a picture of pixels is another one where nobody was asked") {

@@ -90,7 +90,9 @@ TEST_CASE("study: who answers blindly is left out, unless the rule says otherwis
     CHECK(strict.at("participants")[5].at("excluded").is_string());
     CHECK(study.collected({"--above", "0", "--failures", "5"}).at("counted") == 6);
     const std::string text = output_of({"study", study.set, "--collect", study.people});
-    CHECK(text.starts_with("pairs rated by 4 of 6 participants; SYNTHETIC: nobody was asked\n"));
+    CHECK(
+        text.starts_with("pairs rated by 4 of 6 participants, 2 participants left out; "
+                         "SYNTHETIC: nobody was asked\n"));
     CHECK(contains(text, "S06 is not counted: identical patterns rated "));
     const std::string csv = (study.folder.path / "all.csv").string();
     study.collected({"--everyone", "--out", csv});

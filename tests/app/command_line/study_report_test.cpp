@@ -100,7 +100,7 @@ TEST_CASE("study report: all tables, a page and scripts, every one with its labe
     CHECK(table_of(study.file("pairs.csv")).size() == 1 + 10);
     CHECK(contains(study.file("maps.csv"), "\npeople,\"v, 2\","));
     const std::string page = study.file("report.html");
-    CHECK(contains(page, "SYNTHETIC: some or all of these ratings were given by nobody"));
+    CHECK(contains(page, "SYNTHETIC: nobody was asked for some or all of these"));
     CHECK(contains(page, "fell &quot;asleep&quot;, twice"));
     CHECK(contains(page, "1 of 6 patterns were not rated and are left out: &quot;unrated&quot;"));
     CHECK(contains(page, "Krippendorff"));

@@ -114,7 +114,7 @@ TEST_CASE(
     }
     CHECK(output_of(words).starts_with(
         "the patterns as a DualShock 4 plays them at a level of 40 %, uncalibrated: full scale "
-        "stands for 1.00 g\n"));
+        "stands for 1.00 g; how fast its motors turn and how soon is a guess\n"));
     std::vector<std::string> by_ratings = words;
     by_ratings.insert(by_ratings.end(), {"--ratings", "any.csv"});
     CHECK(contains(refusal_of(by_ratings), "--rendered-by is for a metric"));

@@ -27,7 +27,7 @@ TEST_CASE(
     TrainedOn drawn;
     drawn.name = "drawn";
     drawn.participants = 20;
-    drawn.synthetic = true;
+    drawn.mark.synthetic = true;
     content.training->sets = {drawn};
     const auto file = folder.path / "mine.model.json";
     REQUIRE(write_model_file(file, content));

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/program.h"
+#include "tests/support/run_program.h"
 
 namespace model_panel_test {
 
@@ -28,6 +29,51 @@ TEST_CASE("model bench: a weight is changed, marked, undone, and brought back by
     program.click("reset:model");
     CHECK(program.app.work.document.set.model == PerceptualModelParams{});
     CHECK_FALSE(program.shows("model:changed"));
+}
+
+TEST_CASE("model bench: each control that was changed counts once, and no row moves") {
+    Program program(short_patterns(2));
+    program.app.layout.maximised = Pane::matrix;
+    program.app.layout.bench = BenchTab::model;
+    program.resize({1600.0F, 2400.0F}, 1.0F);  // all of it in view
+    const auto tops = [&program] {
+        std::map<std::string, float> all;
+        for (const char* row : {"excitatory_layers", "weight_FA1", "spike_cap", "waiting_cost"}) {
+            all[row] = program.at(std::string("entry:") + row).min.y;
+        }
+        return all;
+    };
+    const auto before = tops();
+    program.click("choice:thresholds AOSP");
+    CHECK(program.at("model:changed").value == "1");
+    CHECK(tops() == before);
+    program.click("choice:share own");
+    CHECK(program.at("model:changed").value == "2");
+    CHECK(tops() == before);
+}
+
+TEST_CASE("model bench: a layer and a half is refused, and what was not taken is framed") {
+    Program program(short_patterns(2));
+    program.app.layout.maximised = Pane::matrix;
+    program.app.layout.bench = BenchTab::model;
+    program.resize({1600.0F, 2400.0F}, 1.0F);
+    const auto& model = program.app.work.document.set.model;
+    const auto enter = [&program](const char* row, const char* text) {
+        program.click(std::string("entry:") + row);
+        program.type(text);
+        program.press_key(key::kEnter);
+        program.settle();
+        return program.app.ui.field.typing.refused != 0;
+    };
+    CHECK(enter("excitatory_layers", "2.7"));
+    CHECK(model.coding.excitatory_layers == 3);
+    CHECK(contains(program.app.ui.status.text, "is no whole number"));
+    CHECK(enter("weight_FA1", "1e308"));
+    CHECK(enter("weight_FA1", "-5"));
+    CHECK(model.channel_weight[0] == 0.0);
+    CHECK(enter("weight_FA1", "1e-320"));
+    CHECK(model.channel_weight[0] == 0.0);
+    CHECK_FALSE(enter("weight_FA1", "0.5"));
 }
 
 TEST_CASE("model panel: shares far below a thousandth are slid like others, by their logarithm") {

@@ -301,7 +301,7 @@ TEST_CASE("training panel: a search is cancelled at once, and what was found bef
 
 TEST_CASE("training panel: ratings nobody gave are called synthetic") {
     PatternSet set = planted_set(5, "drawn");
-    for (Ratings& ratings : set.ratings) ratings.file = "synthetic, study";
+    for (Ratings& ratings : set.ratings) ratings.mark.synthetic = true;
     TrainingBench bench(set);
     CHECK(bench.program.shows("train on:drawn, synthetic ratings"));
     bench.train();

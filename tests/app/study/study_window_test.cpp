@@ -226,13 +226,25 @@ TEST_CASE("study window: a code that is taken is told beside its field, before a
     std::ofstream(program.folder.path / "people" / study_file_name("Zo,b")) << "x";
     program.click("button:run participant");
     CHECK_FALSE(program.shows("study field:code fault"));
-    program.app.studying.code = "Zo;b";  // another code with the same file
+    program.type("Zo;b");  // another code with the same file
     program.app.studying.agrees = true;
     program.settle();
     CHECK(program.at("study field:code fault").value == "This code is taken: choose another.");
     program.key(key::kEnter);
     CHECK(program.page() == "consent 0");
     CHECK(program.app.studying.run->trouble.empty());
+}
+
+TEST_CASE("study window: what is typed on the first page is the code, without a click or Tab") {
+    StudyProgram program;
+    program.press('4', true);
+    program.click("button:run participant");
+    program.type("Zoe 7");
+    CHECK(program.at("study field:code").value == "Zoe 7");
+    program.key(key::kEnter);
+    program.key(key::kEnter);
+    CHECK(program.page() == "instructions 0");
+    CHECK(program.app.studying.run->record.header.participant.code == "Zoe 7");
 }
 
 TEST_CASE("study window: sorting by keyboard and by mouse") {

@@ -84,7 +84,7 @@ TEST_CASE("felt versions: an edited pattern, one that is gone and their twins ar
     REQUIRE(study);
     CHECK(study->gone == Names{"d"});
     CHECK(study->edited == Names{"a"});
-    CHECK(mark_of(*study) == RatingMark{.stale = true});
+    CHECK(mark_of(*study) == NumberMark{.stale = true});
     CHECK(mean_ratings(*study)(0, 2) == doctest::Approx(1.5));
     CHECK(words_on_gone(study->gone) == "1 rated pattern is not in the set, and left out: \"d\"");
     // As it was, it is what was felt.

@@ -61,8 +61,8 @@ TEST_CASE("ratings of a set: those of nobody stay marked, whatever file they cam
         {"a", "b", "c"}, true, {{"S1", {1.0, 2.0, 3.0}}, {"P1", {1.0, 2.0, 3.0}}}, {{"S1", true}}};
     PatternSet set = three();
     set.ratings = kept_ratings(study, "R.csv");
-    CHECK(is_synthetic(set.ratings[0]));
-    CHECK_FALSE(is_synthetic(set.ratings[1]));
+    CHECK(set.ratings[0].mark.synthetic);
+    CHECK_FALSE(set.ratings[1].mark.synthetic);
     CHECK(study_of(set)->standings == study.standings);
 }
 

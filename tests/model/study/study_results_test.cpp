@@ -61,7 +61,7 @@ TEST_CASE("study results: raters without noise give back the matrix they were ma
     }
     CHECK(results.agreement.spearman_brown == 1.0);
     CHECK(results.study.judgements.size() == 3 * 4);  // a pass each
-    CHECK(results.synthetic);
+    CHECK(results.mark.synthetic);
     for (const ParticipantSummary& person : results.people) {
         CHECK(person.rho_with_others == 1.0);
         CHECK_FALSE(person.is_outlier);

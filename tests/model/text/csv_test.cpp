@@ -52,12 +52,15 @@ TEST_CASE("csv: lines are counted through quotes, and an open quote is noticed")
 }
 
 TEST_CASE("csv: what a spreadsheet would run is written as text, and reads back as it was") {
-    for (const char* text : {"=cmd|A1", "+x", "-x", "@sum", "'=x", "''=x", "=", "-", "'", "", "x=1",
-                             "-5", "+0.5", "-1e3", "'quoted'"}) {
+    for (const char* text :
+         {"=cmd|A1",  "+x",      "-x",       "@sum",  "'=x",  "''=x",      "=",
+          "-",        "'",       "",         "x=1",   "-5",   "+0.5",      "-1e3",
+          "'quoted'", "\tx",     "\rx",      "\nx",   "'\tx", "\uff1dcmd", "\uff0bx",
+          "\uff0dx",  "\uff20x", "'\uff1dx", "\uff1d"}) {
         CAPTURE(text);
         const std::string written = guarded(text);
         CHECK(unguarded(written) == text);
-        CHECK(all(written + ",x\n")[0][0] == text);
+        CHECK(all("\"" + written + "\",x\n")[0][0] == text);
         CHECK(guarded(unguarded(written)) == written);
         const bool is_run =
             written.size() > 1 && std::string("=+-@").find(written[0]) != std::string::npos;

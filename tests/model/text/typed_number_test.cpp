@@ -98,6 +98,12 @@ TEST_CASE("number entry: what is no finite number is refused, and says what woul
         REQUIRE_FALSE(typed);
         CHECK(contains(typed.error().message, "no number"));
     }
+    for (const char* text : {"1e-320", "-5e-324"}) {
+        CAPTURE(std::string(text));
+        const auto typed = typed_number(text, 1.0, kGrams);
+        REQUIRE_FALSE(typed);
+        CHECK(contains(typed.error().message, "too near zero"));
+    }
 }
 
 TEST_CASE("number entry: a unit of something else is refused by name") {

@@ -48,7 +48,7 @@ TEST_CASE("model file: that nobody was asked is written, read, and said") {
     ModelFile file = trained();
     CHECK(remark_on_synthetic(file).empty());
     CHECK_FALSE(contains(print_model(file), "synthetic"));
-    file.training->sets[0].synthetic = true;
+    file.training->sets[0].mark.synthetic = true;
     const auto read = parse_model(print_model(file), "p.json");
     REQUIRE(read);
     CHECK(*read == file);
