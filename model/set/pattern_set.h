@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "model/common/number_mark.h"
 #include "model/design_space/design_space.h"
+#include "model/dissimilarity/number_mark.h"
 #include "model/pattern/felt_steps.h"
 #include "model/pattern/pattern.h"
 #include "model/perceptual_model/perceptual_model_params.h"

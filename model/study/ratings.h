@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/common/number_mark.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/dissimilarity/number_mark.h"
 
 namespace tact {
 

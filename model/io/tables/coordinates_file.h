@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/common/number_mark.h"
+#include "model/dissimilarity/number_mark.h"
 
 namespace tact {
 

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/common/number_mark.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/dissimilarity/number_mark.h"
 #include "model/table/dialect.h"
 
 namespace tact {
@@ -45,7 +45,7 @@ std::string csv_field(std::string_view text);
 std::string csv_row(std::span<const std::string> texts);
 
 // Row by row, so that a matrix of 10,000 needs no gigabyte of memory. As many labels as objects.
-// The corner says what is to be said of the numbers (model/common/number_mark.h).
+// The corner says what is to be said of the numbers (model/dissimilarity/number_mark.h).
 void write_matrix_csv(std::ostream& stream, std::span<const std::string> labels,
                       const Dissimilarity& dissimilarity, const std::string& corner = {});
 Expected<Done> write_matrix_file(const std::filesystem::path& path,

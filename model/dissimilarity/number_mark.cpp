@@ -1,4 +1,4 @@
-#include "model/common/number_mark.h"
+#include "model/dissimilarity/number_mark.h"
 
 #include <algorithm>
 #include <charconv>

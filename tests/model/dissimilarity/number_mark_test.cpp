@@ -1,6 +1,6 @@
 // What is said of numbers is the same in every form, and comes back from a table's corner.
 
-#include "model/common/number_mark.h"
+#include "model/dissimilarity/number_mark.h"
 
 #include <doctest/doctest.h>
 
