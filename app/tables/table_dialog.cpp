@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -110,12 +111,14 @@ bool draw_rows(Ui& ui, const TableAnswer& answer, TableWords& words) {
                                        ImGuiTableFlags_BordersInnerV |
                                        ImGuiTableFlags_SizingFixedFit;
     const float room = ImGui::GetIO().DisplaySize.y * 0.4F;
-    if (!ImGui::BeginTable("rows", static_cast<int>(columns), kFlags,
+    // A table keeps the widths that it began with: another room, another table.
+    const float even = ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
+    const std::string id = "rows " + std::to_string(std::lround(even));
+    if (!ImGui::BeginTable(id.c_str(), static_cast<int>(columns), kFlags,
                            {0.0F, std::min(height, room)})) {
         return false;
     }
     const float least = kColumnPx * ui.theme.scale;
-    const float even = ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
     for (std::size_t k = 0; k < columns; ++k) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 std::max(least, even - 2.0F * ImGui::GetStyle().CellPadding.x));
