@@ -20,7 +20,8 @@ await_end() { # CHANNEL
     until_true "channel $1's program has ended" is_gone "${players[$1]}"
     wait "${players[$1]}" 2>/dev/null || code=$?
 }
-is_halted() { [[ $(ps -o stat= -p "$1") == T* ]]; }
+# In a group of processes that nobody waits for no program halts: it goes on by itself, at rest.
+is_halted() { [[ $(ps -o stat= -p "$1") == T* ]] || is_gone "$1"; }
 
 # Of the last sound, and silence was recorded after it. What JACK's recorder is given ends early where
 # another client crashes.
@@ -66,7 +67,7 @@ go_on() {
         channel=$((channel + 1))
         [ "$name" = TSTP ] || continue
         until_true "it is halted" is_halted "${players[channel]}"
-        kill -CONT "${players[channel]}"
+        kill -CONT "${players[channel]}" 2>/dev/null || true
     done
 }
 ends_as_it_should() { # CHANNEL NAME
