@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <mutex>
 #include <system_error>
 #include <utility>
@@ -332,6 +333,16 @@ void sync_folder_of(const fs::path& file) {
     if (descriptor < 0) return;
     ::fsync(descriptor);
     ::close(descriptor);
+}
+
+std::string head_of_file(const fs::path& path, std::size_t bytes) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return {};
+    std::string head(bytes, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    return head;
 }
 
 }  // namespace tact

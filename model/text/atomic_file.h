@@ -76,6 +76,9 @@ Expected<std::size_t> readable_size(const std::filesystem::path& path);
 Expected<std::string> read_text_file(const std::filesystem::path& path,
                                      std::size_t most_bytes = kMaxFileBytes);
 
+// The first bytes of a regular file, to tell what it is by; empty where it cannot be read.
+std::string head_of_file(const std::filesystem::path& path, std::size_t bytes = 4096);
+
 // A regular file that grows while a program runs, to be read and appended to: its descriptor, for
 // the caller to close. Until then no other program gets one: that, and whatever else the path
 // names, is an Error at once. `make`: a new one where there is none.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/formats.h"
 #include "model/io/effects/relaxed_json.h"
+#include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
@@ -206,14 +206,9 @@ bool is_effect_name(std::string_view path) {
 }
 
 std::string head_of_effects(const std::filesystem::path& path) {
-    constexpr std::size_t kHead = 4096;
     std::error_code none;
-    if (!std::filesystem::is_regular_file(path, none)) return {};
     if (std::filesystem::file_size(path, none) > kMostEffectBytes) return {};
-    std::string head(kHead, '\0');
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(stream.gcount()));
+    std::string head = head_of_file(path);
     if (auto decoded = utf8_of_utf16(head)) head = *std::move(decoded);
     const char first = first_sign(head);
     return first == '{' || first == '<' ? head : std::string();

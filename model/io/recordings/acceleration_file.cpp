@@ -392,14 +392,19 @@ AccelerationOptions options_among(const fs::path& file, std::span<const fs::path
     const auto is_wave = [](const fs::path& path) {
         return recording_kind(path) == RecordingKind::wave;
     };
-    const bool has_other = std::ranges::any_of(
-        all, [&](const fs::path& path) { return is_wave(path) != is_wave(file); });
+    const bool is_of_wave = is_wave(file);
+    const bool is_idle = is_of_wave ? options.rate_hz || options.table != AccelerationTableOptions{}
+                                    : options.full_scale.has_value();
+    if (!is_idle) return options;  // the others are not looked into for nothing
+    const bool has_other =
+        std::ranges::any_of(all, [&](const fs::path& path) { return is_wave(path) != is_of_wave; });
     if (!has_other) return options;
-    if (is_wave(file)) {
+    if (is_of_wave) {
         options.rate_hz.reset();
         options.table = {};
+    } else {
+        options.full_scale.reset();
     }
-    if (!is_wave(file)) options.full_scale.reset();
     return options;
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/signal/waveform.h"
+#include "model/text/atomic_file.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -26,17 +26,6 @@ Expected<Recording> read_text_recording(const fs::path& path, double scale_g) {
     return Recording{*std::move(waveform), scale_g, {}};
 }
 
-// The first bytes of a regular file; empty where it cannot be read.
-std::string head_of(const fs::path& path) {
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return {};
-    std::string head(4096, '\0');
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(stream.gcount()));
-    return head;
-}
-
 }  // namespace
 
 std::string extension_of(const fs::path& path) {
@@ -48,7 +37,7 @@ std::string extension_of(const fs::path& path) {
 }
 
 RecordingKind recording_kind(const fs::path& path) {
-    const std::string head = head_of(path);
+    const std::string head = head_of_file(path);
     const std::string_view form = std::string_view(head).substr(0, 4);
     const bool is_wave = form == "RIFF" || form == "RIFX" || form == "RF64" || form == "BW64";
     if (is_wave && head.substr(std::min<std::size_t>(8, head.size()), 4) == "WAVE")

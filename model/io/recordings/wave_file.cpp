@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -128,15 +129,17 @@ Expected<WaveText> read_wave_text(const fs::path& path) {
 // writer never closed, which are 0 or sox's 0x7FFFF000, are those of one that says so.
 void tell_plainly(std::string& bytes) {
     if (bytes.starts_with("BW64")) bytes.replace(0, 4, "RF64");
-    for (const std::string_view size :
-         {std::string_view("\0\0\0\0", 4), std::string_view("\0\xF0\xFF\x7F", 4)}) {
-        const std::size_t data = bytes.find("data" + std::string(size));
-        const bool is_open = data != bytes.npos && bytes.starts_with("RIFF") &&
-                             (size[3] != '\0' || bytes.compare(4, 4, size) == 0);
-        if (!is_open || bytes.size() - data > 0x7FFFF000U) continue;
-        for (const std::size_t at : {std::size_t{4}, data + 4}) bytes.replace(at, 4, 4, '\xFF');
-        return;
+    std::uint32_t whole = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        whole |= std::uint32_t{static_cast<unsigned char>(bytes[4 + k])} << 8 * k;
     }
+    const bool is_of_sox = bytes.starts_with("RIFF") && whole > bytes.size();
+    if (whole != 0 && !is_of_sox) return;  // what is whole need not be searched
+    const std::string_view size =
+        whole == 0 ? std::string_view("\0\0\0\0", 4) : std::string_view("\0\xF0\xFF\x7F", 4);
+    const std::size_t data = bytes.find("data" + std::string(size));
+    if (data == bytes.npos) return;
+    for (const std::size_t at : {std::size_t{4}, data + 4}) bytes.replace(at, 4, 4, '\xFF');
 }
 
 Expected<std::unique_ptr<OpenWave>> opened(std::string&& bytes, const std::string& name) {
