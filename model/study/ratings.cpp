@@ -209,8 +209,9 @@ std::string words_on_simulated(const RatingStudy& study) {
 bool is_partly_synthetic(const RatingStudy& study) { return voices_of(study).simulated > 0; }
 
 NumberMark mark_of(const RatingStudy& study) {
-    return {.synthetic = is_partly_synthetic(study),
-            .rehearsal = voices_of(study).rehearsing > 0,
+    const Voices voices = voices_of(study);
+    return {.synthetic = voices.simulated > 0,
+            .rehearsal = voices.rehearsing > 0,
             .stale = !study.edited.empty(),
             .left_out = study.left_out,
             .rehearsals = study.rehearsals};
