@@ -24,9 +24,9 @@ constexpr std::string_view kJackIds = "audio/JACK/";
 // A callback each of so many parts of the buffer: it is what a stop waits for.
 constexpr double kPeriodS = 0.005;
 
-// What cannot be true counts as none.
-double believable(double latency_s) {
-    return latency_s >= 0.0 && latency_s < 2.0 ? latency_s : 0.0;
+Error other_channels(const std::string& on, std::size_t now, std::size_t chosen) {
+    return Error{on + " has " + std::to_string(now) + " channels now, not " +
+                 std::to_string(chosen) + ": refresh the devices and choose its channel again"};
 }
 
 // A card says itself where sound was missing; what lies behind a server's name does not.
@@ -44,7 +44,7 @@ int audio_callback(const void*, void* output, unsigned long frames,
     const double rendered_s = static_cast<double>(frames) / called.playback.layout.rate_hz;
     const bool is_dry = has_run_dry(called.supply, now_s, rendered_s) && !called.tells_gaps;
     const bool goes_on = render(called.playback, static_cast<float*>(output), frames,
-                                now_s + believable(time->outputBufferDacTime - time->currentTime),
+                                now_s + believable_s(time->outputBufferDacTime - time->currentTime),
                                 is_dry || (flags & paOutputUnderflow) != 0);
     return goes_on ? paContinue : paAbort;
 }
@@ -155,9 +155,7 @@ Expected<Done> AudioStream::open_at_server(SoundServer& server) {
                      " is not there: bring it back, or refresh the devices and choose another"};
     }
     if (output->channels.size() != place_.channels) {
-        return Error{on + " has " + std::to_string(output->channels.size()) +
-                     " channels now, not " + std::to_string(place_.channels) +
-                     ": refresh the devices and choose its channel again"};
+        return other_channels(on, output->channels.size(), place_.channels);
     }
     lay_out(output->rate_hz);
     playback_.layout.latency_s = place_.buffer_s;
@@ -177,9 +175,7 @@ Expected<Done> AudioStream::open_at_jack() {
         return Error{place_.name + " is not there: bring it back, or choose another"};
     }
     if (output->ports.size() != place_.channels) {
-        return Error{place_.name + " has " + std::to_string(output->ports.size()) +
-                     " channels now, not " + std::to_string(place_.channels) +
-                     ": refresh the devices and choose its channel again"};
+        return other_channels(place_.name, output->ports.size(), place_.channels);
     }
     lay_out(output->rate_hz);
     std::vector<std::string> ports = output->ports;
@@ -215,7 +211,7 @@ Expected<Done> AudioStream::open_once(SoundServer& server) {
                       paFramesPerBufferUnspecified, flags, audio_callback, callback.get());
     if (fault != paNoError) return Error{open_fault(place_.name, fault)};
     port_ = port_of(stream, callback);
-    playback_.layout.latency_s = believable(Pa_GetStreamInfo(stream)->outputLatency);
+    playback_.layout.latency_s = believable_s(Pa_GetStreamInfo(stream)->outputLatency);
     callback->supply.lasts_s = playback_.layout.latency_s;
     Expected<Done> started = start_ahead(stream, is_alsa(number), place_.name);
     note_calls();

@@ -13,6 +13,12 @@ inline double steady_s() {
     return std::chrono::duration<double>(now).count();
 }
 
+// What a library says between a frame's rendering and its being heard; what cannot be true counts
+// as none.
+inline double believable_s(double latency_s) {
+    return latency_s >= 0.0 && latency_s < 2.0 ? latency_s : 0.0;
+}
+
 // From one thread at a time.
 struct OutputPort {
     std::function<bool()> is_active;  // false: it has gone, or was cut

@@ -7,8 +7,9 @@
 
 #include <cctype>
 #include <cerrno>
-#include <cstdint>
 #include <cstdlib>
+
+#include "model/common/fingerprint.h"
 
 namespace tact {
 
@@ -24,14 +25,12 @@ std::string lock_folder() {
 // Readable, and another one for every actuator: names of outputs are long, and alike but for their
 // signs.
 std::string file_name(const std::string& actuator) {
-    std::uint64_t sum = 0xcbf29ce484222325U;  // FNV-1a
-    for (const char c : actuator) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     std::string name;
     for (const char c : actuator) {
         const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
         name += is_plain ? c : '_';
     }
-    return name.substr(0, 200) + "_" + std::to_string(sum) + ".lock";
+    return name.substr(0, 200) + "_" + fingerprint_text(actuator) + ".lock";
 }
 
 }  // namespace
