@@ -59,8 +59,10 @@ void add_recording_options(CLI::App& sub, AccelerationOptions& options, const ch
         },
         "which columns of a table hold what, by name, or by number where they have none: "
         "time=t,x=ax,y=ay,z=az");
-    const std::map<std::string, TimeUnit> time_units{
-        {"s", TimeUnit::s}, {"ms", TimeUnit::ms}, {"us", TimeUnit::us}, {"ns", TimeUnit::ns}};
+    std::map<std::string, TimeUnit> time_units;
+    for (const char* name : kTimeUnits) {
+        time_units.emplace(name, static_cast<TimeUnit>(time_units.size()));
+    }
     sub.add_option_function<std::string>(
            "--time-unit",
            [&table, time_units](const std::string& unit) { table.time_unit = time_units.at(unit); },

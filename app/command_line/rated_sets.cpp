@@ -42,9 +42,8 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
                               std::span<const fs::path> files, const RatingFiles& how) {
     if (files.empty()) return own_ratings(set, path, how.who);
-    Expected<AnswerColumns> columns = answer_columns(how.columns);
-    if (!columns) return Error{"--columns: " + columns.error().message};
-    columns->written = how.written;
+    const Expected<AnswerColumns> columns = told_columns(how.columns, how.written);
+    if (!columns) return columns.error();
     Expected<LoadedRatings> loaded = read_ratings(files, scale_of(how.scale), how.who, *columns);
     if (!loaded) return with_columns_option(loaded.error());
     for (const std::string& remark : loaded->remarks) std::cerr << "tactspace: " << remark << "\n";
@@ -154,6 +153,13 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                        std::move(loaded->labels)});
     }
     return all;
+}
+
+Expected<AnswerColumns> told_columns(const std::string& columns, const TableHints& written) {
+    Expected<AnswerColumns> told = answer_columns(columns);
+    if (!told) return Error{"--columns: " + told.error().message};
+    told->written = written;
+    return told;
 }
 
 Error with_columns_option(Error error) {

@@ -10,6 +10,7 @@
 #include "app/command_line/commands.h"
 #include "app/rendering/labels.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/io/people/foreign_answers.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"
@@ -40,6 +41,9 @@ Expected<Done> record_who_counts(std::span<const std::filesystem::path> files,
 // without files, those of the set file. Remarks go to standard error.
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
+
+// What somebody says of tables of ratings by --columns, --separator and --decimal.
+Expected<AnswerColumns> told_columns(const std::string& columns, const TableHints& written);
 
 // What could not be read of ratings, with the option that names their columns where that helps.
 Error with_columns_option(Error error);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "app/document/workspace.h"
@@ -11,7 +12,6 @@
 
 namespace tact {
 
-// Ratings into the document, as one step; an error changes nothing.
 void load_ratings_dialog(Ui& ui, const Workspace& work);
 
 // The study of those patterns of the set that the loaded ratings are of.
@@ -20,7 +20,11 @@ Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& load
 // What was read of a file into the document.
 void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem::path& path,
                   const LoadedRatings& loaded);
+
+// Ratings into the document, as one step; an error changes nothing. `refused` is told of one in
+// place of the person.
 void load_ratings(Ui& ui, Workspace& work, Layout& layout,
-                  const std::vector<std::filesystem::path>& paths);
+                  const std::vector<std::filesystem::path>& paths,
+                  const std::function<void(const Error&)>& refused = {});
 
 }  // namespace tact

@@ -241,6 +241,13 @@ void drop_left_out(ImportState& state) {
     }
 }
 
+// The dialog ends without an answer, for what comes in its place.
+void give_way(Ui& ui) {
+    ui.dialog = Dialog::none;
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 // True where the dialog gives way to the one on the columns of the shown table.
 bool draw_columns_button(Ui& ui, ImportState& importing) {
     const bool is_table = importing.shown < importing.files.size() &&
@@ -252,9 +259,7 @@ bool draw_columns_button(Ui& ui, ImportState& importing) {
     ImGui::SameLine();
     if (!wanted) return false;
     importing.columns_of = importing.files[importing.shown];
-    ui.dialog = Dialog::none;
-    ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    give_way(ui);
     return true;
 }
 
@@ -272,9 +277,7 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     ImGui::SameLine();
     if (draw_columns_button(ui, importing)) return;
     if (more) {
-        ui.dialog = Dialog::none;
-        ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
+        give_way(ui);
         importing.adding = true;
         return import_recordings_dialog(ui, work);
     }

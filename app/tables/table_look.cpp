@@ -9,6 +9,7 @@
 #include "app/ui/file_question.h"
 #include "model/signal/waveform.h"
 #include "model/table/columns.h"
+#include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t kHeadBytes = 1 << 18;  // by which a dialect is told (model/table/dialect)
 constexpr std::array<const char*, 4> kAnswerUses{"pattern A", "pattern B", "rating", "participant"};
 constexpr std::array<const char*, 4> kAxisUses{"time", "x", "y", "z"};
 
@@ -41,17 +43,22 @@ void note_use(TableAnswer& answer, const std::optional<std::size_t>& place, cons
     if (place && *place < answer.uses.size()) answer.uses[*place] = use;
 }
 
-std::string sentence_on(const LoadedRatings& loaded, const PatternSet& set) {
-    const Expected<RatingStudy> study = study_for(set, loaded);
-    if (!study) return {};
-    const std::size_t rated = study->labels.size() - unrated_patterns(*study).size();
-    const std::size_t people = loaded.study.judgements.size();
+// `of_set`: what of the study is of the set's patterns.
+std::string sentence_on(const RatingStudy& study, const RatingStudy& of_set) {
+    const std::size_t rated = of_set.labels.size() - unrated_patterns(of_set).size();
+    const std::size_t people = study.judgements.size();
     return counted(rated, "pattern", "patterns") + " of the set " + (rated == 1 ? "is" : "are") +
            " rated, by " + counted(people, "participant", "participants");
 }
 
+void show_head(TableAnswer& answer, const std::string& text, std::size_t first_line = 1) {
+    answer.head = head_of_table(text, answer.request.words.written, kShownTableRows, first_line);
+    answer.uses.assign(answer.head.rows.empty() ? 0 : answer.head.rows.front().size(), "");
+}
+
 void look_at_answers(TableAnswer& answer, const std::string& text) {
     const TableRequest& request = answer.request;
+    show_head(answer, text);
     AnswerColumns told = request.words.answers;
     told.written = request.words.written;
     if (!answer.head.rows.empty()) {
@@ -72,7 +79,7 @@ void look_at_answers(TableAnswer& answer, const std::string& text) {
         answer.fault = request.file.filename().string() + ": " + study.error().message;
         return;
     }
-    answer.outcome = sentence_on(*loaded, *request.set);
+    answer.outcome = sentence_on(loaded->study, *study);
     answer.remarks = loaded->remarks;
     answer.ratings = *std::move(loaded);
 }
@@ -84,12 +91,11 @@ void look_at_recording(TableAnswer& answer, const std::string& text) {
     const TableText decoded = table_text(text);
     const auto table = parse_acceleration_table(decoded.text, request.file.filename().string(),
                                                 true, options.table);
+    show_head(answer, text, table ? table->first_line : 1);
     if (!table) {
         answer.fault = table.error().message;
         return;
     }
-    answer.head = head_of_table(text, request.words.written, kShownTableRows, table->first_line);
-    answer.uses.assign(answer.head.rows.empty() ? 0 : answer.head.rows.front().size(), "");
     note_use(answer, table->time_place, kAxisUses[0]);
     for (std::size_t k = 0; k < table->axis_places.size(); ++k) {
         note_use(answer, table->axis_places[k], kAxisUses[std::min<std::size_t>(k + 1, 3)]);
@@ -120,8 +126,6 @@ TableAnswer answer_on(const TableRequest& request) {
         answer.fault = text.error().message;
         return answer;
     }
-    answer.head = head_of_table(*text, request.words.written, kShownTableRows);
-    answer.uses.assign(answer.head.rows.empty() ? 0 : answer.head.rows.front().size(), "");
     if (request.words.kind == TableKind::ratings) look_at_answers(answer, *text);
     if (request.words.kind == TableKind::recording) look_at_recording(answer, *text);
     return answer;
@@ -160,10 +164,9 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path
     table.names = {};
     table.words = {};
     table.answer.reset();
-    if (const auto text = read_text_file(file)) {
-        table.names = head_of_table(*text, {}, 1);
-        table.words = remembered_words(work.session, table.names);
-    }
+    // The names are there at once; the rest is read beside the window.
+    table.names = head_of_table(head_of_file(file, kHeadBytes), {}, 1);
+    table.words = remembered_words(work.session, table.names);
     if (kind) table.words.kind = *kind;
     ui.dialog = Dialog::open_table;
     look_at_table(ui, work, table);
@@ -199,13 +202,12 @@ void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table,
 
 void load_ratings_or_ask(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                          const std::vector<fs::path>& paths) {
-    if (paths.empty()) return;
-    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
-    if (loaded) return take_ratings(ui, work, layout, paths.front(), *loaded);
-    std::error_code none;
-    const bool is_single = paths.size() == 1 && fs::is_regular_file(paths.front(), none);
-    if (!is_single) return complain(ui, loaded.error().message);
-    open_table(ui, work, table, paths.front());
+    load_ratings(ui, work, layout, paths, [&](const Error& error) {
+        std::error_code none;
+        const bool is_single = paths.size() == 1 && fs::is_regular_file(paths.front(), none);
+        if (!is_single) return complain(ui, error.message);
+        open_table(ui, work, table, paths.front());
+    });
 }
 
 }  // namespace tact

@@ -49,9 +49,8 @@ struct Source {
 Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSet& set,
                                    Source& source) {
     const std::vector<fs::path>& files = command.ratings;
-    Expected<AnswerColumns> columns = answer_columns(command.columns);
-    if (!columns) return Error{"--columns: " + columns.error().message};
-    columns->written = command.written;
+    const Expected<AnswerColumns> columns = told_columns(command.columns, command.written);
+    if (!columns) return columns.error();
     const Expected<LoadedRatings> loaded = read_ratings(files, RatingScale::guess, {}, *columns);
     if (!loaded) return with_columns_option(loaded.error());
     for (const std::string& remark : loaded->remarks) {
