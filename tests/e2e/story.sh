@@ -27,6 +27,8 @@ export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
 children=()  # started here, and to be ended here
 
 is_gone() { ! kill -0 "$1" 2>/dev/null; }
+# In a group of processes that nobody waits for no program halts: it goes on by itself.
+is_halted() { [[ $(ps -o stat= -p "$1") == T* ]]; }
 are_gone() {
     local child
     for child in "${children[@]}"; do is_gone "$child" || return 1; done

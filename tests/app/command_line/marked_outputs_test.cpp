@@ -2,6 +2,7 @@
 // prints or writes of a set whose ratings and model are of nobody says so, and what it makes of a
 // study of which somebody is left out, and another only rehearsed.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <functional>
@@ -188,6 +189,18 @@ struct Bench {
     std::string at(const char* name) const { return (fs::path(out) / name).string(); }
 };
 
+// compare of these sets and ratings, with all of its tables, and as JSON.
+std::array<Words, 2> comparing(const Bench& b, const Words& sets) {
+    Words words{"compare"};
+    words.insert(words.end(), sets.begin(), sets.end());
+    words.insert(words.end(), {"--metric", "pm", "rmse"});
+    Words tables = words;
+    tables.insert(tables.end(), {"--csv", b.at("a.csv"), "--people-csv", b.at("b.csv"),
+                                 "--differences-csv", b.at("c.csv"), "--methods"});
+    words.push_back("--json");
+    return {tables, words};
+}
+
 using Checks = std::map<std::string, std::function<void(const Bench&)>>;
 
 // What each command is asked for, or why there is nothing to be marked.
@@ -273,15 +286,7 @@ const Checks& checks() {
          [](const Bench& b) {
              for (const Words& from : {Words{b.rated}, Words{b.plain, "--ratings", b.people},
                                        Words{b.plain, "--ratings", b.matrix}, Words{b.of_nobody}}) {
-                 Words words{"compare"};
-                 words.insert(words.end(), from.begin(), from.end());
-                 words.insert(words.end(), {"--metric", "pm", "rmse"});
-                 Words tables = words;
-                 tables.insert(tables.end(), {"--csv", b.at("a.csv"), "--people-csv", b.at("b.csv"),
-                                              "--differences-csv", b.at("c.csv"), "--methods"});
-                 b.check_says(tables);
-                 words.push_back("--json");
-                 b.check_says(words);
+                 for (const Words& words : comparing(b, from)) b.check_says(words);
              }
          }},
         {"train",
@@ -381,13 +386,9 @@ const Checks& left_out_checks() {
         {"compare",
          [](const Bench& b) {
              for (const std::string& from : {b.mixed, b.mixed_matrix}) {
-                 Words words{"compare", b.plain, "--ratings", from, "--metric", "pm", "rmse"};
-                 Words tables = words;
-                 tables.insert(tables.end(), {"--csv", b.at("a.csv"), "--people-csv", b.at("b.csv"),
-                                              "--differences-csv", b.at("c.csv"), "--methods"});
-                 b.check_says_left_out(tables);
-                 words.push_back("--json");
-                 b.check_says_left_out(words);
+                 for (const Words& words : comparing(b, {b.plain, "--ratings", from})) {
+                     b.check_says_left_out(words);
+                 }
              }
          }},
         {"train",

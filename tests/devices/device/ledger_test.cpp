@@ -11,6 +11,7 @@
 
 #include "devices/device/playback.h"
 #include "model/signal/waveform.h"
+#include "tests/support/one_channel.h"
 
 namespace ledger_test {
 
@@ -41,40 +42,9 @@ Drive late_burst() {
     return drive;
 }
 
-// One channel; what has left it.
-struct Out {
-    Playback playback;
-    std::vector<float> left;
-    std::vector<Clip> clips;
-    std::uint64_t serial = 0;
-
-    Out() {
-        playback.layout = {kRateHz, 1, 0, kCeiling};
-        playback.level = 1.0F;
-        clips.reserve(200);
-    }
-    void run(double seconds) {
-        std::vector<float> buffer(40);
-        const std::size_t until = left.size() + sample_count(seconds, kRateHz);
-        while (left.size() < until) {
-            render(playback, buffer.data(), buffer.size(),
-                   static_cast<double>(left.size()) / kRateHz);
-            left.insert(left.end(), buffer.begin(), buffer.end());
-        }
-    }
-    void play(const Drive& drive, bool loop = false) {
-        clips.push_back(clip_of(drive, kRateHz, loop));
-        clips.back().serial = ++serial;
-        playback.wanted = &clips.back();
-    }
-    void change(const Drive& drive) {
-        clips.push_back(clip_of(drive, kRateHz, true));
-        clips.back().serial = serial;
-        playback.wanted = &clips.back();
-    }
-    void run_to_its_end() {
-        while (playback.ended < serial) run(0.005);
-    }
+// Blocks of 5 ms.
+struct Out : one_channel::Out {
+    Out() : one_channel::Out(kRateHz, 40) {}
 };
 
 double rms(const std::vector<float>& samples, std::size_t from, std::size_t to) {

@@ -20,8 +20,7 @@ await_end() { # CHANNEL
     until_true "channel $1's program has ended" is_gone "${players[$1]}"
     wait "${players[$1]}" 2>/dev/null || code=$?
 }
-# In a group of processes that nobody waits for no program halts: it goes on by itself, at rest.
-is_halted() { [[ $(ps -o stat= -p "$1") == T* ]] || is_gone "$1"; }
+is_halted_or_gone() { is_halted "$1" || is_gone "$1"; }
 
 # Of the last sound, and silence was recorded after it. What JACK's recorder is given ends early where
 # another client crashes.
@@ -66,7 +65,7 @@ go_on() {
     for name in "$@"; do
         channel=$((channel + 1))
         [ "$name" = TSTP ] || continue
-        until_true "it is halted" is_halted "${players[channel]}"
+        until_true "it is halted" is_halted_or_gone "${players[channel]}"
         kill -CONT "${players[channel]}" 2>/dev/null || true
     done
 }
