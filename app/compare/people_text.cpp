@@ -9,7 +9,7 @@ namespace tact {
 
 namespace {
 
-// Of all voices, who are of one study each.
+// The mark of all voices together.
 NumberMark mark_of(const std::vector<Ratings>& ratings) {
     NumberMark mark;
     for (const Ratings& one : ratings) mark = mark | one.mark;

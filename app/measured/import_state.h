@@ -67,7 +67,7 @@ struct ImportState {
     std::vector<std::string> patterns;
     std::size_t shown = 0;  // the file whose signals are drawn
     RecordingFields fields;
-    bool adding = false;  // the chooser looks for more files
+    bool adding = false;               // the chooser looks for more files
     std::filesystem::path columns_of;  // whose columns somebody wants to tell; empty: nobody
     ActuatorParams actuator;
     bool simulate_all = true;  // patterns, not only the selected ones

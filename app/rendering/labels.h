@@ -37,11 +37,11 @@ std::string sentence_on(const ExportTarget& target);
 std::vector<std::string> lines_of(const Labels& labels);
 std::string text_of(const Labels& labels);
 
-// Of the mark alone, with the names of what was edited: for the corner of a table, or the title of
+// The mark in words, with the names of what was edited: for the corner of a table, or the title of
 // a picture; empty where nothing is to be said. Everything that hands numbers on hands it on.
 std::string corner_of(const Labels& labels);
 
-// Of what a model says; of what it says of the patterns of this set.
+// The mark of what a model says, and of what it says about the patterns of this set.
 NumberMark mark_of(const ModelOrigin& origin);
 NumberMark mark_of(const PatternSet& set);
 

@@ -65,7 +65,7 @@ void draw_map(const Ui& ui, const Workspace& work, ShownMap& shown_map, const St
     draw_space("study map", ui.theme, area, scene, shown_map.camera);
 }
 
-// Of one participant, where one is chosen, else of the mean.
+// The mark of the chosen participant, or of the mean where none is chosen.
 NumberMark shown_mark(const StudyState& studying) {
     const StudyAnswers& answers = *studying.answers;
     if (!studying.shown) return answers.results->mark;

@@ -260,8 +260,8 @@ StreamState AudioStream::lose(const std::string& why) {
     return StreamState::closed;
 }
 
-// A halted program renders nothing: a server may then repeat for good what it was given last. What
-// was asked for before stays at rest when the program goes on.
+// A halted program renders nothing, and a server may then repeat its last sound for good. A play
+// from before the halt does not come back when the program goes on.
 void AudioStream::rest_if_halted() {
     if (halts() == halts_.load() || !is_sounding()) return;
     tell(place_.name + kHalted);  // first: what ends without a word is followed by the next one

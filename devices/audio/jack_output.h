@@ -25,7 +25,7 @@ struct JackOutput {
     double latency_s = 0.0;  // of the first port
 };
 
-// Of the usual server; none where it does not answer.
+// The outputs at the usual server, or none where it does not answer.
 std::vector<JackOutput> jack_outputs();
 
 // Connected to these ports alone, the same to each, until one goes. Lays out `playback`, which

@@ -2,7 +2,7 @@
 // before, and stays at rest when the program goes on.
 //
 // Source    signal-safety(7); SIGTSTP, SIGTTIN and SIGTTOU, where nobody else answers them
-// Left out  SIGSTOP, which no program hears: a controller goes on with what it was told last, JACK
+// Left out  SIGSTOP, which no program hears: a controller keeps doing what it was told last, JACK
 //           repeats its last period, other outputs fall silent within what was rendered ahead.
 #pragma once
 

@@ -48,8 +48,8 @@ struct StreamLayout {
     double ceiling = kCeiling;
     bool everywhere = false;  // on all channels instead
     double latency_s = 0.0;   // between a frame's rendering and its being heard
-    // Whoever renders can still change what is on its way: a stop is then answered by a fade in
-    // that, and the stream goes on in silence.
+    // Whoever renders can still change what is on its way. A stop then writes a fade over it, and
+    // the stream goes on in silence.
     bool takes_back = false;
 };
 

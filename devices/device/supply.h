@@ -12,7 +12,8 @@
 
 namespace tact {
 
-// Of one stream from its first call. No call of its own: it may run in a callback.
+// The account of one stream since its first call. It asks the system for nothing, so that a
+// callback may keep it.
 struct Supply {
     double lasts_s = 0.0;  // what the output keeps, at most
     double rendered_s = 0.0;

@@ -50,7 +50,7 @@ Motion at_rest_after(Motion now, double f0_hz, double time_s);
 // From `from_s` to `to_s` of a drive that was at `level` meanwhile.
 Motion driven_on(Motion now, const Travel& travel, double from_s, double to_s, double level);
 
-// What of that is the drive's: adds up over drives that play at once.
+// The drive's own part of that motion. The parts of drives that play at once add up.
 Motion driven_by(const Travel& travel, double from_s, double to_s, double level);
 
 // The largest level at which a drive that goes on at `from_s` moves nothing farther than its limit,
