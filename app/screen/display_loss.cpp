@@ -1,8 +1,8 @@
 #include "app/screen/display_loss.h"
 
 #include <X11/Xlib.h>
-#include <dlfcn.h>
 #include <unistd.h>
+#include <wayland-client-core.h>
 
 #include <string>
 #include <string_view>
@@ -44,14 +44,9 @@ int display_is_gone(Display* /*display*/) {
                               : "unsaved changes could not be kept: " + fault);
 }
 
-// False without Wayland, whose library is not loaded then.
 bool is_compositor_gone() {
-    void* const client = ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD);
-    if (client == nullptr) return false;
-    const auto error_of =
-        reinterpret_cast<int (*)(wl_display*)>(::dlsym(client, "wl_display_get_error"));
     wl_display* const display = wayland_display();
-    return error_of != nullptr && display != nullptr && error_of(display) != 0;
+    return display != nullptr && wl_display_get_error(display) != 0;
 }
 
 }  // namespace

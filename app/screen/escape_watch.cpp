@@ -11,6 +11,9 @@
 #include <stop_token>
 #include <utility>
 
+#include "app/screen/wayland.h"
+#include "app/screen/wayland_escape.h"
+
 namespace tact {
 
 namespace {
@@ -40,24 +43,46 @@ void watch(const std::stop_token& stop, Display* display, int woken,
     }
 }
 
-}  // namespace
+// `watch` runs on a thread of its own, and can wait for the file that tells of the stop.
+using Watch = std::function<void(const std::stop_token&, int woken)>;
 
-EscapeWatch::EscapeWatch(GLFWwindow* window, std::function<void()> pressed) {
-    const Window id = x11_window(window);
-    if (!pressed || id == 0) return;
-    Display* const display = XOpenDisplay(nullptr);
-    if (display == nullptr) return;
-    XSelectInput(display, id, KeyPressMask);
-    XFlush(display);
-    thread_ = std::jthread([display, pressed = std::move(pressed)](const std::stop_token& stop) {
+std::jthread start(Watch watch) {
+    return std::jthread([watch = std::move(watch)](const std::stop_token& stop) {
         const int woken = eventfd(0, EFD_CLOEXEC);
         {
             const std::stop_callback wake(stop, [woken] { eventfd_write(woken, 1); });
-            watch(stop, display, woken, pressed);
+            watch(stop, woken);
         }
         close(woken);
+    });
+}
+
+std::jthread start_on_x11(GLFWwindow* window, std::function<void()> pressed) {
+    const Window id = x11_window(window);
+    if (id == 0) return {};
+    Display* const display = XOpenDisplay(nullptr);
+    if (display == nullptr) return {};
+    XSelectInput(display, id, KeyPressMask);
+    XFlush(display);
+    return start([display, pressed = std::move(pressed)](const std::stop_token& stop, int woken) {
+        watch(stop, display, woken, pressed);
         XCloseDisplay(display);
     });
+}
+
+}  // namespace
+
+EscapeWatch::EscapeWatch(GLFWwindow* window, std::function<void()> pressed) {
+    if (!pressed) return;
+    wl_display* const wayland = wayland_display();
+    if (wayland == nullptr) {
+        thread_ = start_on_x11(window, std::move(pressed));
+        return;
+    }
+    thread_ =
+        start([wayland, pressed = std::move(pressed)](const std::stop_token& stop, int woken) {
+            watch_wayland_escape(stop, wayland, woken, pressed);
+        });
 }
 
 }  // namespace tact

@@ -136,6 +136,20 @@ soon() { # COMMAND...: it succeeds within 2 s
     return 1
 }
 
+# A key may come before the window has the keys, and is pressed once more meanwhile.
+hears_escape() {
+    local listener code=0
+    : >"$scratch/listener"
+    "$(dirname "$program")/escape_listener" >"$scratch/listener" 2>"$scratch/err" &
+    listener=$!
+    children+=("$listener")
+    until_true "the window draws no more" grep -q drawn "$scratch/listener"
+    is_heard() { key Escape && soon is_gone "$listener"; }
+    until_true "Esc is heard" is_heard
+    wait "$listener" || code=$?
+    [ "$code" -eq 0 ] || fail "exit code $code of what listens for Esc"
+}
+
 # By the palette.
 command_named() { # NAME
     key ctrl+p
