@@ -7,6 +7,16 @@
 
 namespace {
 
+// Why a benchmark was given up, or its label. The names of the former changed with 1.8.
+template <class Run>
+const std::string& words_of(const Run& run) {
+    if constexpr (requires { run.skip_message; }) {
+        return run.skipped ? run.skip_message : run.report_label;
+    } else {
+        return run.error_occurred ? run.error_message : run.report_label;
+    }
+}
+
 class TableReporter : public benchmark::ConsoleReporter {
   public:
     TableReporter() : ConsoleReporter(OO_None) {}
@@ -14,7 +24,7 @@ class TableReporter : public benchmark::ConsoleReporter {
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
-            const std::string& words = run.error_occurred ? run.error_message : run.report_label;
+            const std::string& words = words_of(run);
             if (words.empty()) continue;
             lines_.push_back({run.run_name.function_name, words});
         }
