@@ -18,10 +18,8 @@
 #include <functional>
 #include <optional>
 
-#include "devices/hid/haptic_page.h"
-#include "tests/support/patience.h"
+#include "tests/devices/rest/driven_pads.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/umockdev/pads.h"
 
 namespace rest_table {
 
@@ -29,47 +27,6 @@ using namespace tact;
 using Clock = std::chrono::steady_clock;
 
 namespace {
-
-constexpr auto kInTime = std::chrono::milliseconds(100);
-// A busy machine may keep any packet waiting: one good measurement is proof.
-constexpr int kRounds = 5;
-
-struct Kind {
-    MockPad pad;
-    std::string name;  // as the program lists it
-    Packet neutral;
-};
-
-std::vector<Kind> kinds() {
-    const HapticPage page = *haptic_page(kHapticDescriptor);
-    MockPad dualshock_4 = dualshock();
-    dualshock_4.is_bluetooth = false;
-    return {{joy_con(), "Joy-Con (L)", switch_rumble(0, {})},
-            {pro(), "Switch Pro Controller", switch_rumble(0, {})},
-            {dualshock_4, "DualShock 4", dualshock4_usb({})},
-            {dualsense(), "DualSense", dualsense_usb({}, DualSenseRumble::from_2_24)},
-            {knob(), "Haptic knob", haptic_output(page, kWaveformStop, 0.0)}};
-}
-
-// Without what counts up.
-Packet plain(Packet packet) {
-    if (packet[0] == 0x10) packet[1] = 0;
-    return packet;
-}
-
-bool is_neutral(const Kind& kind, const Packet& packet) {
-    return plain(packet) == plain(kind.neutral);
-}
-
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto until = end_of_patience();
-    while (!condition()) {
-        if (Clock::now() > until) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
 
 // The program, playing on one pad.
 struct Player {
@@ -194,25 +151,6 @@ std::vector<Ending> endings() {
     parent.in_terminal = true;
     all.push_back(parent);
     return all;
-}
-
-bool is_driven(const MockBench& bench, const Kind& kind) {
-    const auto written = bench.written(kind.pad.node);
-    std::size_t driving = 0;
-    for (const Written& each : written) driving += is_neutral(kind, each.packet) ? 0 : 1;
-    return driving >= 8 && !is_neutral(kind, written.back().packet);
-}
-
-bool is_at_rest(const MockBench& bench, const Kind& kind) {
-    return is_neutral(kind, bench.written(kind.pad.node).back().packet);
-}
-
-// From then on nothing but neutral packets.
-Clock::time_point rested_at(const MockBench& bench, const Kind& kind) {
-    const auto written = bench.written(kind.pad.node);
-    std::size_t first = written.size();
-    while (first > 0 && is_neutral(kind, written[first - 1].packet)) --first;
-    return first < written.size() ? written[first].at : Clock::time_point::max();
 }
 
 struct Row {
