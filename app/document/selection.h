@@ -51,7 +51,7 @@ struct Selection {
     // Two at once, as a cell of the matrix has them: in this frame, and in the last.
     std::optional<std::pair<std::size_t, std::size_t>> hovered_pair{};
     std::optional<std::pair<std::size_t, std::size_t>> hovered_pair_last{};
-    // In this frame, by any panel (app/document/pressing.h); a candidate is in no document yet.
+    // In this frame, by any panel; a candidate is in no document yet.
     std::optional<Vibration> pressed{};
     std::optional<RestedNumber> rested{};        // in this frame
     std::optional<SuggestedChange> suggested{};  // in this frame

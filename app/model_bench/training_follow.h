@@ -1,6 +1,6 @@
 // Fitting the model's parameters to ratings from the window.
 //
-// Left out  drawing: app/panels/training_*.cpp.
+// Left out  drawing: app/model_bench/training_panel.cpp.
 #pragma once
 
 #include "app/document/workspace.h"

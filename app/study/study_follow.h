@@ -1,6 +1,6 @@
 // Studies of the window: the folder of participants, the run of one, and what they said so far.
 //
-// Left out  drawing: app/panels/study_*.cpp.
+// Left out  drawing: app/study/study_panels.h.
 #pragma once
 
 #include <filesystem>

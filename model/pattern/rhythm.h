@@ -1,8 +1,7 @@
 // Rhythm as text on a grid: x starts a note, = holds it, - rests.
 //
-// Source    formats.md of this project; the notation is ours. Evenness: the first Fourier
-// coefficient
-//           of the onsets on a circle (Amiot 2009; Milne, Bulger & Herff 2017).
+// Source    the notation is ours. Evenness: the first Fourier coefficient of the onsets on a circle
+//           (Amiot 2009; Milne, Bulger & Herff 2017).
 // Valid     at most kMaxRhythmSteps characters; `=` only after `x` or `=`
 // Left out  dynamics within a rhythm: every note has the pattern's amplitude.
 #pragma once

@@ -3,8 +3,9 @@
 //
 // Five roles: title, value, body, label, fine print; and a body for those at the back of a room.
 //
-// Source    ui.md, but for titles a little above the body and labels on whole pixels: at any scale,
-//           so that no line is blurred.
+// Titles are a little above the body, and labels on whole pixels at any scale, so that no line is
+// blurred.
+//
 // Valid     characters up to U+FFFF (what a stock ImGui build can hold)
 // Left out  shaping and right-to-left order (ImGui has neither), colour emoji.
 #pragma once

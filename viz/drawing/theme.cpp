@@ -122,10 +122,10 @@ Theme dark_theme(float scale) {
     theme.line = rgb(0x323A44);
     theme.text = rgb(0xE6E9ED);
     theme.dim_text = rgb(0x9AA4AF);
-    theme.accent = rgb(0xA29DFF);  // ui.md's 56B4E9 is the Meissner's, and a pattern's
+    theme.accent = rgb(0xA29DFF);  // no blue: 56B4E9 is the Meissner's, and a pattern's
     theme.series = rgb(0xC3CBD4);
-    theme.warning = rgb(0xFFC078);  // ui.md's E69F00 is the Pacinian's, and a pattern's
-    theme.error = rgb(0xE6564E);    // ui.md's E5534B, lifted to a contrast of 4.5
+    theme.warning = rgb(0xFFC078);  // lighter than E69F00, the Pacinian's, and a pattern's
+    theme.error = rgb(0xE6564E);    // its contrast is 4.5
     theme.receptor = {rgb(0x56B4E9), rgb(0xE69F00), rgb(0x009E73), rgb(0xCC79A7)};
     // Okabe-Ito; black, the eighth, is a light grey here.
     theme.pattern = {rgb(0x56B4E9), rgb(0xE69F00), rgb(0x009E73), rgb(0xF0E442),

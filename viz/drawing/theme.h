@@ -1,6 +1,6 @@
 // The look: every colour and size of the program, in a dark and a light version.
 //
-// Source    ui.md; patterns: Okabe & Ito 2008.
+// Source    patterns: Okabe & Ito 2008; the rest was chosen by eye and by contrast.
 // Left out  high-contrast and user-made themes.
 #pragma once
 
