@@ -7,11 +7,16 @@
 // the curve is straight. Of a recording in which no such window fits, it is the one sine that
 // explains most of it (least squares): a guess.
 //
+// Where it is asked for, what lasts less than 60 ms becomes transients
+// (model/signal/short_bursts.h), each of the strongest frequency in it, and the curves are those of
+// what is left. A longer recording has its points section by section; sections share the point
+// between them.
+//
 // Source    ours
 // Input     a recording at any rate; between 20 and 1000 Hz there is something to be traced
 // Output    a pattern that is as long, and how far its curves are from what was measured
 // Valid     one strongest frequency at a time: of several at once it follows one
-// Left out  phase, noise, further carriers, transients.
+// Left out  phase, noise, further carriers; transients by default.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +30,9 @@ struct TraceParams {
     std::size_t most_points = 60;
     double amplitude_tolerance = 0.01;  // of the largest amplitude
     double frequency_tolerance_hz = 1.0;
+    double section_s = 0.0;       // that has so many points; 0: the whole
+    Range band_hz{20.0, 1000.0};  // where the strongest frequency is looked for
+    bool transients = false;
 };
 
 struct TracedPattern {
@@ -32,6 +40,9 @@ struct TracedPattern {
     double amplitude_error_g = 0.0;     // the largest, from the 10 ms envelope
     double frequency_error_hz = 0.0;    // the largest, from the strongest frequencies
     bool frequency_is_a_guess = false;  // too short to be measured: the error is not known
+    // Of the energy where frequencies were measured, what is more than two bins (50 Hz of 40 ms)
+    // off the strongest one: other frequencies, and noise.
+    double other_share = 0.0;
 };
 
 // No frequency curve where the frequency is steady; silence gives a pattern of 0 g without curves.
