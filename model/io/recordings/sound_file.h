@@ -1,0 +1,34 @@
+// Any sound as samples, to be made a vibration of: music, speech, a drum, a recording.
+//
+// Source    libsndfile: WAV, FLAC, Ogg, Opus, MP3, AIFF, AU, CAF and what else it knows; text and
+//           tables of accelerations as model/io/recordings reads them
+// Input     any rate of 100 Hz to 10 MHz, any number of channels
+// Output    the mean of the channels at 10 kHz, without its constant offset, 1 being full scale; of
+//           recordings in g, g. What was done to it as remarks. Errors as "FILE: .."
+// Valid     1 ms to 60 s; kMaxWaveBytes and kMaxDecodedSamples of all channels. Silence is refused
+// Left out  what a player would do: tags of loudness, loops, cue points.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/common/expected.h"
+#include "model/signal/waveform.h"
+
+namespace tact {
+
+struct SoundFile {
+    Waveform waveform;
+    std::optional<double> scale_g;     // that 1 stands for, where the file or its sidecar says so
+    double duration_s = 0.0;           // at the file's own rate
+    std::vector<std::string> remarks;  // "2 channels are mixed", without the file
+};
+
+Expected<SoundFile> read_sound_file(const std::filesystem::path& path);
+
+// Whether it is a sound by what it begins with; tables are none.
+bool is_sound_file(const std::filesystem::path& path);
+
+}  // namespace tact
