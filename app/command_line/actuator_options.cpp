@@ -3,6 +3,9 @@
 
 #include <map>
 
+#include "model/io/effects/actuator_map.h"
+#include "model/sound/from_sound.h"
+
 namespace tact {
 
 namespace {
@@ -199,6 +202,30 @@ void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen)
     sub.add_option("--seed", actuator.seed, "of the noise")
         ->check(within(limits::kSeed))
         ->capture_default_str();
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
+void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& chosen) {
+    CLI::App& sub = *app.add_subcommand(
+        "from-sound", "sounds as patterns: envelope, frequency and accents in an actuator's band");
+    sub.add_option(
+           "SOUND", command.sounds,
+           "WAV, FLAC, Ogg, MP3, AIFF and what else libsndfile reads, of at most 60 s; or a "
+           "recording; a pattern each")
+        ->required();
+    sub.add_option("--out", command.out, "set file for the patterns")->required();
+    sub.add_option("--actuator", command.actuator,
+                   "whose band and g at full scale count: a file (.acf or .json) or one of " +
+                       actuator_names() + "; else " + kUsualActuator);
+    sub.add_flag("--no-accents", command.no_accents,
+                 "what lasts less than 60 ms stays in the envelope");
+    add_optional(sub, "--full-scale", command.full_scale_g, limits::kScaleG,
+                 "g that full scale of the sound stands for; else as its .json beside it says, or "
+                 "the actuator's");
+    sub.add_flag("--without-loss", command.without_loss,
+                 "without PM between the pattern and the sound");
+    add_threads(sub, command.threads);
+    sub.add_flag("--json", command.json, "JSON instead of text on standard output");
     sub.callback([&] { chosen = [&command] { return run(command); }; });
 }
 

@@ -192,6 +192,18 @@ struct ImportCommand {
 };
 Expected<Done> run(const ImportCommand& command);
 
+struct FromSoundCommand {
+    std::vector<std::filesystem::path> sounds;
+    std::string actuator;                // a bundled one or a file; empty: the usual one
+    bool no_accents = false;             // what is short stays in the envelope
+    std::optional<double> full_scale_g;  // none: the sidecar's, else the actuator's
+    bool without_loss = false;           // nothing is predicted
+    std::filesystem::path out;           // a set file
+    int threads = 0;                     // 0: all cores
+    bool json = false;
+};
+Expected<Done> run(const FromSoundCommand& command);
+
 struct MeasureCommand {
     std::filesystem::path set;
     bool simulate = false;  // has to be said: nothing else is possible

@@ -82,6 +82,7 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen);
 void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& chosen);
 void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen);
 void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen);
+void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& chosen);
 
 // people_options.cpp
 void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen);
@@ -111,6 +112,7 @@ struct Commands {
     GenerateCommand generate;
     ImportCommand import;
     MeasureCommand measure;
+    FromSoundCommand from_sound;
     ManualCommand manual;
 };
 void add_commands(CLI::App& app, Commands& commands, Chosen& chosen);

@@ -46,7 +46,7 @@ std::set<std::string> commands() {
     std::set<std::string> names;
     std::string line;
     std::getline(lines, line);
-    const std::regex row("^  ([a-z]+) .*");
+    const std::regex row("^  ([a-z-]+) .*");
     for (std::smatch match; std::getline(lines, line);) {
         if (std::regex_match(line, match, row)) names.insert(match[1]);
     }
@@ -323,15 +323,16 @@ const Checks& checks() {
                  b.check_says({"snapshot", b.modelled, "--view", view, "--out", b.at("v.svg")});
              }
          }},
-        {"render", {}},     // waveforms: no model, nobody's ratings
-        {"devices", {}},    // what is plugged in
-        {"play", {}},       // an actuator moves
-        {"calibrate", {}},  // what an actuator did
-        {"findings", {}},   // the bundled sets and the published model alone
-        {"generate", {}},   // patterns from a design space, without a model
-        {"import", {}},     // recordings that were made
-        {"lesson", {}},     // a bundled set's numbers, with the published model
-        {"manual", {}},     // text
+        {"render", {}},      // waveforms: no model, nobody's ratings
+        {"devices", {}},     // what is plugged in
+        {"play", {}},        // an actuator moves
+        {"calibrate", {}},   // what an actuator did
+        {"findings", {}},    // the bundled sets and the published model alone
+        {"generate", {}},    // patterns from a design space, without a model
+        {"import", {}},      // recordings that were made
+        {"from-sound", {}},  // patterns of sounds, with the published model
+        {"lesson", {}},      // a bundled set's numbers, with the published model
+        {"manual", {}},      // text
     };
     return kChecks;
 }
