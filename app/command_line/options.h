@@ -17,7 +17,8 @@ namespace tact {
 using Chosen = std::function<Expected<Done>()>;
 
 inline constexpr const char* kSetHelp =
-    "a .tactspace.json file, a folder of .txt, .wav or effect files, or single ones; effects are "
+    "a .tactspace.json file, a folder or zip file of .txt, .wav or effect files, or single ones; "
+    "effects are "
     "AHAP, .haptic, HJIF, .haps, .he, .hla, Pulsar presets, Android's XML or timings as JSON";
 
 // For every option that is a number, in the place of CLI::Range: that one lets NaN through, and all

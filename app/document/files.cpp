@@ -57,7 +57,7 @@ void ask_for_vibrations(Ui& ui, const Workspace& work, ChooserPurpose purpose,
                   .use = ChooserUse::open,
                   .title = title,
                   .extensions = {".json", ".wav", ".txt", ".ahap", ".haptic", ".hjif", ".haps",
-                                 ".he", ".hla", ".xml"},
+                                 ".he", ".hla", ".xml", ".zip"},
                   .folders_too = true},
                  folder_of(work.document));
 }

@@ -207,19 +207,22 @@ bool is_effect_name(std::string_view path) {
 
 std::string head_of_effects(const std::filesystem::path& path) {
     std::error_code none;
-    if (std::filesystem::file_size(path, none) > kMostEffectBytes) return {};
-    std::string head = head_of_file(path);
+    const auto size = std::filesystem::file_size(path, none);
+    return none ? std::string() : head_of_effects(head_of_file(path), size);
+}
+
+std::string head_of_effects(std::string head, std::size_t size) {
+    if (size > kMostEffectBytes) return {};
     if (auto decoded = utf8_of_utf16(head)) head = *std::move(decoded);
     const char first = first_sign(head);
     return first == '{' || first == '<' ? head : std::string();
 }
 
-std::string known_stranger(const std::filesystem::path& path) {
+std::string known_stranger(const std::filesystem::path& path, std::string_view head) {
     if (lower_case(path.extension().string()) == ".vij") {
         return "is a .vij of an older Lofelt, whose format was never published: its makers' "
                "programs save it as .haptic";
     }
-    const std::string head = head_of_effects(path);
     const auto has = [&head](const char* key) { return head.find(key) != head.npos; };
     const bool is_of_ahap = has("\"EventType\"") || has("\"ParameterID\"");
     if (!is_of_ahap || has("\"Pattern\"")) return {};

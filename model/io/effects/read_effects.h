@@ -36,10 +36,12 @@ bool is_effect_name(std::string_view path);
 // The beginning of a regular file that may be one of them, an object of JSON or XML; empty: it is
 // something else, or too large.
 std::string head_of_effects(const std::filesystem::path& path);
+// The same of the first bytes of a file of this size.
+std::string head_of_effects(std::string head, std::size_t size);
 
 // What a file that holds no effect is known to be, as the end of a sentence, or empty: a fragment,
 // or a format that was never published.
-std::string known_stranger(const std::filesystem::path& path);
+std::string known_stranger(const std::filesystem::path& path, std::string_view head);
 
 struct EffectsRead {
     EffectFormat format = EffectFormat::none;  // none: some other JSON or XML, and no effects

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/common/expected.h"
@@ -31,10 +32,18 @@ enum class RecordingKind { none, text, wave };
 
 // By what the file begins with, and by its ending where that tells nothing or nothing is there.
 RecordingKind recording_kind(const std::filesystem::path& path);
+RecordingKind recording_kind(const std::filesystem::path& path, std::string_view head);
 bool is_recording(const std::filesystem::path& path);
 
 Expected<Recording> read_recording(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});
+
+// The same of bytes that are no file of their own; `sidecar` is that of a WAV file, or empty.
+Expected<Recording> parse_recording(const std::filesystem::path& path, std::string bytes,
+                                    std::string sidecar, const RecordingOptions& options = {});
+
+// The file beside a WAV file that says what its full scale is.
+std::filesystem::path sidecar_of(const std::filesystem::path& path);
 
 // The extension in lower case, with its dot.
 std::string extension_of(const std::filesystem::path& path);

@@ -46,8 +46,6 @@ struct OpenWave {
     Sound sound;
 };
 
-fs::path sidecar_of(const fs::path& path) { return fs::path(path) += ".json"; }
-
 // The options with what the sidecar says where they say nothing, and a remark on it or none.
 struct Told {
     RecordingOptions options;

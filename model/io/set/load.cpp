@@ -5,6 +5,7 @@
 
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
+#include "model/io/folders/zip_file.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"
@@ -81,18 +82,20 @@ Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
     std::error_code none;
     if (fs::is_directory(path, none)) return read_waveform_folder(path, options);
     if (const auto size = readable_size(path); !size) return size.error();
+    if (is_zip_file(path)) return read_waveform_folder(path, options);
     if (is_recording(path)) return load_recording(path);
-    const bool is_set = head_of_effects(path).find("\"tactspace\"") != std::string::npos;
+    const std::string head = head_of_effects(path);
+    const bool is_set = head.find("\"tactspace\"") != std::string::npos;
     if (is_effect_name(path.string()) || may_be_effect_file(path)) {
         auto effects = load_effects(path, second, options);
         if (!effects || !effects->set.vibrations.empty()) return effects;
     }
-    const std::string stranger = is_set ? std::string() : known_stranger(path);
+    const std::string stranger = is_set ? std::string() : known_stranger(path, head);
     if (!stranger.empty()) return Error{path.string() + ": " + stranger};
     if (is_set || extension_of(path) == ".json") return read_set_file(path);
     return Error{path.string() +
-                 ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
-                 "one such file"};
+                 ": expected a set (.tactspace.json), a folder or zip file of .txt, .wav or "
+                 "effect files, or one such file"};
 }
 
 Expected<Loaded> load_with(const fs::path& path, const fs::path& second,

@@ -4,6 +4,7 @@
 
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_json.h"
+#include "model/io/set/waveform_folder.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
@@ -44,15 +45,24 @@ std::string told(const Error& error, const fs::path& file, const fs::path& folde
            "folder, so its content is not shown; opened by itself it says more";
 }
 
-// Reads the waveform of a recording that a document names; what is wrong, or empty.
-std::string load_recording(Vibration& vibration, const fs::path& folder,
+// Whether a file lies in the zip file that is open already.
+bool is_reached_by(const FileAccess& access, const fs::path& file) {
+    if (access.zip.empty()) return false;
+    const fs::path way = file.lexically_relative(access.zip);
+    return !way.empty() && *way.begin() != "..";
+}
+
+// Reads the waveform of a recording that a document names; what is wrong, or empty. `access`: to
+// the one before.
+std::string load_recording(Vibration& vibration, const fs::path& folder, FileAccess& access,
                            std::vector<std::string>& remarks) {
     auto* measurement = std::get_if<Measurement>(&vibration.source);
     if (measurement == nullptr) return {};
     const fs::path path = resolved(folder, measurement->path);
     RecordingOptions options;
     if (measurement->scale_g > 0.0) options.scale_g = measurement->scale_g;
-    Expected<Recording> recording = read_recording(path, options);
+    if (!is_reached_by(access, path)) access = access_to(path);
+    Expected<Recording> recording = recording_in(access, path, options);
     if (!recording) return told(recording.error(), path, folder);
     for (const std::string& remark : recording->remarks) {
         remarks.push_back(in_quotes(vibration.name) + ": " + remark);
@@ -76,9 +86,10 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
     loaded.set = set_of(reading, *document, loaded.remarks);
     if (!reading.fault.empty()) return Error{reading.fault};
     std::size_t samples = 0;
+    FileAccess access = files_on_disk();
     for (std::size_t k = 0; k < loaded.set.vibrations.size(); ++k) {
         Vibration& vibration = loaded.set.vibrations[k];
-        std::string fault = load_recording(vibration, folder, loaded.remarks);
+        std::string fault = load_recording(vibration, folder, access, loaded.remarks);
         samples += recorded_samples(vibration);
         if (fault.empty()) fault = samples_fault(samples);
         if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};

@@ -9,7 +9,8 @@
 
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
-#include "model/text/atomic_file.h"
+#include "model/io/recordings/text_waveform.h"
+#include "model/io/recordings/wave_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
@@ -28,91 +29,41 @@ bool is_sidecar(const fs::path& path) {
     return extension_of(path) == ".json" && extension_of(path.stem()) == ".wav";
 }
 
-bool is_set_name(const fs::path& path) {
-    return path.filename().string().ends_with(".tactspace.json");
-}
-
-// Whether to look inside: any name will do. What has an effect's name and is no effect is told.
-bool may_hold_effects(const fs::path& path) {
-    return is_effect_name(path.string()) || !head_of_effects(path).empty();
-}
-
 // What is asked for of a folder, and what is found in it and below it.
 struct Listing {
     Kinds kinds;
     bool effects = false;
     const LoadOptions& options;
+    FileAccess access{};
     std::vector<fs::path> files{};  // recordings, and what may be effects
     std::set<fs::path> recordings{};
     std::size_t others = 0;  // neither, nor sidecars of recordings, nor hidden
-    std::size_t entries = 0;
     std::vector<std::string> sets{};
     std::vector<std::string> left_out{};
 };
 
-void list_file(Listing& listing, const fs::path& path) {
-    const bool wanted = std::ranges::count(listing.kinds, recording_kind(path)) > 0;
+// Any name will do. What has an effect's name and is no effect is told.
+void sort_out(Listing& listing, const fs::path& path) {
+    const std::string head = listing.access.head(path);
+    // What is in it is not looked for: it may hold another without end.
+    if (head.starts_with("PK\x03\x04")) {
+        listing.left_out.push_back(path.string() +
+                                   ": is a zip file, which is read where it is opened by itself");
+        return;
+    }
+    const bool wanted = std::ranges::count(listing.kinds, recording_kind(path, head)) > 0;
+    const auto may_hold_effects = [&] {
+        return is_effect_name(path.string()) ||
+               !head_of_effects(head, listing.access.size(path)).empty();
+    };
     if (wanted) listing.recordings.insert(path);
     if (is_set_name(path)) {
         listing.sets.push_back(path.string());
-    } else if (wanted || (listing.effects && !is_sidecar(path) && may_hold_effects(path))) {
+    } else if (wanted || (listing.effects && !is_sidecar(path) && may_hold_effects())) {
         listing.files.push_back(path);
     } else if (!is_sidecar(path)) {
         ++listing.others;
     }
-}
-
-// What is there, but hidden; the error of the system, if any.
-std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& fault) {
-    std::vector<fs::path> entries;
-    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
-         entry.increment(fault)) {
-        if (!entry->path().filename().string().starts_with('.')) entries.push_back(entry->path());
-        if (entries.size() > kMostEntries) break;
-    }
-    return entries;
-}
-
-// A folder inside of the one that is read; "measured" beside a set holds that set's recordings.
-bool is_followed(Listing& listing, const fs::path& folder, bool beside_set, int depth) {
-    if (beside_set && folder.filename() == "measured") return false;
-    std::error_code none;
-    const bool is_link = fs::is_symlink(folder, none);
-    if (is_link)
-        listing.left_out.push_back(folder.string() + ": a link to a folder is not followed");
-    if (!is_link && depth == kMostDepth) {
-        listing.left_out.push_back(folder.string() + ": expected at most " +
-                                   std::to_string(kMostDepth) + " folders within each other");
-    }
-    return !is_link && depth < kMostDepth;
-}
-
-// What ends the listing, or empty; a folder inside that cannot be read ends nothing.
-std::string list_into(Listing& listing, const fs::path& folder, int depth) {
-    if (listing.options.stop.stop_requested()) return kReadingCancelled;
-    std::error_code fault;
-    const std::vector<fs::path> entries = entries_of(folder, fault);
-    if (fault) {
-        const std::string sentence = folder.string() + ": cannot be read: " + fault.message();
-        if (depth == 0) return sentence;
-        listing.left_out.push_back(sentence);
-    }
-    listing.entries += entries.size();
-    if (listing.entries > kMostEntries) {
-        return folder.string() + ": expected at most " + grouped_digits(kMostEntries) +
-               " files and folders in all";
-    }
-    const bool has_set = std::ranges::any_of(entries, is_set_name);
-    for (const fs::path& path : entries) {
-        std::error_code none;
-        if (!fs::is_directory(path, none)) {
-            list_file(listing, path);
-        } else if (is_followed(listing, path, has_set, depth)) {
-            const std::string end = list_into(listing, path, depth + 1);
-            if (!end.empty()) return end;
-        }
-    }
-    return {};
 }
 
 // A folder's own files come before those of the folders in it.
@@ -181,9 +132,9 @@ void name_recording(Gathered& all, Vibration& vibration, const fs::path& file) {
 }
 
 // What is wrong with the file as one sentence, or empty.
-std::string gather_recording(Gathered& all, const fs::path& file) {
-    auto vibration =
-        with_enough_memory(file.string(), [&] { return vibration_from(file, all.remarks); });
+std::string gather_recording(Gathered& all, const fs::path& file, const FileAccess& access) {
+    auto vibration = with_enough_memory(file.string(),
+                                        [&] { return vibration_from(file, all.remarks, access); });
     if (!vibration) return vibration.error().message;
     const std::size_t samples = recorded_samples(*vibration);
     if (const auto fault = room_fault(all, samples); !fault.empty()) {
@@ -197,10 +148,12 @@ std::string gather_recording(Gathered& all, const fs::path& file) {
 }
 
 std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& second,
-                           const LoadOptions& options) {
-    auto effects = effects_from(file, options, all.remarks, second);
+                           const Listing& listing) {
+    const FileAccess& access = listing.access;
+    auto effects = effects_from(file, listing.options, all.remarks, second, access);
     if (!effects) return effects.error().message;
-    const std::string stranger = effects->empty() ? known_stranger(file) : std::string();
+    const std::string stranger =
+        effects->empty() ? known_stranger(file, access.head(file)) : std::string();
     if (effects->empty() && stranger.empty() && !is_effect_name(file.string())) {
         ++all.others;
         return {};
@@ -224,18 +177,18 @@ std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& 
 void gather_one(Gathered& all, const NamedFiles& files, const Listing& listing) {
     std::vector<std::string>& left_out = all.loaded.left_out;
     if (listing.recordings.contains(files.path)) {
-        const std::string fault = gather_recording(all, files.path);
+        const std::string fault = gather_recording(all, files.path, listing.access);
         if (!fault.empty()) left_out.push_back(fault);
         return;
     }
-    const std::string fault = gather_effects(all, files.path, files.second, listing.options);
+    const std::string fault = gather_effects(all, files.path, files.second, listing);
     if (fault.empty()) return;
     if (files.second.empty()) {
         left_out.push_back(fault);
         return;
     }
     for (const fs::path& one : {files.path, files.second}) {
-        const std::string alone = gather_effects(all, one, {}, listing.options);
+        const std::string alone = gather_effects(all, one, {}, listing);
         if (!alone.empty()) left_out.push_back(alone);
     }
 }
@@ -259,7 +212,8 @@ Error nothing_read(const Listing& listing, const std::vector<std::string>& left_
                    const std::string& name) {
     if (left_out.empty()) {
         return Error{name + ": expected at least one " + kinds_text(listing.kinds) +
-                     (listing.effects ? " or effect" : "") + " file in this folder, got none"};
+                     (listing.effects ? " or effect" : "") + " file in this " +
+                     (listing.access.zip.empty() ? "folder" : "zip file") + ", got none"};
     }
     const std::size_t more = left_out.size() - 1;
     return Error{left_out.front() +
@@ -284,8 +238,14 @@ void remark_on_folder(Gathered& all, const Listing& listing, const std::string& 
 Expected<Loaded> read_folder(const fs::path& folder, const Kinds& kinds, bool effects,
                              const LoadOptions& options) {
     const std::string name = folder.string();
-    Listing listing{kinds, effects, options};
-    if (std::string end = list_into(listing, folder, 0); !end.empty()) return Error{std::move(end)};
+    auto found = files_below(folder, options.stop);
+    if (!found) return found.error();
+    Listing listing{kinds, effects, options, found->access};
+    listing.left_out = std::move(found->left_out);
+    for (const fs::path& file : found->files) {
+        if (options.stop.stop_requested()) return Error{kReadingCancelled};
+        sort_out(listing, file);
+    }
     if (listing.files.size() > limits::kMaxPatterns) {
         return Error{name + ": expected at most " + grouped_digits(limits::kMaxPatterns) +
                      " files, got " + grouped_digits(listing.files.size())};
@@ -296,7 +256,9 @@ Expected<Loaded> read_folder(const fs::path& folder, const Kinds& kinds, bool ef
     all.others = listing.others;
     all.loaded.left_out = listing.left_out;
     std::error_code none;
-    all.loaded.set.name = valid_utf8(fs::weakly_canonical(folder, none).filename().string());
+    const fs::path whole = fs::weakly_canonical(folder, none);
+    all.loaded.set.name =
+        valid_utf8((listing.access.zip.empty() ? whole.filename() : whole.stem()).string());
     for (const fs::path& file : listing.files) {
         if (listing.recordings.contains(file))
             all.taken.taken.insert(valid_utf8(file.stem().string()));
@@ -307,8 +269,9 @@ Expected<Loaded> read_folder(const fs::path& folder, const Kinds& kinds, bool ef
     return std::move(all.loaded);
 }
 
-Expected<EffectsRead> read_effects_file(const fs::path& path, const LoadOptions& options) {
-    const auto text = read_text_file(path, kMostEffectBytes);
+Expected<EffectsRead> read_effects_file(const fs::path& path, const LoadOptions& options,
+                                        const FileAccess& access) {
+    const auto text = access.bytes(path, kMostEffectBytes);
     if (!text) return text.error();
     Budget budget;
     budget.stop = options.stop;
@@ -345,8 +308,26 @@ Expected<Loaded> read_text_folder(const fs::path& folder) {
     return read_folder(folder, {RecordingKind::text}, false, {});
 }
 
-Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>& remarks) {
-    auto recording = read_recording(path);
+Expected<Recording> recording_in(const FileAccess& access, const fs::path& path,
+                                 const RecordingOptions& options) {
+    if (access.zip.empty()) return read_recording(path, options);
+    const bool is_text = recording_kind(path, access.head(path)) == RecordingKind::text;
+    auto bytes = access.bytes(path, is_text ? kMaxTextWaveformBytes : kMaxWaveBytes);
+    if (!bytes) return bytes.error();
+    const fs::path sidecar = sidecar_of(path);
+    if (is_text || !access.is_there(sidecar)) {
+        return parse_recording(path, *std::move(bytes), {}, options);
+    }
+    auto said = access.bytes(sidecar, kMostEffectBytes);
+    if (!said) return said.error();
+    // Nothing in it is a fault of its own: JSON has at least a word.
+    return parse_recording(path, *std::move(bytes), said->empty() ? " " : *std::move(said),
+                           options);
+}
+
+Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>& remarks,
+                                   const FileAccess& access) {
+    auto recording = recording_in(access, path);
     if (!recording) return recording.error();
     for (const std::string& remark : recording->remarks) {
         remarks.push_back({path.string(), remark});
@@ -385,8 +366,8 @@ std::vector<NamedFiles> with_pairs(std::span<const fs::path> files) {
 
 Expected<std::vector<Vibration>> effects_from(const fs::path& path, const LoadOptions& options,
                                               std::vector<FileRemark>& remarks,
-                                              const fs::path& second) {
-    const auto read = read_effects_file(path, options);
+                                              const fs::path& second, const FileAccess& access) {
+    const auto read = read_effects_file(path, options, access);
     if (!read) return read.error();
     std::vector<Vibration> vibrations;
     const std::string file = valid_utf8(path.filename().string());
@@ -394,7 +375,7 @@ Expected<std::vector<Vibration>> effects_from(const fs::path& path, const LoadOp
         add_effects(vibrations, *read, path, file, remarks);
         return vibrations;
     }
-    const auto other = read_effects_file(second, options);
+    const auto other = read_effects_file(second, options, access);
     if (!other) return other.error();
     const std::string other_file = valid_utf8(second.filename().string());
     if (const auto pair = joined_pair(*read, *other)) {

@@ -1,5 +1,5 @@
-// A folder of recordings and of other programs' effects as a set: a vibration of each recording,
-// named by its stem; of an effect file as many as it holds.
+// A folder or zip file of recordings and of other programs' effects as a set: a vibration of each
+// recording, named by its stem; of an effect file as many as it holds.
 //
 // Source    the layout of the files that the paper's authors publish (testVibration_0.txt ..)
 // Output    vibrations in natural order of their files' names: 2 before 10. An effect whose name is
@@ -7,8 +7,8 @@
 //           A recording whose name is taken is named likewise, with a remark. What cannot be read
 //           is left out with its reason (Loaded::left_out), and never refuses the rest
 // Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h), folders within the folder too,
-//           kMostEntries files and folders to look at, kMostDepth folders deep
-// Left out  hidden files; sets, and the measured/ folder beside one; links to folders.
+//           as model/io/folders lists them
+// Left out  sets
 #pragma once
 
 #include <filesystem>
@@ -19,21 +19,23 @@
 
 #include "model/common/expected.h"
 #include "model/io/effects/actuator_map.h"
+#include "model/io/folders/folder_files.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/loaded.h"
 
 namespace tact {
 
-inline constexpr std::size_t kMostEntries = 100'000;
-inline constexpr int kMostDepth = 16;
-
-// All .txt and .wav files of a folder, and what reads as an effect; the remarks count the others.
-// An Error where nothing could be read, and where the reading was cancelled.
+// All .txt and .wav files of a folder or zip file, and what reads as an effect; the remarks count
+// the others. An Error where nothing could be read, and where the reading was cancelled.
 Expected<Loaded> read_waveform_folder(const std::filesystem::path& folder,
                                       const LoadOptions& options = {});
 
 // Only the .txt files.
 Expected<Loaded> read_text_folder(const std::filesystem::path& folder);
+
+// A recording from the disk, or out of a zip file, with the sidecar that lies beside it.
+Expected<Recording> recording_in(const FileAccess& access, const std::filesystem::path& path,
+                                 const RecordingOptions& options = {});
 
 // One recording as a vibration. Remarks get the file's name.
 struct FileRemark {
@@ -43,7 +45,8 @@ struct FileRemark {
     bool operator==(const FileRemark&) const = default;
 };
 Expected<Vibration> vibration_from(const std::filesystem::path& path,
-                                   std::vector<FileRemark>& remarks);
+                                   std::vector<FileRemark>& remarks,
+                                   const FileAccess& access = files_on_disk());
 
 // The effects of a file, with a note of where each comes from; none: it holds none. With `second`,
 // the two of an AHAP pair, as one effect where the rule of model/io/effects/ahap_pair.h holds.
@@ -51,7 +54,8 @@ Expected<Vibration> vibration_from(const std::filesystem::path& path,
 Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
                                               const LoadOptions& options,
                                               std::vector<FileRemark>& remarks,
-                                              const std::filesystem::path& second = {});
+                                              const std::filesystem::path& second = {},
+                                              const FileAccess& access = files_on_disk());
 
 // Files in their order; of an AHAP pair both at the place of the first one.
 struct NamedFiles {

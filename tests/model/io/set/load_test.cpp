@@ -68,8 +68,8 @@ TEST_CASE("load: what is missing or unknown is refused by name") {
     const fs::path other = folder.write("a.mp3", "x");
     CHECK(fault(load_set(other)) ==
           other.string() +
-              ": expected a set (.tactspace.json), a folder of .txt, .wav or effect files, or "
-              "one such file");
+              ": expected a set (.tactspace.json), a folder or zip file of .txt, .wav or "
+              "effect files, or one such file");
     CHECK(fault(load_sets({})) == "expected at least one set, got none");
 }
 
