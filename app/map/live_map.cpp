@@ -12,6 +12,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/map/landmarks.h"
 #include "model/perceptual_model/rhythm_envelope.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/separation.h"
 
 namespace tact {
@@ -189,7 +190,7 @@ std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, st
     const auto begin = std::chrono::steady_clock::now();
     const std::shared_ptr<const PatternSet> set = played(request, stop);
     if (!set) return std::nullopt;
-    const std::vector<Waveform> waveforms = model_waveforms(*set);
+    const std::vector<Waveform> waveforms = model_waveforms(*set, threads_);
     PredictOptions options;
     const PreviewGrain grain = preview_grain(*set).value_or(kGrains.back());
     options.envelope_decimation = request.preview ? grain.decimation : 1;

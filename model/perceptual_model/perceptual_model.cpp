@@ -120,9 +120,11 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     const bool finished =
         parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
             assert(waveforms[k].samples_g.size() == waveforms[0].samples_g.size());
-            const auto [first, last] = earlier.equal_range(hash_of(waveforms[k]));
-            for (auto candidate = first; candidate != last; ++candidate) {
-                if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
+            if (!earlier.empty()) {
+                const auto [first, last] = earlier.equal_range(hash_of(waveforms[k]));
+                for (auto candidate = first; candidate != last; ++candidate) {
+                    if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
+                }
             }
             if (codes[k]) return;
             NeuralCode neural = neural_code(waveforms[k], params.coding, {options.stop});

@@ -2,24 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "model/signal/four_lanes.h"
 
 namespace tact {
 
+namespace {
+
+constexpr std::size_t kRegisters =
+    4;  // at a time: their sums wait for their last terms, not others
+constexpr std::size_t kAtOnce = kRegisters * kLanes;
+
+// sums[k] = sizes[k] + .. + sizes[k + kEnvelopeSamples - 1], each summed anew and in this order: a
+// running sum would drift away from silence. A multiple of kAtOnce of them.
+//
+// One body, compiled anew for each instruction set it is inlined into.
+[[gnu::always_inline]] inline void sum_windows(const double* sizes, std::span<double> sums) {
+    for (std::size_t k = 0; k < sums.size(); k += kAtOnce) {
+        FourLanes sum[kRegisters] = {};
+        for (std::size_t m = 0; m < kEnvelopeSamples; ++m) {
+            for (std::size_t r = 0; r < kRegisters; ++r) {
+                FourLanes term;
+                std::memcpy(&term, sizes + k + m + r * kLanes, sizeof term);
+                sum[r] += term;
+            }
+        }
+        std::memcpy(sums.data() + k, sum, sizeof sum);
+    }
+}
+
+void sum_baseline(const double* sizes, std::span<double> sums) { sum_windows(sizes, sums); }
+
+#ifdef __x86_64__
+[[gnu::target("avx2")]] void sum_avx2(const double* sizes, std::span<double> sums) {
+    sum_windows(sizes, sums);
+}
+#endif
+
+}  // namespace
+
+std::span<const WindowSummer> window_summers() {
+    static const std::vector<WindowSummer> summers = [] {
+        std::vector<WindowSummer> usable;
+#ifdef __x86_64__
+        if (__builtin_cpu_supports("avx2")) usable.push_back({"avx2", sum_avx2});
+#endif
+        usable.push_back({"baseline", sum_baseline});
+        return usable;
+    }();
+    return summers;
+}
+
 std::vector<double> rhythm_envelope(std::span<const double> samples_g,
                                     const EnvelopeParams& params) {
+    static const auto sum = window_summers().front().sum;
     const std::size_t n = samples_g.size();
     // A centred window looks half its length ahead.
     const std::size_t ahead =
         params.alignment == EnvelopeAlignment::centred ? kEnvelopeSamples / 2 : 0;
-    std::vector<double> envelope(n, 0.0);
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t end = std::min(k + ahead + 1, n);
-        const std::size_t begin =
-            k + ahead + 1 > kEnvelopeSamples ? k + ahead + 1 - kEnvelopeSamples : 0;
-        // Summed anew at each sample: a running sum would drift away from silence.
-        double sum = 0.0;
-        for (std::size_t m = begin; m < end; ++m) sum += std::abs(samples_g[m]);
-        envelope[k] = sum / static_cast<double>(kEnvelopeSamples);
+    std::size_t active = n;
+    while (active > 0 && samples_g[active - 1] == 0.0) --active;
+    // Windows that hold anything, and zeros around the samples: zeros change no sum.
+    const std::size_t reach = std::min(active + kEnvelopeSamples, n);
+    const std::size_t sums = (reach + kAtOnce - 1) / kAtOnce * kAtOnce;
+    const std::size_t before = kEnvelopeSamples - 1 - ahead;
+    std::vector<double> sizes(before + std::max(active, sums + kEnvelopeSamples), 0.0);
+    for (std::size_t k = 0; k < active; ++k) sizes[before + k] = std::abs(samples_g[k]);
+    std::vector<double> envelope(std::max(n, sums), 0.0);
+    sum(sizes.data(), std::span(envelope).first(sums));
+    envelope.resize(n);
+    for (std::size_t k = 0; k < reach; ++k) {
+        envelope[k] /= static_cast<double>(kEnvelopeSamples);
     }
     if (params.scale == EnvelopeScale::raw || n == 0) return envelope;
     const double peak = *std::ranges::max_element(envelope);

@@ -29,6 +29,14 @@ inline constexpr std::size_t kEnvelopeSamples = 100;  // 10 ms
 std::vector<double> rhythm_envelope(std::span<const double> samples_g,
                                     const EnvelopeParams& params);
 
+// The sums of |x| over windows, by one of the instruction sets this processor has, the fastest
+// first: sums[k] is of kEnvelopeSamples sizes from sizes[k] on, for a multiple of 16 sums.
+struct WindowSummer {
+    const char* name;
+    void (*sum)(const double* sizes, std::span<double> sums);
+};
+std::span<const WindowSummer> window_summers();
+
 // Means of consecutive blocks, the last one possibly shorter: a coarse envelope for previews.
 std::vector<double> decimated(std::span<const double> envelope, std::size_t factor);
 

@@ -5,6 +5,8 @@
 
 #include "model/common/portable.h"
 #include "model/common/units.h"
+#include "model/physiology/activations.h"
+#include "model/physiology/log_curve.h"
 
 namespace tact {
 
@@ -13,6 +15,14 @@ namespace {
 bool is_peak(const std::vector<double>& amplitude, std::size_t k) {
     const double above = k + 1 < amplitude.size() ? amplitude[k + 1] : 0.0;
     return amplitude[k] >= amplitude[k - 1] && amplitude[k] > above;
+}
+
+// With how far the receptors are that fire, if any do.
+Activation with_radius(Activation summed) {
+    if (summed.rate_hz <= 0.0 || summed.slope_sum <= 0.0) return {};
+    summed.radius_mm = std::min(
+        kFingertipMm, kHotZoneMm * portable::pow(10.0, summed.rate_hz / (2.0 * summed.slope_sum)));
+    return summed;
 }
 
 }  // namespace
@@ -40,23 +50,33 @@ std::vector<Component> components(const Spectrum& spectrum, const NeuralCodingPa
     return result;
 }
 
+PerReceptor<Activation> activations(const std::vector<Component>& components,
+                                    const NeuralCodingParams& params) {
+    PerReceptor<Activation> result;
+    PerReceptor<LogCurve> slopes;
+    PerReceptor<LogCurve> thresholds;
+    for (std::size_t c = 0; c < kReceptorCount; ++c) {
+        slopes[c] = log_curve(params.tables.slope[c]);
+        thresholds[c] = log_curve(params.tables.threshold[c]);
+    }
+    for (const Component& component : components) {
+        const double level = portable::log10(component.skin_um);
+        const LogFrequency frequency = log_frequency(component.frequency_hz);
+        for (std::size_t c = 0; c < kReceptorCount; ++c) {
+            const double above = level - at(thresholds[c], frequency);
+            if (above <= 0.0 && params.subthreshold == Subthreshold::ignored) continue;
+            const double alpha = at(slopes[c], frequency);
+            result[c].rate_hz += alpha * above;
+            result[c].slope_sum += alpha;
+        }
+    }
+    for (Activation& one : result) one = with_radius(one);
+    return result;
+}
+
 Activation activation(const std::vector<Component>& components, Receptor receptor,
                       const NeuralCodingParams& params) {
-    const Curve& slope = params.tables.slope[index_of(receptor)];
-    const Curve& threshold = params.tables.threshold[index_of(receptor)];
-    Activation result;
-    for (const Component& component : components) {
-        const double above =
-            portable::log10(component.skin_um) - at(threshold, component.frequency_hz);
-        if (above <= 0.0 && params.subthreshold == Subthreshold::ignored) continue;
-        const double alpha = at(slope, component.frequency_hz);
-        result.rate_hz += alpha * above;
-        result.slope_sum += alpha;
-    }
-    if (result.rate_hz <= 0.0 || result.slope_sum <= 0.0) return {};
-    result.radius_mm = std::min(
-        kFingertipMm, kHotZoneMm * portable::pow(10.0, result.rate_hz / (2.0 * result.slope_sum)));
-    return result;
+    return activations(components, params)[index_of(receptor)];
 }
 
 double rate_at_hz(const Activation& activation, double distance_mm) {

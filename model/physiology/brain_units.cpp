@@ -23,9 +23,10 @@ constexpr std::size_t kFewestSummed = 2 * kRegisterValues;
 [[gnu::always_inline]] inline std::int64_t summed_products(std::span<const std::int16_t> a,
                                                            std::span<const std::int16_t> b,
                                                            std::size_t summed) {
+    const std::size_t both = a.size() < b.size() ? a.size() : b.size();
     std::int64_t total = 0;
-    for (std::size_t first = 0; first < a.size(); first += summed) {
-        const std::size_t end = first + summed < a.size() ? first + summed : a.size();
+    for (std::size_t first = 0; first < both; first += summed) {
+        const std::size_t end = first + summed < both ? first + summed : both;
         std::int32_t part = 0;
         for (std::size_t n = first; n < end; ++n) part += std::int32_t{a[n]} * std::int32_t{b[n]};
         total += part;
@@ -88,9 +89,10 @@ BrainUnits brain_units(const NeuralCode& code, const WeightUnits& units) {
     }
     BrainUnits brain;
     brain.samples = code.central_spikes.size();
-    brain.values.assign((brain.samples + kRegisterValues - 1) / kRegisterValues * kRegisterValues,
-                        0);
-    for (std::size_t n = 0; n < brain.samples; ++n) {
+    std::size_t active = brain.samples;
+    while (active > 0 && code.central_spikes[active - 1] == 0) --active;
+    brain.values.assign((active + kRegisterValues - 1) / kRegisterValues * kRegisterValues, 0);
+    for (std::size_t n = 0; n < active; ++n) {
         brain.values[n] = value_of[code.central_spikes[n]];
     }
     brain.square = product(brain, brain, units.summed);

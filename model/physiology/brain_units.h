@@ -33,7 +33,7 @@ std::optional<WeightUnits> weight_units(const PerReceptor<double>& channel_weigh
 
 struct BrainUnits {
     std::size_t samples = 0;
-    std::vector<std::int16_t> values;  // filled up with zeros to whole registers
+    std::vector<std::int16_t> values;  // up to the last spike, filled up to whole registers
     std::int64_t square = 0;           // the sum of their squares
 };
 
@@ -42,7 +42,8 @@ BrainUnits brain_units(const NeuralCode& code, const WeightUnits& units);
 // Their NC. Both of one length.
 double nc_dissimilarity(const BrainUnits& a, const BrainUnits& b, const WeightUnits& units);
 
-// a.b of whole registers, for one instruction set; `summed` products at a time fit into 32 bits.
+// a.b of whole registers, the longer one as far as the other, for one instruction set; `summed`
+// products at a time fit into 32 bits.
 struct ProductSummer {
     const char* name;
     std::int64_t (*sum)(std::span<const std::int16_t> a, std::span<const std::int16_t> b,

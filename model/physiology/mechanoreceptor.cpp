@@ -10,6 +10,7 @@
 
 #include "assets/assets.h"
 #include "model/common/portable.h"
+#include "model/physiology/log_curve.h"
 
 namespace tact {
 
@@ -103,6 +104,19 @@ Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const TableTra
     return curves;
 }
 
+// `log10_hz` gives that of a knot.
+template <class Log10Hz>
+double between_knots(const Curve& curve, const LogFrequency& frequency, const Log10Hz& log10_hz) {
+    const auto& knots = curve.frequency_hz;
+    const auto above = std::ranges::upper_bound(knots, frequency.frequency_hz);
+    if (above == knots.begin()) return curve.value.front();
+    if (above == knots.end()) return curve.value.back();
+    const auto k = static_cast<std::size_t>(above - knots.begin());
+    const double position =
+        (frequency.log10_hz - log10_hz(k - 1)) / (log10_hz(k) - log10_hz(k - 1));
+    return curve.value[k - 1] + position * (curve.value[k] - curve.value[k - 1]);
+}
+
 }  // namespace
 
 const ReceptorTraits& traits(Receptor receptor) { return kTraits[index_of(receptor)]; }
@@ -112,14 +126,24 @@ double grid_interval_mm(Receptor receptor) {
 }
 
 double at(const Curve& curve, double frequency_hz) {
-    const auto& knots = curve.frequency_hz;
-    const auto above = std::ranges::upper_bound(knots, frequency_hz);
-    if (above == knots.begin()) return curve.value.front();
-    if (above == knots.end()) return curve.value.back();
-    const auto k = static_cast<std::size_t>(above - knots.begin());
-    const double position = (portable::log10(frequency_hz) - portable::log10(knots[k - 1])) /
-                            (portable::log10(knots[k]) - portable::log10(knots[k - 1]));
-    return curve.value[k - 1] + position * (curve.value[k] - curve.value[k - 1]);
+    const auto log10_hz = [&](std::size_t k) { return portable::log10(curve.frequency_hz[k]); };
+    return between_knots(curve, {frequency_hz, portable::log10(frequency_hz)}, log10_hz);
+}
+
+LogCurve log_curve(const Curve& curve) {
+    LogCurve result{curve, {}};
+    for (const double knot_hz : curve.frequency_hz) {
+        result.log10_hz.push_back(portable::log10(knot_hz));
+    }
+    return result;
+}
+
+LogFrequency log_frequency(double frequency_hz) {
+    return {frequency_hz, portable::log10(frequency_hz)};
+}
+
+double at(const LogCurve& curve, const LogFrequency& frequency) {
+    return between_knots(curve.curve, frequency, [&](std::size_t k) { return curve.log10_hz[k]; });
 }
 
 const PhysiologyTables& default_tables() {

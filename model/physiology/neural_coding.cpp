@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 
+#include "model/physiology/activations.h"
+#include "model/physiology/channel_energies.h"
 #include "model/physiology/nc_matrix.h"
 #include "model/signal/butterworth.h"
 
@@ -17,16 +20,6 @@ double energy(const std::vector<double>& signal) {
     double sum = 0.0;
     for (const double sample : signal) sum += sample * sample;
     return sum;
-}
-
-std::vector<double> channel_filter(const std::vector<double>& input_g, Receptor receptor,
-                                   const NeuralCodingParams& params) {
-    const ReceptorTraits& type = traits(receptor);
-    const auto sections =
-        type.low_hz > 0.0
-            ? band_pass(params.band_pass_order_per_edge, type.low_hz, type.high_hz, kModelRateHz)
-            : low_pass(params.low_pass_order, type.high_hz, kModelRateHz);
-    return filtered(sections, input_g);
 }
 
 // Normalised to its peak; rapidly adapting receptors perceive the change per second.
@@ -45,7 +38,7 @@ std::vector<double> perceived_waveform(const std::vector<double>& filtered_g, bo
 }
 
 // How much of the way is kept for looking at.
-enum class Kept { code, stages, layers };
+enum class Kept { stages, layers };
 
 // What a step brings to the square of `half_width` around the centre.
 RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::size_t step) {
@@ -56,6 +49,14 @@ RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::siz
         layer.cell(receptor.column, receptor.row) = channel.spike_count[k][step];
     }
     return layer;
+}
+
+// What of a step's spikes arrives at the centre.
+double relayed_centre(const RelayLayer& spikes, const NeuralCodingParams& params) {
+    // Networks hand on nothing of nothing.
+    if (std::ranges::all_of(spikes.cells, [](double count) { return count == 0.0; })) return 0.0;
+    const std::vector<RelayLayer> layers = relay(spikes, params, true);
+    return layers.empty() ? spikes.centre() : layers.back().centre();
 }
 
 // Whole for the default kernels; a researcher's kernel may leave fractions.
@@ -81,8 +82,7 @@ class Watched {
     std::size_t done_ = 0;
 };
 
-// Counts of the central neuron per step. Unless layers are kept, just the cone that can reach the
-// centre is relayed.
+// Counts of the central neuron per step, all layers kept or those of the cone that can reach it.
 std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
                                const NeuralCodingParams& params, Kept kept, Watched& watched) {
     const int cone = params.excitatory_layers + params.inhibitory_layers;
@@ -94,14 +94,43 @@ std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
             central[step] = central_count(channel.layers.back().back().centre());
         } else {
             const RelayLayer spikes = spikes_of_step(channel, half_width, step);
-            // Networks hand on nothing of nothing.
-            const bool is_quiet =
-                std::ranges::all_of(spikes.cells, [](double count) { return count == 0.0; });
-            const std::vector<RelayLayer> layers =
-                is_quiet ? std::vector<RelayLayer>() : relay(spikes, params, true);
-            central[step] =
-                central_count(layers.empty() ? spikes.centre() : layers.back().centre());
+            central[step] = central_count(relayed_centre(spikes, params));
         }
+        watched.has_done_step();
+    }
+    return central;
+}
+
+// The same from a grid of the cone alone. Receptors that owe the same impulses spike alike, and
+// steps with the same spikes are relayed once: most patterns have few of either.
+std::vector<int> relay_cone(const ReceptorGrid& grid, std::span<const double> fractions,
+                            std::size_t steps, const NeuralCodingParams& params, Watched& watched) {
+    std::vector<double> kinds;  // by what they owe
+    std::vector<std::size_t> kind_of;
+    std::vector<std::vector<int>> spikes_of;
+    for (const GridReceptor& receptor : grid.receptors) {
+        const auto known = std::ranges::find(kinds, receptor.fires);
+        kind_of.push_back(static_cast<std::size_t>(known - kinds.begin()));
+        if (known != kinds.end()) continue;
+        kinds.push_back(receptor.fires);
+        spikes_of.push_back(spike_counts(fractions, receptor.fires, params.split));
+    }
+    const int cone = params.excitatory_layers + params.inhibitory_layers;
+    RelayLayer spikes = empty_layer(std::min(grid.half_width, cone));
+    std::map<std::vector<int>, int> relayed;
+    std::vector<int> now(kinds.size());
+    std::vector<int> central(steps, 0);
+    for (std::size_t step = 0; step < steps && !watched.is_stopped(); ++step) {
+        for (std::size_t kind = 0; kind < kinds.size(); ++kind) now[kind] = spikes_of[kind][step];
+        const auto [place, is_new] = relayed.try_emplace(now, 0);
+        if (is_new) {
+            for (std::size_t k = 0; k < kind_of.size(); ++k) {
+                const GridReceptor& receptor = grid.receptors[k];
+                spikes.cell(receptor.column, receptor.row) = now[kind_of[k]];
+            }
+            place->second = central_count(relayed_centre(spikes, params));
+        }
+        central[step] = place->second;
         watched.has_done_step();
     }
     return central;
@@ -111,16 +140,25 @@ struct ChannelInput {
     std::vector<double> input_g;  // mean-removed
     double input_energy = 0.0;
     double duration_s = 0.0;
+    std::vector<Component> components;
 };
 
+ChannelInput channel_input(const Waveform& waveform, const NeuralCodingParams& params) {
+    assert(waveform.rate_hz == kModelRateHz && "the model works at 10 kHz; resample first");
+    ChannelInput input;
+    input.input_g = params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
+    input.input_energy = energy(input.input_g);
+    input.duration_s = duration_s(waveform);
+    input.components = components(amplitude_spectrum(input.input_g, kModelRateHz), params);
+    return input;
+}
+
 ChannelStages code_channel(const ChannelInput& input, Receptor receptor,
-                           const Activation& activated, const NeuralCodingParams& params, Kept kept,
+                           const Activation& activated, const NeuralCodingParams& params,
                            const Watched& watched) {
-    const int cone = params.excitatory_layers + params.inhibitory_layers;
-    const int reach = kept == Kept::code ? cone : kWholeGrid;
     ChannelStages channel;
-    channel.grid = receptor_grid(activated, receptor, input.duration_s, params.share, reach);
-    channel.filtered_g = channel_filter(input.input_g, receptor, params);
+    channel.grid = receptor_grid(activated, receptor, input.duration_s, params.share);
+    channel.filtered_g = filtered(channel_sections(receptor, params), input.input_g);
     channel.silent =
         energy(channel.filtered_g) <= params.silent_energy_fraction * input.input_energy;
     if (channel.silent) std::ranges::fill(channel.filtered_g, 0.0);
@@ -143,29 +181,23 @@ void mark_central_spikes(NeuralCode& code, Receptor receptor) {
     }
 }
 
-NeuralCodingStages code_waveform(const Waveform& waveform, const NeuralCodingParams& params,
-                                 Kept kept, const CodingOptions& options) {
-    assert(waveform.rate_hz == kModelRateHz && "the model works at 10 kHz; resample first");
-    ChannelInput input;
-    input.input_g = params.remove_mean ? without_mean(waveform.samples_g) : waveform.samples_g;
-    input.input_energy = energy(input.input_g);
-    input.duration_s = duration_s(waveform);
-
+NeuralCodingStages code_with_stages(const Waveform& waveform, const NeuralCodingParams& params,
+                                    Kept kept, const CodingOptions& options) {
+    const ChannelInput input = channel_input(waveform, params);
     NeuralCodingStages stages;
-    stages.components = components(amplitude_spectrum(input.input_g, kModelRateHz), params);
+    stages.components = input.components;
     const std::size_t steps = step_count(input.input_g.size());
     stages.code.central_spikes.assign(steps * kStepSamples, 0);
+    stages.code.activation = activations(input.components, params);
     Watched watched(options, steps);
     for (const Receptor receptor : kReceptors) {
         if (watched.is_stopped()) break;
         const std::size_t c = index_of(receptor);
-        stages.code.activation[c] = activation(stages.components, receptor, params);
-        ChannelStages channel =
-            code_channel(input, receptor, stages.code.activation[c], params, kept, watched);
+        ChannelStages& channel = stages.channel[c];
+        channel = code_channel(input, receptor, stages.code.activation[c], params, watched);
         stages.code.activated[c] = channel.grid.activated;
         stages.code.central_count[c] = relay_channel(channel, steps, params, kept, watched);
         mark_central_spikes(stages.code, receptor);
-        if (kept != Kept::code) stages.channel[c] = std::move(channel);
     }
     return stages;
 }
@@ -185,13 +217,31 @@ std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight
 
 NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
                        const CodingOptions& options) {
-    return code_waveform(waveform, params, Kept::code, options).code;
+    const ChannelInput input = channel_input(waveform, params);
+    const std::size_t steps = step_count(input.input_g.size());
+    const int cone = params.excitatory_layers + params.inhibitory_layers;
+    NeuralCode code;
+    code.central_spikes.assign(steps * kStepSamples, 0);
+    code.activation = activations(input.components, params);
+    if (options.stop.stop_requested()) return code;
+    const auto fractions = channel_energy_fractions(input.input_g, input.input_energy, params);
+    Watched watched(options, steps);
+    for (const Receptor receptor : kReceptors) {
+        if (watched.is_stopped()) break;
+        const std::size_t c = index_of(receptor);
+        const ReceptorGrid grid =
+            receptor_grid(code.activation[c], receptor, input.duration_s, params.share, cone);
+        code.activated[c] = grid.activated;
+        code.central_count[c] = relay_cone(grid, fractions[c], steps, params, watched);
+        mark_central_spikes(code, receptor);
+    }
+    return code;
 }
 
 NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
                                         KeepLayers keep, const CodingOptions& options) {
-    return code_waveform(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages,
-                         options);
+    return code_with_stages(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages,
+                            options);
 }
 
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,

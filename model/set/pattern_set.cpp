@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/common/parallel.h"
+#include "model/set/set_waveforms.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
@@ -18,15 +20,14 @@ Waveform waveform_of(const Vibration& vibration) {
     return *std::get<Measurement>(vibration.source).waveform;
 }
 
-std::vector<Waveform> model_waveforms(const PatternSet& set) {
-    std::vector<Waveform> waveforms;
-    waveforms.reserve(set.vibrations.size());
-    std::size_t longest = 0;
-    for (const Vibration& vibration : set.vibrations) {
-        waveforms.push_back(waveform_of(vibration));
-        longest = std::max(longest, waveforms.back().samples_g.size());
-    }
-    for (Waveform& waveform : waveforms) waveform = padded(std::move(waveform), longest);
+std::vector<Waveform> model_waveforms(const PatternSet& set) { return model_waveforms(set, 1); }
+
+std::vector<Waveform> model_waveforms(const PatternSet& set, int threads) {
+    const std::size_t longest = longest_samples(set);
+    std::vector<Waveform> waveforms(set.vibrations.size());
+    parallel_for(waveforms.size(), threads, {}, [&](std::size_t k) {
+        waveforms[k] = padded(waveform_of(set.vibrations[k]), longest);
+    });
     return waveforms;
 }
 

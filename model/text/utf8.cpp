@@ -1,6 +1,7 @@
 #include "model/text/utf8.h"
 
 #include <algorithm>
+#include <array>
 
 #include "model/text/shown_text.h"
 

@@ -6,7 +6,6 @@
 #define DOCTEST_CONFIG_DISABLE
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -49,13 +48,6 @@ void change_every_pattern(App& app, int turn) {
     }
     ++app.work.revision;
     request_maps(app.work, app.shown_map, app.rendered);
-}
-
-// The time all threads of this program have computed.
-double process_s() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 // From now on a frame is what a person's is: where things are is noted for tests alone.

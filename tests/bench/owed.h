@@ -23,6 +23,13 @@ inline double thread_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// The time all threads of this program have computed.
+inline double process_s() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 // What a person waits, other programs included.
 inline double clock_s() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();

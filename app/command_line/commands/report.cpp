@@ -11,6 +11,7 @@
 #include "app/report/report.h"
 #include "app/session/program_version.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
@@ -101,7 +102,8 @@ Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& se
     options.threads = command.common.threads;
     options.stop = stop;
     options.progress = progress_line("comparing patterns");
-    auto prediction = predict(model_waveforms(sets.felt), sets.felt.model, options);
+    auto prediction =
+        predict(model_waveforms(sets.felt, options.threads), sets.felt.model, options);
     if (!prediction) return stopped();
     ReportAnswer answer;
     answer.pm = std::move(prediction->pm);

@@ -9,6 +9,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/text_table.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/separation.h"
 #include "model/text/shown_text.h"
 
@@ -90,7 +91,8 @@ Expected<SeparateResult> separated(const SeparateCommand& command, const FeltSet
     predicting.threads = command.common.threads;
     predicting.stop = stop;
     predicting.progress = progress_line("comparing pairs");
-    const auto prediction = predict(model_waveforms(sets.felt), set.model, predicting);
+    const auto prediction =
+        predict(model_waveforms(sets.felt, predicting.threads), set.model, predicting);
     if (!prediction) return stopped;
     SeparateResult result{*pair,
                           prediction->pm(pair->a, pair->b),

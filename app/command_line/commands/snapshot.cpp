@@ -14,6 +14,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_waveforms.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -75,7 +76,8 @@ Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSe
     PredictOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing pairs");
-    const Prediction prediction = *predict(model_waveforms(set), set.model, options);
+    const Prediction prediction =
+        *predict(model_waveforms(set, options.threads), set.model, options);
     if (command.view == "matrix") {
         return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size,
                               phrase_of(mark_of(set)));

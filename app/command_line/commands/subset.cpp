@@ -19,6 +19,7 @@
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/felt_versions.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
@@ -88,7 +89,7 @@ std::vector<std::size_t> unfelt_in(const PatternSet& set, int threads, std::stop
     PredictOptions options;
     options.threads = threads;
     options.stop = stop;
-    return unfelt(pattern_codes(model_waveforms(set), set.model, options));
+    return unfelt(pattern_codes(model_waveforms(set, threads), set.model, options));
 }
 
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {

@@ -1,5 +1,7 @@
 #include "model/perceptual_model/rhythm_envelope.h"
 
+#include <cmath>
+
 #include "tests/support/golden.h"
 
 namespace rhythm_envelope_test {
@@ -57,6 +59,48 @@ TEST_CASE("envelope: a centred window reaches from 49 samples back to 50 ahead")
     const auto constant = rhythm_envelope(std::vector<double>(300, 1.0), centred);
     CHECK(constant[0] == 0.51);
     CHECK(constant[299] == 0.5);
+}
+
+// As the convolution is written, one window after the other.
+std::vector<double> textbook(const std::vector<double>& samples, std::size_t ahead) {
+    std::vector<double> envelope;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        double sum = 0.0;
+        for (std::size_t m = 0; m < kEnvelopeSamples; ++m) {
+            const std::size_t place = k + ahead + 1 + m;  // of the sample, 100 later
+            if (place < kEnvelopeSamples || place - kEnvelopeSamples >= samples.size()) continue;
+            sum += std::abs(samples[place - kEnvelopeSamples]);
+        }
+        envelope.push_back(sum / static_cast<double>(kEnvelopeSamples));
+    }
+    return envelope;
+}
+
+TEST_CASE("envelope: windows side by side have the bits of one after the other") {
+    for (const std::size_t sounding : {0UL, 1UL, 15UL, 16UL, 99UL, 100UL, 257UL, 1000UL}) {
+        for (const std::size_t silent : {0UL, 1UL, 49UL, 99UL, 130UL, 1000UL}) {
+            CAPTURE(sounding);
+            CAPTURE(silent);
+            auto samples =
+                golden::noise(static_cast<std::uint32_t>(sounding + 1), sounding, 0.7).samples_g;
+            samples.resize(sounding + silent, 0.0);
+            EnvelopeParams params;
+            params.scale = EnvelopeScale::raw;
+            params.alignment = EnvelopeAlignment::causal;
+            CHECK(rhythm_envelope(samples, params) == textbook(samples, 0));
+            params.alignment = EnvelopeAlignment::centred;
+            CHECK(rhythm_envelope(samples, params) == textbook(samples, 50));
+        }
+    }
+    const auto sizes = golden::noise(9, 1024 + kEnvelopeSamples, 1.0).samples_g;
+    std::vector<double> expected(1024);
+    window_summers().back().sum(sizes.data(), expected);
+    for (const WindowSummer& summer : window_summers()) {
+        CAPTURE(summer.name);
+        std::vector<double> sums(1024);
+        summer.sum(sizes.data(), sums);
+        CHECK(sums == expected);
+    }
 }
 
 }  // namespace rhythm_envelope_test

@@ -28,6 +28,24 @@ TEST_CASE("brain units: the distance has the bits of the one from counted spikes
     }
 }
 
+TEST_CASE("brain units: silence behind the last spike is not kept, and changes no distance") {
+    const PerReceptor<double> weight{0.2, 0.7, 0.0, 0.5};
+    const auto units = weight_units(weight);
+    REQUIRE(units);
+    NeuralCode brief = random_code(1000, 1);
+    NeuralCode longer = random_code(2000, 2);
+    NeuralCode silent;
+    for (NeuralCode* code : {&brief, &longer, &silent}) code->central_spikes.resize(30'000, 0);
+    CHECK(brain_units(brief, *units).values.size() <= 1024);
+    CHECK(brain_units(silent, *units).values.empty());
+    for (const NeuralCode* a : {&brief, &longer, &silent}) {
+        for (const NeuralCode* b : {&brief, &longer, &silent}) {
+            CHECK(nc_dissimilarity(brain_units(*a, *units), brain_units(*b, *units), *units) ==
+                  nc_dissimilarity(*a, *b, weight));
+        }
+    }
+}
+
 TEST_CASE("brain units: weights that are multiples of nothing have none") {
     CHECK_FALSE(weight_units({0.2, 1.0 / 3.0, 0.0, 0.5}));
     CHECK_FALSE(weight_units({0.2, 0.70001, 0.0, 0.5}));

@@ -1,6 +1,7 @@
 #include "model/physiology/mechanoreceptor.h"
 
 #include "assets/assets.h"
+#include "model/physiology/log_curve.h"
 #include "tests/support/golden.h"
 
 namespace mechanoreceptor_test {
@@ -115,6 +116,19 @@ TEST_CASE("mechanoreceptor: a table in other units is refused, and dB are called
         const std::string both_ends = thresholds + "FA1,10," + end + "\nFA2,10," + end +
                                       "\nSA1,10," + end + "\nSA2,10," + end + "\n";
         CHECK(parse_thresholds(both_ends));
+    }
+}
+
+TEST_CASE("mechanoreceptor: logarithms taken before change no bit of a curve") {
+    const Curve two{{10.0, 100.0}, {1.0, 3.0}};
+    for (const Curve& curve : {default_tables().slope[0], default_tables().threshold[1], two}) {
+        const LogCurve prepared = log_curve(curve);
+        for (double f_hz = 0.5; f_hz < 600.0; f_hz *= 1.013) {
+            CHECK(at(prepared, log_frequency(f_hz)) == at(curve, f_hz));
+        }
+        for (const double knot_hz : curve.frequency_hz) {
+            CHECK(at(prepared, log_frequency(knot_hz)) == at(curve, knot_hz));
+        }
     }
 }
 
