@@ -111,21 +111,20 @@ Error stopped(const TileRun& run) {
 void make_tiles_of(TileRun& run, Part part, const RankGroup& ranks) {
     PartTiles& made = made_of(run, part);
     const std::size_t patterns = pattern_count(run.source);
-    const auto pairs_of = [&](std::size_t k) { return pair_count(tile_at(patterns, k)); };
-    std::size_t open_pairs = 0;
-    for (std::size_t k = 0; k < made.is_finished.size(); ++k) {
-        if (!made.is_finished[k]) open_pairs += pairs_of(k);
-    }
+    const std::vector<double> costs = tile_costs(run.source, part);
+    std::vector<std::size_t> open = by_cost(costs);
+    std::erase_if(open, [&](std::size_t k) { return made.is_finished[k]; });
+    double open_cost = 0.0;
+    for (const std::size_t k : open) open_cost += costs[k];
     const auto progress = progress_line(work_on(part));
     std::mutex mutex;
-    std::size_t next_tile = 0;
-    std::size_t done_pairs = 0;
+    std::size_t next = 0;  // in `open`
+    double done_cost = 0.0;
     TileDesk desk;
     desk.next = [&](std::size_t) -> std::optional<std::size_t> {
         const std::scoped_lock lock(mutex);
-        while (next_tile < made.is_finished.size() && made.is_finished[next_tile]) ++next_tile;
-        if (next_tile == made.is_finished.size() || run.stop.stop_requested()) return std::nullopt;
-        return next_tile++;
+        if (next == open.size() || run.stop.stop_requested()) return std::nullopt;
+        return open[next++];
     };
     desk.done = [&](std::size_t tile, std::span<const double> values) {
         const std::scoped_lock lock(mutex);
@@ -136,9 +135,9 @@ void make_tiles_of(TileRun& run, Part part, const RankGroup& ranks) {
         } else {
             keep(run.keeping, part, tile, values);
         }
-        done_pairs += values.size();
+        done_cost += costs[tile];
         if (!progress || run.stop.stop_requested()) return;
-        progress(static_cast<double>(done_pairs) / static_cast<double>(open_pairs));
+        progress(open_cost > 0.0 ? done_cost / open_cost : 1.0);
     };
     std::jthread server;
     if (ranks.count > 1) server = std::jthread([&] { ranks.serve(desk); });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <numeric>
 
 #include "model/common/fingerprint.h"
 #include "model/common/parallel.h"
@@ -51,6 +53,13 @@ std::vector<double> oc_values(const TileSource& source, const Tile& tile) {
     return dtw(pairs, options);
 }
 
+// Up to a last zero, or the whole of an envelope that sounds to its end.
+std::size_t own_length(const std::vector<double>& envelope) {
+    std::size_t length = envelope.size();
+    while (length > 0 && envelope[length - 1] == 0.0) --length;
+    return std::min(length + 1, envelope.size());
+}
+
 }  // namespace
 
 std::size_t tile_side(std::size_t patterns) {
@@ -86,6 +95,35 @@ void add_pattern(TileSource& source, const PatternCode& code) {
 }
 
 std::size_t pattern_count(const TileSource& source) { return source.envelopes.size(); }
+
+std::vector<double> tile_costs(const TileSource& source, Part part) {
+    const std::size_t patterns = pattern_count(source);
+    std::vector<double> whole(patterns);
+    std::vector<double> own(patterns);
+    std::vector<bool> ends_silent(patterns);
+    for (std::size_t k = 0; k < patterns; ++k) {
+        const std::vector<double>& envelope = source.envelopes[k];
+        whole[k] = static_cast<double>(envelope.size());
+        own[k] = static_cast<double>(own_length(envelope));
+        ends_silent[k] = source.waiting_cost == 0.0 && !envelope.empty() && envelope.back() == 0.0;
+    }
+    std::vector<double> costs(tile_count(patterns), 0.0);
+    for (std::size_t tile = 0; tile < costs.size(); ++tile) {
+        for_each_pair(tile_at(patterns, tile), [&](std::size_t i, std::size_t j) {
+            const bool trimmed = ends_silent[i] && ends_silent[j];
+            const double cells = trimmed ? own[i] * own[j] : whole[i] * whole[j];
+            costs[tile] += part == Part::nc ? 1.0 : cells;
+        });
+    }
+    return costs;
+}
+
+std::vector<std::size_t> by_cost(std::span<const double> tile_costs) {
+    std::vector<std::size_t> order(tile_costs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t k) { return tile_costs[k]; });
+    return order;
+}
 
 std::uint64_t fingerprint(const TileSource& source) {
     std::uint64_t number = mixed(0, std::span<const double>(source.channel_weight));

@@ -56,6 +56,14 @@ struct TileSource {
 void add_pattern(TileSource& source, const PatternCode& code);
 std::size_t pattern_count(const TileSource& source);
 
+// What each tile costs, in cells of dynamic time warping (OC) or pairs (NC): pairs of envelopes
+// cost the product of their own lengths, where both end in silence.
+std::vector<double> tile_costs(const TileSource& source, Part part);
+
+// The tiles, the costliest first: what is left at the end is short, and none keeps the others
+// waiting. Tiles that cost the same stand as they are numbered.
+std::vector<std::size_t> by_cost(std::span<const double> tile_costs);
+
 // A number that changes with anything a tile's value depends on.
 std::uint64_t fingerprint(const TileSource& source);
 

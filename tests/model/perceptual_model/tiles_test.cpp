@@ -154,4 +154,35 @@ TEST_CASE("tiles: the fingerprint changes with all that a value depends on") {
     CHECK(fingerprint(source_of(short_codes(4))) != number);
 }
 
+TEST_CASE("tiles: the longest come first, by the patterns' own lengths") {
+    // Every other four envelopes sound for long; all end in silence, and all are padded to one
+    // length.
+    TileSource source;
+    constexpr std::size_t kPatterns = 24;
+    for (std::size_t k = 0; k < kPatterns; ++k) {
+        source.envelopes.emplace_back(1000, 0.0);
+        const std::size_t own = k % 8 < 4 ? 10 + k : 500 + k;
+        std::fill_n(source.envelopes.back().begin(), own, 0.5);
+    }
+    const std::vector<double> costs = tile_costs(source, Part::oc);
+    REQUIRE(costs.size() == tile_count(kPatterns));
+    const std::size_t side = tile_side(kPatterns);
+    REQUIRE(side == 4);
+    CHECK(costs[0] == 11.0 * 12 + 11.0 * 13 + 11.0 * 14 + 12.0 * 13 + 12.0 * 14 + 13.0 * 14);
+    const std::vector<std::size_t> order = by_cost(costs);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        CHECK(costs[order[k - 1]] >= costs[order[k]]);
+    }
+    auto all = order;
+    std::ranges::sort(all);
+    for (std::size_t k = 0; k < all.size(); ++k) CHECK(all[k] == k);
+
+    // Where one of a pair sounds to its end, or waiting costs, nothing is trimmed.
+    source.envelopes[0].back() = 0.1;
+    CHECK(tile_costs(source, Part::oc)[0] == 3e6 + 12.0 * 13 + 12.0 * 14 + 13.0 * 14);
+    source.waiting_cost = 0.5;
+    CHECK(tile_costs(source, Part::oc)[0] == 6e6);
+    CHECK(tile_costs(source, Part::nc)[0] == 6.0);
+}
+
 }  // namespace tiles_test
