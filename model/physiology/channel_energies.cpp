@@ -44,7 +44,7 @@ std::vector<FourSections> side_by_side(const NeuralCodingParams& params) {
 }
 
 struct Filtered {
-    std::unique_ptr<FourLanes[]> samples;
+    std::unique_ptr<FourValues[]> samples;
     FourLanes energy{};
     FourLanes peak{};
 };
@@ -66,7 +66,7 @@ template <std::size_t Sections>
             one.second = one.b2 * value - one.a2 * out;
             value = out;
         }
-        filtered.samples[n] = value;
+        filtered.samples[n].lanes = value;
         filtered.energy += value * value;
         const FourLanes size = value < 0.0 ? -value : value;
         filtered.peak = filtered.peak < size ? size : filtered.peak;
@@ -75,9 +75,9 @@ template <std::size_t Sections>
 
 // The sum of squares up to the end of each window, of what is perceived: normalised, and by change
 // where a channel adapts.
-[[gnu::always_inline]] inline void sum_windows(const FourLanes* samples, std::size_t count,
+[[gnu::always_inline]] inline void sum_windows(const FourValues* samples, std::size_t count,
                                                const FourLanes& peak, const FourChoices& adapts,
-                                               std::span<FourLanes> energies) {
+                                               std::span<FourValues> energies) {
     const FourLanes rate = {kModelRateHz, kModelRateHz, kModelRateHz, kModelRateHz};
     FourLanes previous{};
     FourLanes energy{};
@@ -85,13 +85,13 @@ template <std::size_t Sections>
         const std::size_t begin = window * kWindowSamples;
         const std::size_t end = begin + kWindowSamples < count ? begin + kWindowSamples : count;
         for (std::size_t n = begin; n < end; ++n) {
-            const FourLanes sample = samples[n] / peak;
+            const FourLanes sample = samples[n].lanes / peak;
             const FourLanes change = (sample - previous) * rate;
             const FourLanes perceived = adapts ? change : sample;
             energy += perceived * perceived;
             previous = sample;
         }
-        energies[window] = energy;
+        energies[window].lanes = energy;
     }
 }
 
@@ -101,7 +101,7 @@ constexpr std::size_t kUsualSections = 5;  // of the default orders
     std::span<const double> input_g, double input_energy, const NeuralCodingParams& params) {
     std::vector<FourSections> sections = side_by_side(params);
     Filtered filtered;
-    filtered.samples = std::make_unique_for_overwrite<FourLanes[]>(input_g.size());
+    filtered.samples = std::make_unique_for_overwrite<FourValues[]>(input_g.size());
     if (sections.size() == kUsualSections) {
         filter_all<kUsualSections>(input_g, sections, filtered);
     } else {
@@ -115,15 +115,15 @@ constexpr std::size_t kUsualSections = 5;  // of the default orders
         sounds[c] = !silent && filtered.peak[c] != 0.0;
         if (!sounds[c]) filtered.peak[c] = 1.0;
     }
-    std::vector<FourLanes> energies(window_count(input_g.size()));
+    std::vector<FourValues> energies(window_count(input_g.size()));
     sum_windows(filtered.samples.get(), input_g.size(), filtered.peak, adapts, energies);
     PerReceptor<std::vector<double>> fractions;
     for (std::size_t c = 0; c < kLanes; ++c) {
         fractions[c].assign(energies.size(), 0.0);
-        const double all = energies.empty() ? 0.0 : energies.back()[c];
+        const double all = energies.empty() ? 0.0 : energies.back().lanes[c];
         if (!sounds[c] || !(all > 0.0)) continue;
         for (std::size_t window = 0; window < energies.size(); ++window) {
-            fractions[c][window] = energies[window][c] / all;
+            fractions[c][window] = energies[window].lanes[c] / all;
         }
     }
     return fractions;
