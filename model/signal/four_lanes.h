@@ -11,12 +11,14 @@ namespace tact {
 
 inline constexpr std::size_t kLanes = 4;
 
-using FourLanes = double __attribute__((vector_size(32)));
+// Aligned as every allocation is, whatever the allocator knows of wider types.
+
+using FourLanes = double __attribute__((vector_size(32), aligned(16)));
 // In a container: without the struct, templates drop the alignment.
 struct FourValues {
     FourLanes lanes{};
 };
 
-using FourChoices = std::int64_t __attribute__((vector_size(32)));  // -1: yes, 0: no
+using FourChoices = std::int64_t __attribute__((vector_size(32), aligned(16)));  // -1: yes, 0: no
 
 }  // namespace tact
