@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "devices/device/crash_signals.h"
 #include "model/text/atomic_file.h"
 #include "model/text/shown_text.h"
 
@@ -35,7 +36,7 @@ void end_tidily(int signal) {
 
 void answer(int signal, void (*handler)(int), int flags) {
     struct sigaction before {};
-    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) return;
+    if (sigaction(signal, nullptr, &before) != 0 || !may_be_taken(before)) return;
     struct sigaction action {};
     action.sa_handler = handler;
     action.sa_flags = flags;

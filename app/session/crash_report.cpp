@@ -15,6 +15,7 @@
 
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
+#include "devices/device/crash_signals.h"
 
 namespace tact {
 
@@ -93,8 +94,7 @@ void watch_for_crashes(const std::filesystem::path& file) {
     give_handler_a_stack();
     for (const Crash& crash : kCrashes) {
         struct sigaction before {};
-        if (sigaction(crash.signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL)
-            continue;
+        if (sigaction(crash.signal, nullptr, &before) != 0 || !may_be_taken(before)) continue;
         struct sigaction action {};
         action.sa_handler = report_crash;
         action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "devices/device/crash_signals.h"
 #include "devices/device/halt.h"
 
 namespace tact {
@@ -119,12 +120,10 @@ void say_last_words(int signal) {
     die();
 }
 
-// What answers a crash by writing a report, and by nothing else, comes after the last words. A
-// debugger or a sanitizer asks for details of the signal, and it stays theirs.
+// What answers a crash by writing a report, and by nothing else, comes after the last words.
 bool comes_after(const struct sigaction& before) {
-    return (before.sa_flags & SA_SIGINFO) == 0 &&
-           (before.sa_handler == SIG_DFL ||
-            (before.sa_handler != SIG_IGN && (before.sa_flags & SA_RESETHAND) != 0));
+    return (before.sa_flags & SA_SIGINFO) == 0 && before.sa_handler != SIG_IGN &&
+           (before.sa_flags & SA_RESETHAND) != 0;
 }
 
 void listen() {
@@ -136,9 +135,11 @@ void listen() {
     rest_before_halts();
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         struct sigaction before {};
-        if (sigaction(kSignals[k], nullptr, &before) != 0 || !comes_after(before)) continue;
+        if (sigaction(kSignals[k], nullptr, &before) != 0) continue;
         if (before.sa_handler == say_last_words) continue;
+        if (!comes_after(before) && !may_be_taken(before)) continue;
         others[k] = before;
+        if (is_a_librarys(before)) others[k] = {};
         struct sigaction action {};
         action.sa_handler = say_last_words;
         action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+#include "devices/device/crash_signals.h"
 #include "devices/hid/last_words.h"
 #include "model/text/atomic_file.h"
 #include "tests/support/temporary_folder.h"
@@ -30,6 +31,21 @@ int end_of_child(const std::filesystem::path& file, const std::function<void()>&
     int ended = 0;
     REQUIRE(waitpid(child, &ended, 0) == child);
     return ended;
+}
+
+// As UCX does, which comes with MPI.
+void take_as_a_library(int signal) {
+    struct sigaction action {};
+    action.sa_sigaction = [](int, siginfo_t*, void*) { _exit(7); };
+    action.sa_flags = SA_SIGINFO;
+    sigaction(signal, &action, nullptr);
+}
+
+void crash_beside_a_library(const std::filesystem::path& controller, int signal) {
+    take_as_a_library(signal);
+    LastWords words(controller);
+    words.set(std::vector<std::uint8_t>{'o', 'f', 'f'});
+    std::raise(signal);
 }
 
 }  // namespace
@@ -66,6 +82,30 @@ TEST_CASE("crash report: a controller is told to be still before it is written")
     });
     CHECK(*read_text_file(controller) == "offoff");
     CHECK(read_text_file(file)->find("SIGABRT") != std::string::npos);
+}
+
+TEST_CASE("crash report: a library that took a signal of crashes before does not keep it") {
+    if constexpr (kHasSanitizer) return;  // a sanitizer's handler looks the same, and stays
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder;
+        const auto controller = folder.path / "controller";
+        REQUIRE(write_atomically(controller, "......"));
+        const int ended = end_of_child({}, [&] { crash_beside_a_library(controller, signal); });
+        CHECK(WIFSIGNALED(ended));
+        CHECK(WTERMSIG(ended) == signal);
+        CHECK(read_text_file(controller)->starts_with("off"));
+    }
+    const TemporaryFolder folder;
+    const auto file = folder.path / "crash.txt";
+    end_of_child({}, [&] {
+        take_as_a_library(SIGSEGV);
+        watch_for_crashes(file);
+        std::raise(SIGSEGV);
+    });
+    const auto text = read_text_file(file);
+    REQUIRE(text);
+    CHECK(text->find("SIGSEGV") != std::string::npos);
 }
 
 TEST_CASE("crash report: it is told of once, and kept") {
