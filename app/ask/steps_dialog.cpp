@@ -121,7 +121,7 @@ void draw_way(const Ui& ui, const EvenSteps& steps) {
 
 void draw_step_rows(Ui& ui, Workspace& work, const StepsState& state, const EvenSteps& steps) {
     if (!ImGui::BeginTable("steps", 4, ImGuiTableFlags_SizingStretchProp)) return;
-    for (const char* head : {"Step", "Of the way", "To the next", "PM to the next"}) {
+    for (const char* head : {"Step", "Share of the way", "To the next", "PM to the next"}) {
         ImGui::TableNextColumn();
         dim_text(ui, head);
     }

@@ -105,7 +105,7 @@ void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
     };
     if (word("vary again", "Others (V)", "Eight others, as far away.")) ++state.vary_seed;
     draw_free_numbers(ui, state);
-    if (word("vary stop", "Done", "The pattern stays as it is.")) return stop_varying(state);
+    if (word("vary stop", "Done", "The pattern does not change.")) return stop_varying(state);
 }
 
 }  // namespace tact

@@ -37,7 +37,7 @@ void add_recording_options(CLI::App& sub, AccelerationOptions& options, const ch
                                                         {"V", AccelerationUnit::volt}};
     sub.add_option_function<std::string>(
            "--unit", [&options, units](const std::string& unit) { options.unit = units.at(unit); },
-           "g, m/s2 or V; else what the table's first line says")
+           "g, m/s2 or V; default: what the table's first line says")
         ->check(CLI::IsMember({"g", "m/s2", "V"}));
     sub.add_option("--sensitivity", options.sensitivity_v_per_g, "of the sensor, V/g")
         ->check(within(limits::kSensitivityVPerG));
@@ -93,14 +93,15 @@ void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
     play.add_option("--gap", options.gap_s, "silence between two of them, s")
         ->check(within(0.0, 60.0));
     play.add_option("--device", options.device, kDeviceHelp);
-    play.add_option("--channel", options.channel, "number from 1, or name; else the first");
+    play.add_option("--channel", options.channel, "number from 1, or name; default: the first");
     play.add_option("--channels", options.of_channels,
                     "how many the output behind a sound server has, where the server does not say; "
                     "PULSE_SINK says which output of PulseAudio's")
         ->check(within(1, 8));
-    play.add_option("--level", options.level, "how strong, 0-1; else 0.1")->check(within(0.0, 1.0));
+    play.add_option("--level", options.level, "how strong, 0-1; default: 0.1")
+        ->check(within(0.0, 1.0));
     play.add_option("--full-scale", options.full_scale_g,
-                    "acceleration that full scale stands for without a calibration, g; else 1")
+                    "acceleration that full scale stands for without a calibration, g; default: 1")
         ->check(within(1e-3, 1e3));
     play.add_option("--calibration", options.calibration,
                     "of this device and channel, as tactspace calibrate makes it: strengths are "
@@ -141,9 +142,9 @@ void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& cho
     signal->excludes(recording);
     add_recording_options(calibrate, options.how, "--full-scale,--scale");
     calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
-    calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; else 20")
+    calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; default: 20")
         ->check(within(1.0, 2000.0));
-    calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; else 500")
+    calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; default: 500")
         ->check(within(1.0, 2000.0));
     Calibration& about = options.about;
     calibrate.add_option("--device", about.device, "its id; see tactspace devices");
@@ -176,8 +177,9 @@ void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen) {
     sub.add_option("RECORDING", command.recordings,
                    "tables (.csv, .txt) with or without a time column, or .wav; one or three axes")
         ->required();
-    sub.add_option("--pattern", command.pattern,
-                   "what all of them measure; else the pattern that a file is named after");
+    sub.add_option(
+        "--pattern", command.pattern,
+        "the pattern that all of them measure; default: the one that a file is named after");
     add_recording_options(sub, command.options, "--full-scale");
     sub.callback([&] { chosen = [&command] { return run(command); }; });
 }
@@ -216,12 +218,13 @@ void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& ch
     sub.add_option("--out", command.out, "set file for the patterns")->required();
     sub.add_option("--actuator", command.actuator,
                    "whose band and g at full scale count: a file (.acf or .json) or one of " +
-                       actuator_names() + "; else " + kUsualActuator);
+                       actuator_names() + "; default: " + kUsualActuator);
     sub.add_flag("--no-accents", command.no_accents,
                  "what lasts less than 60 ms stays in the envelope");
-    add_optional(sub, "--full-scale", command.full_scale_g, limits::kScaleG,
-                 "g that full scale of the sound stands for; else as its .json beside it says, or "
-                 "the actuator's");
+    add_optional(
+        sub, "--full-scale", command.full_scale_g, limits::kScaleG,
+        "g that full scale of the sound stands for; default: as its .json beside it says, or "
+        "the actuator's");
     sub.add_flag("--without-loss", command.without_loss,
                  "without PM between the pattern and the sound");
     add_threads(sub, command.threads);

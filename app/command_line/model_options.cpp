@@ -22,7 +22,7 @@ void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen)
     predict.add_option("--out", command.out, "file for the matrix");
     predict.add_option("--image", command.image, "picture of the matrix, .png or .svg");
     predict.add_flag("--resume", command.resume,
-                     "go on where a stopped run with the same --out left off: pm, nc and oc");
+                     "continue where a stopped run with the same --out left off: pm, nc and oc");
     predict.add_flag("--first-as-reference", command.first_as_reference,
                      "st-sim and spqi: the earlier pattern of a pair is the reference, instead of "
                      "the mean of both ways");
@@ -35,7 +35,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
         add_command(app, "space", "coordinates of the perceptual space, as CSV", command, chosen);
     add_rendering(space, command.common);
     add_exporting(space, command.common);
-    CLI::App& of = *space.add_option_group("Of", "what the map is of; else PM");
+    CLI::App& of = *space.add_option_group("Of", "the dissimilarity that is mapped; default: PM");
     auto* metric = of.add_option("--metric", command.metric, "another metric of those below")
                        ->check(fault_of_metric);
     auto* matrix =
@@ -51,7 +51,7 @@ void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen) {
                      "turned onto this map, coordinates as of space: Procrustes, with PROTEST's p");
     space.add_option("--dim", command.dimensions, "2 or 3")->check(within(2, 3));
     add_only(space, command.common);
-    space.add_option("--starts", command.starts, "random starts besides Torgerson's")
+    space.add_option("--starts", command.starts, "random starts in addition to Torgerson's")
         ->check(within(0, 100'000));
     space.add_option("--out", command.out, "file for the coordinates");
     space.add_option("--image", command.image, "picture of the space, .png or .svg");
@@ -95,7 +95,7 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
     add_table_hints(subset, command.written);
     matrix->excludes(metric)->excludes(ratings);
     ratings->excludes(metric);
-    subset.add_option("--time-limit", command.time_limit_s, "s; else 60")
+    subset.add_option("--time-limit", command.time_limit_s, "s; default: 60")
         ->check(within(0.0, kMost));
     subset.add_option("--alternatives", command.alternatives, "how many of the next best to list")
         ->check(within(0, 1000));
@@ -122,7 +122,7 @@ void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
     add_unfelt(report, command.include_unfelt);
     report
         .add_option("-k,--count", command.count,
-                    "how many most distinct patterns; else 8, or half of a small set")
+                    "how many most distinct patterns; default: 8, or half of a small set")
         ->check(within(2, 10'000));
     report.add_option(
         "--closer-than,--confused-at", command.confused_at,
@@ -132,7 +132,7 @@ void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
         .add_option("--sure", command.draws,
                     "draws of what is uncertain in the model: how often the subset stays")
         ->check(within(0, 100'000));
-    report.add_option("--time-limit", command.time_limit_s, "s for the search; else 60")
+    report.add_option("--time-limit", command.time_limit_s, "s for the search; default: 60")
         ->check(within(0.0, kMost));
 }
 
@@ -146,16 +146,18 @@ void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chose
     separate.add_option("--pair", command.pair, "names of the two, with a comma between")
         ->required();
     separate.add_option("--change", command.change,
-                        "the one of them to change; else either that is not locked");
+                        "the one of them to change; default: either that is not locked");
     separate
-        .add_option("--among", command.among,
-                    "a pattern to keep away from, such as one of a subset; repeatable; else all")
+        .add_option(
+            "--among", command.among,
+            "a pattern to keep away from, such as one of a subset; repeatable; default: all")
         ->allow_extra_args(false);
     CLI::Option* closest =
         separate
-            .add_option("--closest", command.percent,
-                        "%, else 5: a change must bring the pattern farther from all that count "
-                        "than so many of the pairs are apart, and than the pair is")
+            .add_option(
+                "--closest", command.percent,
+                "%, default: 5. A change must bring the pattern farther from each other pattern "
+                "than that share of all pairs are apart, and farther than this pair is now")
             ->check(within(0.0, 100.0));
     separate.add_option("--threshold", command.threshold, "instead farther than this PM")
         ->check(within(0.0, kMost))
@@ -168,16 +170,18 @@ void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen) {
         chosen);
     steps.add_option("--from", command.from, "name of the pattern at one end")->required();
     steps.add_option("--to", command.to, "name of the pattern at the other end")->required();
-    steps.add_option("-n,--count", command.count, "how many, with both ends; else 5")
+    steps
+        .add_option("-n,--count", command.count,
+                    "number of patterns, both ends included; default: 5")
         ->check(within(2, static_cast<double>(kMostSteps)));
     steps.add_option("--parameter", command.parameter,
                      "only this number of --from changes, to what --to has: amplitude_g, "
                      "carrier_hz, second_carrier_hz, mix, modulation_hz, depth, rhythm_unit_s, "
-                     "attack_s or release_s; else all that the two differ in");
+                     "attack_s or release_s; default: all numbers in which the two differ");
     steps
         .add_option("--metric", command.metric,
                     "what is even: pm, the parts of PM before ranks are taken (ranks of "
-                    "neighbours cannot be equal), or one of the parts, nc or oc; else pm")
+                    "neighbours cannot be equal), or one of the parts, nc or oc; default: pm")
         ->check(CLI::IsMember({"pm", "nc", "oc"}));
     steps.add_option("--out", command.out, "a set file for them")->required();
     steps.footer("Rhythms that differ are morphed: notes move, stretch, split and fade.");

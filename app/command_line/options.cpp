@@ -18,12 +18,12 @@ namespace {
 void add_conduct(CLI::App& command, ConductRule& rule) {
     CLI::Option* fast = command
                             .add_option("--too-fast", rule.fast_below_s,
-                                        "leave out who answered in less than so many seconds too "
+                                        "leave out who answered in less than this many seconds too "
                                         "often (--too-fast-share)")
                             ->check(within(limits::kFastBelowS));
     command
         .add_option("--too-fast-share", rule.fast_share,
-                    "share of one's answers that may be so fast; else 0.1")
+                    "share of a person's answers that may be that fast; default: 0.1")
         ->check(within(limits::kFastShare))
         ->needs(fast);
     command
@@ -32,7 +32,7 @@ void add_conduct(CLI::App& command, ConductRule& rule) {
         ->check(within(limits::kRho));
     command
         .add_option("--most-replays", rule.replays,
-                    "leave out who felt more than so many again a trial, on average")
+                    "leave out who replayed more than this many per trial, on average")
         ->check(within(limits::kReplays));
 }
 
@@ -68,7 +68,7 @@ void add_common(CLI::App& command, CommonOptions& options) {
                      "left out and named");
     command.add_option("--actuator", options.actuator,
                        "how effect files meet g and Hz: a file (.acf or .json) or one of " +
-                           actuator_names() + "; else their format's own");
+                           actuator_names() + "; default: their format's own");
     add_threads(command, options.threads);
     command.add_flag("--json", options.json, "JSON instead of CSV on standard output");
     command.add_option("--model", options.model,
@@ -134,9 +134,10 @@ void add_rendering(CLI::App& command, CommonOptions& options) {
         ->check(CLI::IsMember(keys));
     command
         .add_option("--full-scale", options.full_scale_g,
-                    "acceleration that the device's full scale stands for, g; else 1")
+                    "acceleration that the device's full scale stands for, g; default: 1")
         ->check(within(kFullScaleRangeG));
-    command.add_option("--level", options.rendered_level, "how strong it plays them, 0-1; else 1")
+    command
+        .add_option("--level", options.rendered_level, "how strong it plays them, 0-1; default: 1")
         ->check(within(0.0, 1.0));
     command.add_option("--calibration", options.rendered_calibration,
                        "of a voice coil, in the place of its full scale; see calibrate");
@@ -158,7 +159,8 @@ void add_only(CLI::App& command, CommonOptions& options) {
             [&options](const std::string& side) {
                 options.only = side == "measured" ? Side::measured : Side::intended;
             },
-            "intended or measured: leaves out the measured twins, or all else; compare holds a "
+            "intended or measured: leaves out the measured twins, or everything but them; compare "
+            "holds a "
             "twin against the ratings of the pattern that it measures")
         ->check(CLI::IsMember({"intended", "measured"}));
 }

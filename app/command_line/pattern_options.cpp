@@ -32,23 +32,25 @@ constexpr const char* kFilmHelp =
 constexpr double kLongestS = 3600.0;
 
 void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
-    snapshot.add_option("--at", command.at_s, "where the playhead is, s; else 0")
+    snapshot.add_option("--at", command.at_s, "where the playhead is, s; default: 0")
         ->check(within(0.0, kLongestS));
     snapshot
-        .add_option("--frames", command.frames,
-                    "draws so many pictures over time: as a film, where --out is a .gif, .apng or "
-                    ".mp4 (by ffmpeg), else into the folder --out: frame_0001.png ...")
+        .add_option(
+            "--frames", command.frames,
+            "draws this many pictures over time: as a film, where --out is a .gif, .apng or "
+            ".mp4 (by ffmpeg), otherwise into the folder --out: frame_0001.png ...")
         ->check(within(1, kMostFrames));
     snapshot
-        .add_option("--slower", command.slower,
-                    "instead of --frames: so many times slower than life, 25 frames a second in a "
-                    "film, 30 in a folder")
+        .add_option(
+            "--slower", command.slower,
+            "instead of --frames: this many times slower than life, 25 frames a second in a "
+            "film, 30 in a folder")
         ->check(within(0.01, 10'000.0));
-    snapshot.add_option("--from", command.from_s, "time of the first frame, s; else 0")
+    snapshot.add_option("--from", command.from_s, "time of the first frame, s; default: 0")
         ->check(within(0.0, kLongestS));
     snapshot
         .add_option("--to", command.to_s,
-                    "time at which the last frame ends, s; else the end of the pattern")
+                    "time at which the last frame ends, s; default: the end of the pattern")
         ->check(within(0.0, kLongestS));
     snapshot.footer(kFilmHelp);
 }
@@ -83,25 +85,27 @@ void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
     sub.add_option("--format", command.format, "of the files")
         ->required()
         ->check(CLI::IsMember(keys));
-    sub.add_option("--pattern", command.patterns, "names; else all");
-    sub.add_option("--onto", command.onto,
-                   "the actuator that 0 to 1 are written for: a file (.acf, .json) or one of " +
-                       actuator_names() +
-                       "; else the one that was chosen when the set's effects were read, or the "
-                       "format's own");
+    sub.add_option("--pattern", command.patterns, "names; default: all");
+    sub.add_option(
+        "--onto", command.onto,
+        "the actuator that 0 to 1 are written for: a file (.acf, .json) or one of " +
+            actuator_names() +
+            "; default: the one that was chosen when the set's effects were read, or the "
+            "format's own");
     const std::vector<std::string> rates{"10000", "44100", "48000"};
     sub.add_option_function<std::string>(
            "--rate", [&command](const std::string& text) { command.rate_hz = std::stod(text); },
-           "of WAV and CSV, Hz: 10000, 44100 or 48000; else 48000 of WAV and 10000 of CSV")
+           "of WAV and CSV, Hz: 10000, 44100 or 48000; default: 48000 of WAV and 10000 of CSV")
         ->check(CLI::IsMember(rates));
-    sub.add_option("--bits", command.bits,
-                   "of WAV: 16, 24 or float; else 24. Full scale is the loudest pattern's peak, "
-                   "which the .wav.json beside each file says in g")
+    sub.add_option(
+           "--bits", command.bits,
+           "of WAV: 16, 24 or float; default: 24. Full scale is the loudest pattern's peak, "
+           "which the .wav.json beside each file says in g")
         ->check(CLI::IsMember({"16", "24", "float"}));
     CLI::Option* count =
         sub.add_option("-k,--count", command.count,
                        "of the most distinct patterns, which are held against what the target "
-                       "makes of them; else half of them, at most 8")
+                       "makes of them; default: half of them, at most 8")
             ->check(within(2, 10'000));
     sub.add_flag("--no-loss", command.without_loss,
                  "only write the files: what they cost takes two predictions of the set")
@@ -140,7 +144,7 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
         ->required();
     lesson.add_option("--out", command.out,
                       "a .html for students, or a .tactlesson.json as the program writes it; "
-                      "else text on standard output");
+                      "default: text on standard output");
     lesson.callback([&command, &chosen] { chosen = [&command] { return run(command); }; });
 }
 
@@ -150,11 +154,11 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot
         .add_option("--view", command.view, "window, physiology, wave, spectrum, matrix or space")
         ->check(CLI::IsMember({"window", "physiology", "wave", "spectrum", "matrix", "space"}));
-    snapshot.add_option("--pattern", command.pattern, "pattern to show; else the first");
+    snapshot.add_option("--pattern", command.pattern, "pattern to show; default: the first");
     snapshot.add_option("--with", command.with, "another pattern to compare it with");
     std::vector<std::string> keys;
     for (const Stage stage : kStages) keys.emplace_back(text_of(stage).key);
-    snapshot.add_option("--stage", command.stage, "the stage to show large; else all of them")
+    snapshot.add_option("--stage", command.stage, "the stage to show large; default: all of them")
         ->check(CLI::IsMember(keys));
     snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
     snapshot.add_flag("--figures", command.figures,

@@ -69,12 +69,13 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
         app, "study", "a rating study: simulate participants, or collect what they said", command,
         chosen);
     CLI::App& task = *study.add_option_group("Task");
-    CLI::Option* simulate = task.add_option("--simulate", command.simulate,
-                                            "so many synthetic participants into --out DIR")
-                                ->check(within(1, 1000));
+    CLI::Option* simulate =
+        task.add_option("--simulate", command.simulate,
+                        "writes this many synthetic participants into --out DIR")
+            ->check(within(1, 1000));
     task.add_option("--collect", command.collect,
                     "a folder of participants' files: who counts, how far they agree, their mean "
-                    "matrix; for --report else the folder beside the set, \"NAME study\"")
+                    "matrix; default for --report: the folder beside the set, \"NAME study\"")
         ->excludes(simulate);
     task.add_option("--report", command.report,
                     "folder for all of a study: participants, answers, reliability, metrics and "
@@ -85,7 +86,7 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
         study.add_option("--out", command.out,
                          "folder for simulated participants; file for collected ratings, .csv"));
     add_study_design(study, command);
-    CLI::App& crowd = *study.add_option_group("Simulated", "participants that are none");
+    CLI::App& crowd = *study.add_option_group("Simulated", "participants made up by the model");
     crowd.add_option("--noise", command.noise, "standard deviation of a rating, points of 100")
         ->check(within(0.0, 100.0));
     crowd.add_option("--bias", command.bias, "points added to every similarity")
@@ -113,7 +114,7 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
         ->check(CLI::IsMember({"none", "min-max", "standard"}));
     rule.add_option("--weights", command.weights,
-                    "how much each participant goes by every dimension of a common map of so many "
+                    "how much each participant uses every dimension of a common map of this many "
                     "(INDSCAL); in --report 3")
         ->check(within(1, kMostWeightedDimensions));
     rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");

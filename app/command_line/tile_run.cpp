@@ -99,7 +99,7 @@ Error stopped(const TileRun& run) {
     const TileKeeping& keeping = run.keeping;
     if (keeping.file) {
         return Error{"stopped with " + share_of_tiles(run) + " finished and kept in " +
-                     keeping.path.string() + "; the same command with --resume goes on"};
+                     keeping.path.string() + "; the same command with --resume continues"};
     }
     if (keeping.path.empty()) {
         return Error{"stopped, and nothing is kept; a long run with --out FILE can be resumed"};

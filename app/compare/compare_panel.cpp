@@ -150,7 +150,7 @@ void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
     reading_text(
         ui.theme.text,
         "What did people say of these patterns? With their ratings this table tells which metric "
-        "agrees with them best. Until then: how much each agrees with PM.");
+        "agrees with them best. Until then it shows how much each agrees with PM.");
     if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
     note_item(ui.rects, "button:load ratings");
 }

@@ -348,9 +348,9 @@ void draw_design_row(Ui& ui, GenerateState& generating) {
     choose("Full factorial", Design::factorial,
            "Every combination of all levels; ranges are cut in steps.");
     choose("Latin hypercube", Design::latin_hypercube,
-           "So many samples: each range is cut in as many parts, and each part is used once.");
+           "Each range is cut in as many parts as there are samples, and each part is used once.");
     choose("Sobol", Design::sobol,
-           "So many samples, spread evenly over all parameters together by Sobol's sequence.");
+           "Samples spread evenly over all parameters together by Sobol's sequence.");
     if (space.design == Design::factorial) return ImGui::NewLine();
     leave_gap(ui);
     draw_whole(ui, "samples", space.samples, limits::kSamples);

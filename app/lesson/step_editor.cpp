@@ -52,13 +52,13 @@ void draw_camera_row(const LessonHands& hands, LessonState& state, const LessonS
         hands.ui.waiting.emplace_back([hands, &state, taken] { take_camera(hands, state, taken); });
     };
     if (link(hands.ui, "camera",
-             step.camera ? "Camera anew from the screen" : "Camera from the screen")) {
+             step.camera ? "Camera from the screen again" : "Camera from the screen")) {
         later(true);
     }
     note_item(hands.ui.rects, "lesson edit:camera", step.camera ? "kept" : "");
     if (!step.camera) return;
     ImGui::SameLine(0.0F, hands.ui.theme.gap_px);
-    if (link(hands.ui, "no camera", "leave it as it is")) later(false);
+    if (link(hands.ui, "no camera", "leave it unchanged")) later(false);
     note_item(hands.ui.rects, "lesson edit:no camera");
 }
 
@@ -86,7 +86,7 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
     const LessonStep* step = step_of(state);
     if (answers == nullptr || step == nullptr || step->text.empty()) return;
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, "As it is shown");
+    dim_text(ui, "As shown in class");
     ImGui::PopFont();
     const std::string text = filled(step->text, answers->numbers);
     wrapped_text(text);

@@ -50,7 +50,7 @@ std::string metrics_table() {
 
 std::string devices_table() {
     HtmlTable table{
-        {{"key"}, {"device"}, {"what of a vibration it plays"}, {"told every"}}, {}, {}};
+        {{"key"}, {"device"}, {"part of a vibration that it plays"}, {"told every"}}, {}, {}};
     for (const ActuatorKind kind : kActuatorKinds) {
         const ActuatorTraits& of = traits(kind);
         const std::string period =

@@ -254,7 +254,8 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
         if (look.clusters > 1) look.colour.reset();
     }
     note_item(ui.rects, "look:groups", std::to_string(look.clusters));
-    draw_tooltip(ui, "Patterns that are close by PM, in one colour (average linkage); 1 is none.");
+    draw_tooltip(
+        ui, "Patterns that are close by PM, in one colour (average linkage); 1 shows no groups.");
     draw_check(ui.theme, "Pairs that are too close", look.show_pairs);
     note_item(ui.rects, "look:pairs", look.show_pairs ? "on" : "off");
     draw_check(ui.theme, "Ellipses of uncertainty", look.show_spread);

@@ -242,7 +242,8 @@ void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
         return complain(ui, "No recording there: expected .csv, .txt or .wav files");
     }
     if (work.document.set.vibrations.empty()) {
-        return complain(ui, "A recording is imported as a measurement of a pattern: there is none");
+        return complain(
+            ui, "A recording is imported as a measurement of a pattern: add a pattern first");
     }
     if (!std::exchange(importing.adding, false)) {
         importing.files.clear();

@@ -85,7 +85,7 @@ void draw_actions(Ui& ui, Workspace& work, ModelBench& model_bench, const FoundT
     note_item(ui.rects, "button:save trained");
     if (stale) {
         coloured_text(ui.theme.warning,
-                      "Of other sets, ratings or choices than the present ones: train again.");
+                      "The sets, ratings or choices have changed since: train again.");
         note_item(ui.rects, "train:stale");
     } else if (in_use) {
         flow_on(ImGui::CalcTextSize("In use.").x, ui.theme.gap_px);

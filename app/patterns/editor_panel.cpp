@@ -33,7 +33,7 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
          .typed = traits(PatternParameter::modulation).range,
          .step = 1.0,
          .snap = 1.0 / pattern.duration_s,
-         .help = "Frequency of the amplitude modulation; 0 is none."},
+         .help = "Frequency of the amplitude modulation; 0: not modulated."},
         "modulation", [](const Pattern& p) { return p.modulation.frequency_hz; },
         [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
     const bool am = modulation.kind == ModulationKind::am;

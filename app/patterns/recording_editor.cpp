@@ -166,7 +166,7 @@ void draw_cut_fields(Ui& ui, Workspace& work, RecordingEditor& editor) {
                      .typed = {-120.0, 60.0},
                      .step = 1.0,
                      .snap = 0.5,
-                     .help = "Of the recording as it came into the editor.",
+                     .help = "Relative to the recording as it came into the editor.",
                      .normal = 0.0},
                     1.0,
                     "gain"},
@@ -235,7 +235,7 @@ void draw_trace_fields(Ui& ui, Workspace& work, RecordingEditor& editor,
                     .typed = kPoints,
                     .step = 1.0,
                     .snap = 1.0,
-                    .help = "At most so many of each curve, where they matter most.",
+                    .help = "Most points of each curve; they are set where they matter most.",
                     .normal = static_cast<double>(TraceParams{}.most_points)},
                    points);
     if (edit.changed) editor.most_points = static_cast<std::size_t>(std::lround(points));

@@ -150,7 +150,7 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     flow_on(ImGui::CalcTextSize(kTap).x, 2.0F * ui.theme.gap_px);
     if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
     note_item(ui.rects, "link:tap");
-    draw_field_tooltip(ui, "T: each press of it is a note as long as it is held");
+    draw_field_tooltip(ui, "T: each press is a note, as long as the key is held");
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
     flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * ui.theme.gap_px);

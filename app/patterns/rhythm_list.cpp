@@ -82,7 +82,8 @@ bool chip(Ui& ui, const char* text, bool lit, const char* help) {
 void draw_kind(Ui& ui, RhythmChoice& choice) {
     const float gap = 2.0F * ui.theme.scale;
     if (chip(ui, "Necklaces", choice.list == RhythmList::necklaces,
-             "All rhythms of so many steps and notes; rotations of one another count once.")) {
+             "All rhythms with this number of steps and notes; rotations of one another count "
+             "once.")) {
         choice.list = RhythmList::necklaces;
     }
     ImGui::SameLine(0.0F, gap);

@@ -42,7 +42,7 @@ void draw_pad(Ui& ui, TappingState& tapping) {
     const bool down = tapping.down_s.has_value();
     list.AddRectFilled(corner, corner + size, down ? theme.accent : theme.field,
                        4.0F * theme.scale);
-    const char* words = "Press T, or here: each press is a note as long as it is held";
+    const char* words = "Press T, or here: each press is a note, as long as you hold it";
     const ImVec2 room = text_size(theme.fonts.regular, words);
     draw_text(list, theme.fonts.regular, corner + (size - room) * 0.5F,
               down ? theme.pane : theme.text, shortened(theme.fonts.regular, words, size.x));

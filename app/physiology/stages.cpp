@@ -39,7 +39,7 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Waves that travel through the skin with delays; the filters are the same at every depth.",
      "Order 10 in total; forward in time only: where a vibration begins or ends, a filter rings "
      "on. "
-     "A type whose band has nothing else still follows that ringing, which no skin has.",
+     "A type with nothing in its band still follows that ringing, which no skin has.",
      "The Pacinian capsule as a filter: Loewenstein & Skalak 1966, J. Physiol. 182, 346 (not "
      "looked up)."},
     {"receptors", "Receptors in the skin", "Receptors", "mean rate, to scale",
@@ -64,7 +64,7 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Phase locking: below its limit a fibre fires once a cycle, in step with the vibration. The "
      "model counts in windows of 10 ms, which forget the step. Also refractory time, noise and "
      "adaptation: the same vibration gives the same spikes.",
-     "Of the n spikes of a window the first half and one more fall into its first 5 ms.",
+     "In a window of n spikes the first half and one more fall into its first 5 ms.",
      "Impulses in step with the cycle: Talbot, Darian-Smith, Kornhuber & Mountcastle 1968, J. "
      "Neurophysiol. 31, 301 (not looked up)."},
     {"networks", "Relay networks", "Networks", "every layer at the playhead",

@@ -59,7 +59,7 @@ Expected<Done> open_sequence(const FrameSequence& sequence) {
         const std::string name = at->path().filename().string();
         if (number_in(name) <= sequence.frames) continue;
         return Error{sequence.folder.string() + ": holds " + name +
-                     " of a longer sequence, which a film would go on into; expected another "
+                     " of a longer sequence, which a film would run into; expected another "
                      "folder, or one without it"};
     }
     return Done{};

@@ -119,7 +119,8 @@ void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, Pl
     std::string tip = known ? "A is " + known->whole[0] + ", B is " + known->whole[1] + ". " : "";
     tip +=
         "Plays the current pattern, A, and its partner, B, in turn; X swaps them. The partner is "
-        "the pattern compared with, else the one chosen in the matrix or map, else the closest "
+        "the pattern compared with; without one, the pattern chosen in the matrix or map, or the "
+        "closest "
         "one.";
     draw_tooltip(ui, tip.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();

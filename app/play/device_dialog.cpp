@@ -113,9 +113,10 @@ void draw_channel(Ui& ui, const DeviceInfo& device, DeviceChoice& choice) {
     if (draw_combo(ui, "Outputs", "##outputs", counts, at)) {
         choice.of_channels = kCounts[at];
     }
-    draw_tooltip(ui,
-                 "Of the card behind the sound server, which mixes what does not match: with the "
-                 "card's own number of outputs each channel stays by itself.");
+    draw_tooltip(
+        ui,
+        "Outputs of the card behind the sound server, which mixes what does not match: with the "
+        "card's own number of outputs each channel stays by itself.");
 }
 
 constexpr Field kLatency{

@@ -68,7 +68,7 @@ void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
     note_item(ui.rects, "rendered", rendered.on ? "on" : "off");
     draw_tooltip(ui,
                  "Stages, matrix, map and metrics of what the device plays, instead of what was "
-                 "meant. Titles say so; the document stays as it is.");
+                 "meant. Titles say so; the document does not change.");
 }
 
 void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
@@ -102,7 +102,7 @@ void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlaySta
     note_item(ui.rects, "rendering:at bar level", rendered.at_bar_level ? "on" : "off");
     draw_tooltip(ui,
                  "As strong as it is played now, by the level at the top of the window: a weak "
-                 "motor's dead zone and all. Else patterns are taken at "
+                 "motor's dead zone included. When it is off, patterns are taken at "
                  "full level, with the strength that they say.");
 }
 

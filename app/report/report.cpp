@@ -42,7 +42,7 @@ std::string step_words(const Report& report) {
     };
     return "no number of theirs differs by as much as people are taken to feel (an amplitude by " +
            percent(PatternParameter::amplitude) + ", a carrier by " +
-           percent(PatternParameter::carrier) + "), nor does anything else";
+           percent(PatternParameter::carrier) + "), and nothing but numbers differs";
 }
 
 std::string threshold_sentence(const Report& report) {

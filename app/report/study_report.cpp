@@ -162,7 +162,7 @@ std::string agreement_section(const StudyReport& report) {
         html += html_of(shifts) +
                 "<p class=\"dim\">Points of similarity of 100, of the pattern that is earlier in "
                 "the set: first less second, left less right. p two-sided, by signs: all of them "
-                "where they are few, else drawn ones.</p>\n";
+                "where they are few, otherwise a random draw of them.</p>\n";
     }
     return html_section("agreement", "How alike they rate", html);
 }

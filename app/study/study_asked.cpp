@@ -56,7 +56,7 @@ const auto kTrials = std::to_array<StudyNumber>({
      [](const StudyDesign& d) { return d.attention.above; },
      [](StudyDesign& d, double value) { d.attention.above = value; }},
     {count("study_failures", "Misses allowed", {0, 5}, limits::kAttentionPairs,
-           "So many identical pairs may be missed before a participant is not counted."),
+           "Identical pairs that a participant may miss and still be counted."),
      [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
      [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
     {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,

@@ -44,8 +44,8 @@ void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
     ImGui::EndDisabled();
     note_item(ui.rects, "button:simulate", no_map);
     draw_tooltip(ui, no_map.empty()
-                         ? "A participant that is none: answers as the model predicts, with noise. "
-                           "Labelled synthetic in its file and everywhere else."
+                         ? "A simulated participant: it answers as the model predicts, with noise. "
+                           "Labelled synthetic in its file and wherever it is shown."
                          : no_map.c_str());
     const std::string folder = study_folder(work, studying).filename().string();
     flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * ui.theme.gap_px);
@@ -118,7 +118,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
     if (!settling.change.empty()) {
         text += " " + of_people("K ", answers.results->mark) +
                 significant(settling.change.front(), 2) +
-                " since so many trials as there "
+                " over the last trials, as many as there "
                 "are patterns.";
     }
     small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text, text, "study:settling");

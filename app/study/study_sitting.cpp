@@ -35,7 +35,7 @@ void end_run(Ui& ui, StudyState& studying) {
     studying.set.reset();
     ++studying.folder_revision;
     if (!has_file) return say(ui, "Nobody took part; nothing was written.");
-    say(ui, code + (is_complete ? " has finished." : " can go on where it was left."));
+    say(ui, code + (is_complete ? " has finished." : " can continue where it was left."));
 }
 
 // The participant's file, with its first line on the disk.
@@ -189,8 +189,7 @@ void ask_to_go_on(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& 
         is_rehearsal(now) ? "no device: nothing would be felt" : device_words(now);
     ask(ui, {.title = "Another device or strength",
              .text = "The last answers of " + code + " were given with " + device_words(was) +
-                     ". Now it is " + words +
-                     ". Who goes on has this noted in the file, for the answers from here on.",
+                     ". Now it is " + words + ". The file notes this for the answers from here on.",
              .answers = {{"Go on as it is now",
                           [&, record] { go_on_with(ui, work, timeline, play, studying, record); }},
                          {"Not yet"}},

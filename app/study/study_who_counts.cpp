@@ -117,7 +117,7 @@ void draw_conduct_dialog(Ui& ui, StudyState& studying) {
                   {"Repetitions do not agree",
                    {"repeat_rho", "Rho below", 0.3, limits::kRho,
                     "Spearman's, between their own repetitions"},
-                   "Of designs that ask each pair twice or more."},
+                   "Applies to designs that ask each pair twice or more."},
                   rule.repeat_rho);
     draw_rule_row(ui,
                   {"Too many replays",

@@ -130,7 +130,7 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
     ImGui::PushFont(ui.theme.fonts.small);
     reading_text(ui.theme.dim_text, text);
     if (is_pick_stale(work, shown_map, picking)) {
-        reading_text(ui.theme.warning, "Of the subset before the last change.");
+        reading_text(ui.theme.warning, "These numbers are of the subset before the last change.");
     }
     ImGui::PopFont();
     note_item(ui.rects, "subset:stability", text);

@@ -58,9 +58,10 @@ void draw_grow(Ui& ui, const Workspace& work, SubsetState& picking) {
     flow_on(ImGui::CalcTextSize(words.c_str()).x, ui.theme.gap_px);
     picking.grow_asked = row_link(ui, "grow", words);
     note_item(ui.rects, "link:grow");
-    draw_tooltip(ui,
-                 "Adds as many as are missing, each as far from all others as can be: of the set's "
-                 "design space, else of patterns drawn around these.");
+    draw_tooltip(
+        ui,
+        "Adds as many as are missing, each as far from all others as can be: from the set's "
+        "design space, or from patterns drawn around these.");
 }
 
 void draw_count(Ui& ui, SubsetState& picking) {
@@ -135,7 +136,7 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         colour = ui.theme.warning;
     }
     if (is_of_preview(pick.request)) {
-        text = "A preview, by coarse envelopes; picked anew once the map is exact.";
+        text = "A preview, by coarse envelopes; picked again once the map is exact.";
         colour = ui.theme.warning;
     }
     if (is_pick_stale(work, shown_map, picking)) {
@@ -257,7 +258,7 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                    "It takes two patterns to be alike or far apart.");
     } else if (is_picking(picking)) {
         draw_empty(list, ui.theme, area, "Picking",
-                   "Of many patterns it takes some seconds to prove that no others are better.");
+                   "With many patterns it takes some seconds to prove that no others are better.");
     } else {
         draw_empty(list, ui.theme, area,
                    has_fault ? "Nothing can be picked so" : "Nothing picked yet",

@@ -70,7 +70,7 @@ void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
            "Pairs of which no number differs by the least change that people are taken to feel: "
            "see Model, What people feel. Most sets have none.",
            true);
-    choose("Closest", TooClose::share, "The closest pairs of this set, so many of them.", false);
+    choose("Closest", TooClose::share, "This share of the set's pairs, the closest ones.", false);
     choose("Among the picked", TooClose::picked,
            "The closest pairs within the picked subset; a change has to part a pattern from the "
            "others of the subset only.",
@@ -338,7 +338,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     const std::string from = asked.from.empty() ? "all others" : "the other picked ones";
     draw_tooltip(ui, ("The smallest change of one number that brings the pattern farther than " +
                       worth_text(asked.threshold) + " from " + from +
-                      ". PM depends on the set: it is ranked anew with each change.")
+                      ". PM depends on the set: it is ranked again with each change.")
                          .c_str());
     if (!obstacle.empty()) {
         reading_text(ui.theme.dim_text, obstacle);

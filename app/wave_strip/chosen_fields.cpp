@@ -65,7 +65,7 @@ void draw_amplitude_point(Ui& ui, Workspace& work, const Pattern& pattern, std::
     draw_time(ui, work, pattern, &Pattern::amplitude_curve, k, what);
     draw_chosen(ui, work,
                 {.id = kChosenValue,
-                 .label = "Of amplitude",
+                 .label = "Share of amplitude",
                  .format = "%.4g %%",
                  .slider = {0.0, 100.0},
                  .typed = {0.0, 100.0},

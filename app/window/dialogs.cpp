@@ -64,7 +64,7 @@ constexpr auto kGestures = std::to_array<Gesture>({
     {"Edit", "Ctrl+Y", "Edit > Redo, too"},
     {"Patterns", "Up, Down", "the pattern before, the next one"},
     {"Patterns", "Double click on a row", "rename the pattern"},
-    {"Patterns", "Hold a row, a point, a candidate (0.25 s)", "feel it as long as it is held"},
+    {"Patterns", "Hold a row, a point, a candidate (0.25 s)", "feel it while you hold it"},
     {"Patterns", "1 to 9", "play a picked pattern, by its number in Subset"},
     {"Numbers", "Left, Right (Shift: five steps; Alt: a tenth)", "nudge the field with the ring"},
     {"Numbers", "*2, /4, -10%, +3dB", "change what is there; 0,8 and 250 ms are understood, too"},

@@ -75,7 +75,7 @@ double rate_for(const PaStreamParameters& parameters) {
 std::string open_fault(const std::string& name, PaError fault) {
     if (fault == paDeviceUnavailable || fault == paUnanticipatedHostError) {
         return name +
-               " is in use by another program, or gone: close what else plays there, or "
+               " is in use by another program, or gone: close the other program, or "
                "refresh the devices";
     }
     return name + " could not be opened: " + Pa_GetErrorText(fault);
@@ -99,7 +99,7 @@ Expected<Done> AudioStream::open(AudioHost& host) {
     if (host.is_stuck()) {
         return Error{
             "the sound server went away in a way that sound cannot be started again: "
-            "start tactspace anew"};
+            "start tactspace again"};
     }
     host.make_room();
     if (auto alone = claim_channels(); !alone) return alone;

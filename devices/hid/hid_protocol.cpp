@@ -85,7 +85,7 @@ Expected<Encoder> begin_simple_haptic(const HidActuator& actuator, const HidPort
     const Packet list = port.feature(page->waveform_report, page->waveform_bytes);
     const std::optional<int> waveform = continuous_waveform(*page, list);
     if (!waveform) {
-        return Error{actuator.name + " has clicks only, and no vibration that goes on"};
+        return Error{actuator.name + " has clicks only, and no lasting vibration"};
     }
     return Encoder([page = *page, waveform = *waveform](const RumbleFrame& frame, int) {
         return frame.low > 0.0 ? haptic_output(page, waveform, frame.low)

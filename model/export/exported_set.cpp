@@ -35,7 +35,7 @@ Expected<Effect> read_back(const WrittenEffect& written, const std::string& name
     if (target.format == TargetFormat::ahap_pair) return pair_back(written, name, target);
     auto read = read_effects(written.text, path, target.map);
     if (!read) return read.error();
-    if (read->effects.empty()) return Error{path + ": expected an effect, there is none"};
+    if (read->effects.empty()) return Error{path + ": expected an effect, found none"};
     return std::move(read->effects.front());
 }
 

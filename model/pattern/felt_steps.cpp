@@ -15,7 +15,7 @@ constexpr const char* kIsrar = "Israr, Tan & Reed 2006";
 constexpr const char* kOurs = "ours";
 
 constexpr std::array<FeltSource, kPatternParameters.size()> kSources{
-    {{"Craig 1972, as it is cited", false},
+    {{"Craig 1972, as cited", false},
      {kIsrar, false},
      {kIsrar, false},
      {kOurs, true},

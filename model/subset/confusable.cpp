@@ -90,9 +90,9 @@ const char* words_of(PairVerdict verdict) {
 const char* sentence_of(PairVerdict verdict) {
     switch (verdict) {
         case PairVerdict::same:
-            return "No number differs by a felt step, nor does anything else.";
+            return "No number differs by a felt step, and nothing but numbers differs.";
         case PairVerdict::close:
-            return "No number differs by two felt steps, nor does anything else.";
+            return "No number differs by two felt steps, and nothing but numbers differs.";
         case PairVerdict::clear:
             return "A number differs by two felt steps or more.";
         case PairVerdict::shape:

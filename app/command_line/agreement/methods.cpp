@@ -76,7 +76,7 @@ std::string foot_of_uncertainty(const SetAgreement& set) {
              : draws_text() + ", " + seed_text(kUncertainty.pattern_seed)) +
         ", maps not made again";
     const std::size_t people = set.table.uncertainty.people;
-    if (people == 0) return text + "; nothing over people, of whom there are not two\n";
+    if (people == 0) return text + "; no interval over people: it takes two or more\n";
     return text + ";\nother people, as many: jackknife of " + std::to_string(people) +
            ", Student's t of " + std::to_string(people - 1) +
            "; both: bootstrap of both at once (of K " + std::to_string(kUncertainty.map_draws) +
@@ -101,7 +101,7 @@ std::string foot_of_given(const SetAgreement& set) {
     std::string text;
     for (const Given& one : set.table.given) {
         if (!std::isnan(one.rho_alone)) continue;
-        text += one.name + ": no partial rho, as it is the same for every rated pair\n";
+        text += one.name + ": no partial rho, because it is the same for every rated pair\n";
     }
     return text +
            "partial rank correlation (Kendall 1942); interval: bootstrap over patterns, "

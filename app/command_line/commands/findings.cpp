@@ -172,7 +172,7 @@ std::string text_of(const std::vector<VariantOutcome>& all) {
            fixed_digits(all.front().morse_pm, 3) +
            ".\nThe model stays as published until people have felt such patterns: these were "
            "heard. "
-           "Of equals the one nearest to the published comes first.\n"
+           "Among equals the one nearest to the published values comes first.\n"
            "rho: Spearman's, interval by bootstrap over patterns (2,000 draws, seed 2); K: "
            "alienation of maps of three dimensions.\n";
 }

@@ -64,8 +64,8 @@ Expected<fs::path> tiles_file(const PredictCommand& command) {
     std::error_code none;
     if (!command.resume && fs::exists(file, none)) {
         return Error{file.string() +
-                     ": holds what an earlier run finished; add --resume to go on with it, or "
-                     "remove it to start anew"};
+                     ": holds what an earlier run finished; add --resume to continue it, or "
+                     "remove it to start again"};
     }
     return file;
 }

@@ -347,14 +347,14 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
 
 Expected<Done> run(const SubsetCommand& command) {
     if (command.draws > 0 && !is_by_pm(command)) {
-        return Error{"--sensitivity is for pm: nothing else has the model's parameters"};
+        return Error{"--sensitivity is for pm: only PM has the model's parameters"};
     }
     const bool is_metric = command.matrix.empty() && command.ratings.empty();
     for (const auto& [option, value] : {std::pair("--rendered-by", &command.common.rendered_by),
                                         std::pair("--exported-as", &command.common.exported_as)}) {
         if (is_metric || value->empty()) continue;
         return Error{std::string(option) +
-                     " is for a metric: what people rated, or a matrix holds, is as it is"};
+                     " is for a metric: ratings and matrices are taken unchanged"};
     }
     const Interrupt interrupt;
     Expected<Source> source = source_of(command, interrupt.token());

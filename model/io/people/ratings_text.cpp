@@ -251,7 +251,7 @@ std::optional<double> rating_in(const std::string& field) {
 }
 
 std::string expected_rating(const std::string& field) {
-    return "expected a rating, or nothing where there is none, got " + in_quotes(field);
+    return "expected a rating, or an empty cell, got " + in_quotes(field);
 }
 
 void find_columns(const CsvRecord& head, std::initializer_list<NamedColumn> wanted) {

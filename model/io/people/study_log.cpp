@@ -81,8 +81,7 @@ Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& rec
     if (!now) return now.error();
     if (now->header != record.header || now->devices != record.devices ||
         answers_given(*now) != answers_given(record)) {
-        return Error{path.string() +
-                     ": has changed meanwhile, expected to go on where it was left"};
+        return Error{path.string() + ": has changed meanwhile; expected the file as it was left"};
     }
     std::size_t end = whole_lines(*text);
     if (now->is_torn || end == text->size()) {

@@ -139,10 +139,10 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
     if (header.version != kVersion || header.byte_order != kByteOrder) {
         return fault(path_,
                      "was written by another version of tactspace or on another kind of "
-                     "machine; remove it to start anew");
+                     "machine; remove it to start again");
     }
     if (header.key != key) {
-        return fault(path_, what_differs(header.key, key) + "; remove it to start anew");
+        return fault(path_, what_differs(header.key, key) + "; remove it to start again");
     }
     Record record;
     end_ = sizeof header;

@@ -201,7 +201,7 @@ TEST_CASE("subset command: names that are none, and wishes that cannot be, are r
     CHECK(refusal({"--drop", "a", "--drop", "b"}) ==
           "tactspace: 3 to pick of 2: expected at most as many\n");
     CHECK(refusal({"--metric", "nc", "--sensitivity", "5"}) ==
-          "tactspace: --sensitivity is for pm: nothing else has the model's parameters\n");
+          "tactspace: --sensitivity is for pm: only PM has the model's parameters\n");
     const std::string matrix = short_set.folder.write("m.csv", ",a,b\na,0,1\nb,1,0\n").string();
     CHECK(refusal({"--matrix", matrix}).find("expected a row \"c\"") != std::string::npos);
     CHECK(run_program({"subset", short_set.path}).exit_code == 2);

@@ -117,7 +117,7 @@ TEST_CASE("ratings file: what breaks the rules is named, with its place") {
     CHECK(fault(",a,b\na,0,1\nb,1,0\nc,1,0\n") ==
           "r.csv:4: expected as many rows as columns, got more");
     CHECK(fault(",a,b\na,0,much\nb,1,0\n") ==
-          "r.csv:2: expected a rating, or nothing where there is none, got \"much\"");
+          "r.csv:2: expected a rating, or an empty cell, got \"much\"");
     CHECK(fault("1,2,3\n1,2\n") == "r.csv:2: expected 3 ratings, as in the first row, got 2");
     CHECK(fault("1,2,3,4\n") ==
           "r.csv:1: expected a square, or the n(n-1)/2 pairs of n patterns in every row, got 1 "
