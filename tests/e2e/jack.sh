@@ -16,7 +16,7 @@ start_server() {
     children+=("$server")
     until_true "the server is listed" is_listed
 }
-is_listed() { "$program" devices 2>"$scratch/noise" | grep -q "^audio/JACK/system "; }
+is_listed() { "$program" devices 2>"$scratch/noise" | grep "^audio/JACK/system " >/dev/null; }
 
 is_ready() { grep -q ready "$scratch/ready" 2>/dev/null; }
 start_capture() {

@@ -33,5 +33,5 @@ stop_capture() {
     sleep 0.1
 }
 
-sounds_on() { pactl list short sink-inputs | grep -q .; }
-is_listed() { "$program" devices 2>"$scratch/noise" | grep -q "^audio/ALSA/pulse "; }
+sounds_on() { pactl list short sink-inputs | grep . >/dev/null; }
+is_listed() { "$program" devices 2>"$scratch/noise" | grep "^audio/ALSA/pulse " >/dev/null; }

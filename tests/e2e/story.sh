@@ -3,7 +3,7 @@
 #
 # Everything waits for what it expects, up to a deadline; no story relies on how fast a machine is.
 if declare -F until_true >/dev/null; then return 0; fi
-set -euo pipefail
+set -euo pipefail # so "| grep -q" is no test: it ends what it reads from, which then failed
 
 program=$1
 looks=3000  # most of them 0.1 s apart, at least
