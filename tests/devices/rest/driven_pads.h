@@ -1,8 +1,11 @@
 // Pads of every kind, each with its neutral packet, and what tells whether they are driven.
 #pragma once
 
+#include <sys/wait.h>
+
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -73,5 +76,22 @@ inline std::chrono::steady_clock::time_point rested_at(const MockBench& bench, c
     return first < written.size() ? written[first].at
                                   : std::chrono::steady_clock::time_point::max();
 }
+
+// A child of this test's.
+struct Process {
+    pid_t pid = 0;
+    std::optional<int> ended;  // as waitpid says it
+
+    bool has_ended() {
+        int how = 0;
+        if (!ended && waitpid(pid, &how, WNOHANG) == pid) ended = how;
+        return ended.has_value();
+    }
+    bool is_halted() const {
+        siginfo_t about{};
+        return waitid(P_PID, static_cast<id_t>(pid), &about, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+               about.si_pid == pid;
+    }
+};
 
 }  // namespace tact

@@ -29,21 +29,8 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 // The program, playing on one pad.
-struct Player {
-    pid_t pid = 0;
-    std::optional<int> ended;  // as waitpid says it
+struct Player : Process {
     int terminal = -1;
-
-    bool has_ended() {
-        int how = 0;
-        if (!ended && waitpid(pid, &how, WNOHANG) == pid) ended = how;
-        return ended.has_value();
-    }
-    bool is_halted() const {
-        siginfo_t about{};
-        return waitid(P_PID, static_cast<id_t>(pid), &about, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
-               about.si_pid == pid;
-    }
 };
 
 std::vector<std::string> command_on(const Kind& kind, const std::string& set) {

@@ -67,22 +67,6 @@ Clock::time_point press(const std::string& key) {
     return Clock::now();
 }
 
-struct Window {
-    pid_t pid = 0;
-    std::optional<int> ended;  // as waitpid says it
-
-    bool has_ended() {
-        int how = 0;
-        if (!ended && waitpid(pid, &how, WNOHANG) == pid) ended = how;
-        return ended.has_value();
-    }
-    bool is_halted() const {
-        siginfo_t about{};
-        return waitid(P_PID, static_cast<id_t>(pid), &about, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
-               about.si_pid == pid;
-    }
-};
-
 std::string id_of(const Kind& kind) {
     for (const HidActuator& actuator : hid_actuators()) {
         if (actuator.name == kind.name) return lasting_id(actuator);
@@ -91,7 +75,7 @@ std::string id_of(const Kind& kind) {
 }
 
 // A window with the controller chosen, which plays over and over.
-Window playing(const TemporaryFolder& folder, MockBench& bench, const Kind& kind) {
+Process playing(const TemporaryFolder& folder, MockBench& bench, const Kind& kind) {
     const std::string id = id_of(kind);
     REQUIRE(!id.empty());
     folder.write("state/tactspace/session.json",
@@ -105,7 +89,7 @@ Window playing(const TemporaryFolder& folder, MockBench& bench, const Kind& kind
     const std::string places = (folder.path / "rects").string();
     setenv("XDG_STATE_HOME", (folder.path / "state").c_str(), 1);
     setenv("TACTSPACE_WIDGET_RECTS", places.c_str(), 1);
-    Window window;
+    Process window;
     window.pid =
         started({std::getenv("TACTSPACE_PROGRAM"), set.string()}, (folder.path / "said").string());
     CHECK_MESSAGE(soon([&] {
@@ -127,22 +111,22 @@ Clock::time_point send(pid_t pid, int signal) {
 
 struct Ending {
     const char* name;
-    std::function<Clock::time_point(const Screen&, const Window&)> act;  // when it began
+    std::function<Clock::time_point(const Screen&, const Process&)> act;  // when it began
     int wanted;  // the exit code, or minus the signal
 };
 
 Ending signalled(const char* name, int signal, int wanted) {
     return {name,
-            [signal](const Screen&, const Window& window) { return send(window.pid, signal); },
+            [signal](const Screen&, const Process& window) { return send(window.pid, signal); },
             wanted};
 }
 
 std::vector<Ending> endings() {
-    return {{"Ctrl+Q", [](const Screen&, const Window&) { return press("ctrl+q"); }, 0},
+    return {{"Ctrl+Q", [](const Screen&, const Process&) { return press("ctrl+q"); }, 0},
             signalled("SIGTERM", SIGTERM, -SIGTERM),
             signalled("SIGABRT", SIGABRT, -SIGABRT),
             {"its display is killed",
-             [](const Screen& screen, const Window&) { return send(screen.pid, SIGKILL); }, 1},
+             [](const Screen& screen, const Process&) { return send(screen.pid, SIGKILL); }, 1},
             signalled("SIGTSTP", SIGTSTP, -SIGTERM)};
 }
 
@@ -151,7 +135,7 @@ Clock::duration time_to_rest(const Ending& ending, const Kind& kind) {
     MockBench bench({kind.pad});
     const Screen screen = screen_in(folder);
     setenv("DISPLAY", screen.name.c_str(), 1);
-    Window window = playing(folder, bench, kind);
+    Process window = playing(folder, bench, kind);
     const Clock::time_point acted = ending.act(screen, window);
     CHECK_MESSAGE(soon([&] { return is_at_rest(bench, kind); }), "it is never neutral");
     if (std::string_view(ending.name) == "SIGTSTP") {
