@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "model/common/simd_choice.h"
 #include "model/signal/four_lanes.h"
 
 namespace tact {
@@ -56,7 +57,7 @@ std::span<const WindowSummer> window_summers() {
 
 std::vector<double> rhythm_envelope(std::span<const double> samples_g,
                                     const EnvelopeParams& params) {
-    static const auto sum = window_summers().front().sum;
+    static const auto sum = kernel_of(window_summers(), simd_wish()).sum;
     const std::size_t n = samples_g.size();
     // A centred window looks half its length ahead.
     const std::size_t ahead =

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "model/common/simd_choice.h"
 #include "model/physiology/spike_train.h"
 #include "model/signal/four_lanes.h"
 #include "model/signal/waveform.h"
@@ -153,7 +154,7 @@ std::vector<Section> channel_sections(Receptor receptor, const NeuralCodingParam
 PerReceptor<std::vector<double>> channel_energy_fractions(std::span<const double> input_g,
                                                           double input_energy,
                                                           const NeuralCodingParams& params) {
-    static const auto run = channel_runners().front().run;
+    static const auto run = kernel_of(channel_runners(), simd_wish()).run;
     return run(input_g, input_energy, params);
 }
 
