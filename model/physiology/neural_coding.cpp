@@ -37,9 +37,6 @@ std::vector<double> perceived_waveform(const std::vector<double>& filtered_g, bo
     return perceived;
 }
 
-// How much of the way is kept for looking at.
-enum class Kept { stages, layers };
-
 // What a step brings to the square of `half_width` around the centre.
 RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::size_t step) {
     RelayLayer layer = empty_layer(half_width);
@@ -84,12 +81,13 @@ class Watched {
 
 // Counts of the central neuron per step, all layers kept or those of the cone that can reach it.
 std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
-                               const NeuralCodingParams& params, Kept kept, Watched& watched) {
+                               const NeuralCodingParams& params, KeepLayers keep,
+                               Watched& watched) {
     const int cone = params.excitatory_layers + params.inhibitory_layers;
     const int half_width = std::min(channel.grid.half_width, cone);
     std::vector<int> central(steps, 0);
     for (std::size_t step = 0; step < steps && !watched.is_stopped(); ++step) {
-        if (kept == Kept::layers) {
+        if (keep == KeepLayers::all) {
             channel.layers.push_back(relay_layers(channel, step, params));
             central[step] = central_count(channel.layers.back().back().centre());
         } else {
@@ -181,27 +179,6 @@ void mark_central_spikes(NeuralCode& code, Receptor receptor) {
     }
 }
 
-NeuralCodingStages code_with_stages(const Waveform& waveform, const NeuralCodingParams& params,
-                                    Kept kept, const CodingOptions& options) {
-    const ChannelInput input = channel_input(waveform, params);
-    NeuralCodingStages stages;
-    stages.components = input.components;
-    const std::size_t steps = step_count(input.input_g.size());
-    stages.code.central_spikes.assign(steps * kStepSamples, 0);
-    stages.code.activation = activations(input.components, params);
-    Watched watched(options, steps);
-    for (const Receptor receptor : kReceptors) {
-        if (watched.is_stopped()) break;
-        const std::size_t c = index_of(receptor);
-        ChannelStages& channel = stages.channel[c];
-        channel = code_channel(input, receptor, stages.code.activation[c], params, watched);
-        stages.code.activated[c] = channel.grid.activated;
-        stages.code.central_count[c] = relay_channel(channel, steps, params, kept, watched);
-        mark_central_spikes(stages.code, receptor);
-    }
-    return stages;
-}
-
 // Value of the brain waveform for every pattern of channels that fire.
 std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight) {
     std::array<double, 16> levels{};
@@ -240,8 +217,23 @@ NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& param
 
 NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
                                         KeepLayers keep, const CodingOptions& options) {
-    return code_with_stages(waveform, params, keep == KeepLayers::all ? Kept::layers : Kept::stages,
-                            options);
+    const ChannelInput input = channel_input(waveform, params);
+    NeuralCodingStages stages;
+    stages.components = input.components;
+    const std::size_t steps = step_count(input.input_g.size());
+    stages.code.central_spikes.assign(steps * kStepSamples, 0);
+    stages.code.activation = activations(input.components, params);
+    Watched watched(options, steps);
+    for (const Receptor receptor : kReceptors) {
+        if (watched.is_stopped()) break;
+        const std::size_t c = index_of(receptor);
+        ChannelStages& channel = stages.channel[c];
+        channel = code_channel(input, receptor, stages.code.activation[c], params, watched);
+        stages.code.activated[c] = channel.grid.activated;
+        stages.code.central_count[c] = relay_channel(channel, steps, params, keep, watched);
+        mark_central_spikes(stages.code, receptor);
+    }
+    return stages;
 }
 
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
