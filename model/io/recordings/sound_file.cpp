@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "model/common/range.h"
@@ -171,28 +172,34 @@ Expected<SoundFile> sound_of_recording(Expected<Recording> read) {
     return sound;
 }
 
+// By what it begins with.
+bool is_sound(std::string_view head, RecordingKind kind) {
+    const auto begins = [head](std::string_view text) { return head.starts_with(text); };
+    const bool is_mp3 = begins("ID3") || (head.size() > 1 && head[0] == '\xFF' &&
+                                          (static_cast<unsigned char>(head[1]) & 0xE0U) == 0xE0U &&
+                                          head[1] != '\xFE' && head[1] != '\xFF');
+    return kind == RecordingKind::wave || begins("fLaC") || begins("OggS") || begins("FORM") ||
+           begins(".snd") || begins("caff") || is_mp3;
+}
+
 }  // namespace
 
 bool is_sound_file(const fs::path& path) {
     const std::string head = head_of_file(path);
-    const auto begins = [&head](std::string_view text) { return head.starts_with(text); };
-    const bool is_mp3 = begins("ID3") || (head.size() > 1 && head[0] == '\xFF' &&
-                                          (static_cast<unsigned char>(head[1]) & 0xE0U) == 0xE0U &&
-                                          head[1] != '\xFE' && head[1] != '\xFF');
-    return recording_kind(path) == RecordingKind::wave || begins("fLaC") || begins("OggS") ||
-           begins("FORM") || begins(".snd") || begins("caff") || is_mp3;
+    return is_sound(head, recording_kind(path, head));
 }
 
 Expected<SoundFile> read_sound_file(const fs::path& path) {
-    if (recording_kind(path) == RecordingKind::wave) {
+    const std::string head = head_of_file(path);
+    const RecordingKind kind = recording_kind(path, head);
+    if (kind == RecordingKind::wave) {
         const auto read = read_wave_channels(path);
         return read ? sound_of(path, *read) : Expected<SoundFile>(read.error());
     }
-    const std::string extension = extension_of(path);
-    if (!is_sound_file(path) && extension == ".csv") {
+    if (!is_sound(head, kind) && extension_of(path) == ".csv") {
         return sound_of_recording(read_acceleration_file(path));
     }
-    if (recording_kind(path) == RecordingKind::text) {
+    if (kind == RecordingKind::text) {
         auto sound = sound_of_recording(read_recording(path));
         if (sound && !(peak_g(sound->waveform) > 0.0)) return Error{path.string() + ": is silent"};
         return sound;
