@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <memory>
 #include <set>
 
 #include "model/text/numbers.h"
@@ -226,42 +225,44 @@ std::string read_list(std::string_view list, const ListPlace& place, std::uint64
     return {};
 }
 
-struct EndInflate {
-    void operator()(z_stream* stream) const {
-        inflateEnd(stream);
-        delete stream;
+struct Inflater {
+    z_stream stream{};
+    bool is_ready = inflateInit2(&stream, -MAX_WBITS) == Z_OK;
+
+    Inflater() = default;
+    Inflater(const Inflater&) = delete;  // zlib keeps the stream's place
+    Inflater& operator=(const Inflater&) = delete;
+    ~Inflater() {
+        if (is_ready) inflateEnd(&stream);
     }
 };
 
 // At most `most` bytes; fewer where the packed bytes end, or are wrong.
 std::string inflated(std::ifstream& stream, std::uint64_t at, std::uint64_t packed,
                      std::size_t most) {
-    auto* raw = new z_stream{};
-    if (inflateInit2(raw, -MAX_WBITS) != Z_OK) {
-        delete raw;
-        return {};
-    }
-    const std::unique_ptr<z_stream, EndInflate> inflater(raw);
+    Inflater inflater;
+    if (!inflater.is_ready) return {};
+    z_stream& raw = inflater.stream;
     constexpr std::size_t kPiece = std::size_t{1} << 16;
     std::string result;
     std::string piece;
     std::array<char, kPiece> out{};
     for (int state = Z_OK; state == Z_OK && result.size() < most;) {
-        if (raw->avail_in == 0) {
+        if (raw.avail_in == 0) {
             piece = bytes_at(stream, at,
                              static_cast<std::size_t>(std::min<std::uint64_t>(kPiece, packed)));
             if (piece.empty()) break;
             at += piece.size();
             packed -= piece.size();
-            raw->next_in = reinterpret_cast<Bytef*>(piece.data());
-            raw->avail_in = static_cast<uInt>(piece.size());
+            raw.next_in = reinterpret_cast<Bytef*>(piece.data());
+            raw.avail_in = static_cast<uInt>(piece.size());
         }
-        raw->next_out = reinterpret_cast<Bytef*>(out.data());
-        raw->avail_out = static_cast<uInt>(std::min(kPiece, most - result.size()));
-        const std::size_t room = raw->avail_out;
-        state = inflate(raw, Z_NO_FLUSH);
+        raw.next_out = reinterpret_cast<Bytef*>(out.data());
+        raw.avail_out = static_cast<uInt>(std::min(kPiece, most - result.size()));
+        const std::size_t room = raw.avail_out;
+        state = inflate(&raw, Z_NO_FLUSH);
         if (state == Z_BUF_ERROR) state = Z_OK;
-        result.append(out.data(), room - raw->avail_out);
+        result.append(out.data(), room - raw.avail_out);
     }
     return result;
 }
