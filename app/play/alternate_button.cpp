@@ -120,8 +120,7 @@ void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, Pl
     tip +=
         "Plays the current pattern, A, and its partner, B, in turn; X swaps them. The partner is "
         "the pattern compared with; without one, the pattern chosen in the matrix or map, or the "
-        "closest "
-        "one.";
+        "closest one.";
     draw_tooltip(ui, tip.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (play.alternates || over) {

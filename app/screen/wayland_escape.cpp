@@ -5,7 +5,6 @@
 #include <unistd.h>
 #include <wayland-client.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>

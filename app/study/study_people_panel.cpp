@@ -118,8 +118,7 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
     if (!settling.change.empty()) {
         text += " " + of_people("K ", answers.results->mark) +
                 significant(settling.change.front(), 2) +
-                " over the last trials, as many as there "
-                "are patterns.";
+                " over the last trials, as many as there are patterns.";
     }
     small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text, text, "study:settling");
 }

@@ -12,7 +12,6 @@ namespace tact {
 inline constexpr std::size_t kLanes = 4;
 
 // Aligned as every allocation is, whatever the allocator knows of wider types.
-
 using FourLanes = double __attribute__((vector_size(32), aligned(16)));
 // In a container: without the struct, templates drop the alignment.
 struct FourValues {

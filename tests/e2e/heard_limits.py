@@ -6,8 +6,7 @@ nothing of the program but what its manual says.
 Patterns of one kind play at once, each on a channel of its own. Where the program, the server or the
 recorder was too slow, those that it struck play once more: there the program tells of gaps, or the
 recording has a hole; so does a stop without its fade. Anything else that is not as it must be fails at
-once, also where it would not be
-so the next time: a limit that is exceeded now and then is exceeded.
+once, also where it would be right the next time: a limit that is exceeded now and then is exceeded.
 """
 import json
 import os
