@@ -5,7 +5,6 @@
 
 #include "model/common/portable.h"
 #include "model/common/units.h"
-#include "model/physiology/activations.h"
 #include "model/physiology/log_curve.h"
 
 namespace tact {
@@ -72,11 +71,6 @@ PerReceptor<Activation> activations(const std::vector<Component>& components,
     }
     for (Activation& one : result) one = with_radius(one);
     return result;
-}
-
-Activation activation(const std::vector<Component>& components, Receptor receptor,
-                      const NeuralCodingParams& params) {
-    return activations(components, params)[index_of(receptor)];
 }
 
 double rate_at_hz(const Activation& activation, double distance_mm) {

@@ -51,8 +51,9 @@ struct Activation {
     bool operator==(const Activation&) const = default;
 };
 
-Activation activation(const std::vector<Component>& components, Receptor receptor,
-                      const NeuralCodingParams& params);
+// How the receptors of all types are driven.
+PerReceptor<Activation> activations(const std::vector<Component>& components,
+                                    const NeuralCodingParams& params);
 
 // Mean rate at a distance from the centre, impulses/s.
 double rate_at_hz(const Activation& activation, double distance_mm);

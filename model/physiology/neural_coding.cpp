@@ -7,7 +7,6 @@
 #include <iterator>
 #include <map>
 
-#include "model/physiology/activations.h"
 #include "model/physiology/channel_energies.h"
 #include "model/physiology/nc_matrix.h"
 #include "model/signal/butterworth.h"

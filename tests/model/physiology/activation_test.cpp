@@ -15,7 +15,7 @@ Activation of_tone(double amplitude_g, double frequency_hz, Receptor receptor,
     pattern.amplitude_g = amplitude_g;
     pattern.carriers[0].frequency_hz = frequency_hz;
     const auto spectrum = amplitude_spectrum(without_mean(render(pattern).samples_g), kModelRateHz);
-    return activation(components(spectrum, params), receptor, params);
+    return activations(components(spectrum, params), params)[index_of(receptor)];
 }
 
 }  // namespace
