@@ -15,16 +15,16 @@
 
 namespace tact {
 
-inline bool is_python_ending() {
-#if PY_VERSION_HEX >= 0x030D0000
-    return Py_IsFinalizing() != 0;
-#else
-    return _Py_IsFinalizing() != 0;
-#endif
-}
+// Says that the interpreter ends, for its atexit: until this returns, who was about to take the
+// lock back has it. Later the interpreter would end such a thread in the middle of our frames.
+void end_beside_python();
 
-// Parks a thread that the interpreter no longer waits for: taking the lock back would end the
-// thread in the middle of our frames. Its work is stopped, and it sleeps until the process is over.
+// Takes the interpreter's lock back for this thread; false, and without it, where the interpreter
+// ends and the thread is none that ends it.
+bool take_lock_back(PyThreadState* own);
+
+// Parks a thread that the interpreter no longer waits for. Its work is stopped, and it sleeps until
+// the process is over.
 template <class Answer>
 void stay_behind(std::jthread& worker, std::future<Answer>& answer) {
     worker.request_stop();
@@ -44,8 +44,7 @@ auto beside_python(Work work) {
         PyThreadState* const own = PyEval_SaveThread();  // others go on
         const bool done =
             answer.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
-        if (is_python_ending()) stay_behind(worker, answer);
-        PyEval_RestoreThread(own);
+        if (!take_lock_back(own)) stay_behind(worker, answer);
         return done;
     };
     while (!is_done()) {

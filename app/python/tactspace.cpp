@@ -176,6 +176,7 @@ PYBIND11_MODULE(tactspace, module) {
     const py::tuple nobody;
     module.doc() = help::kModule;
     module.attr("__version__") = TACT_VERSION;
+    py::module_::import("atexit").attr("register")(py::cpp_function(end_beside_python));
     py::list metrics;
     for (const Metric metric : kMetrics) metrics.append(traits(metric).key);
     module.attr("metrics") = py::tuple(metrics);

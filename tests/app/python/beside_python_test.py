@@ -27,11 +27,25 @@ for _ in range(200000): pass
 """
 
 
+# Registered before the module, so called after it was told of the end.
+WORKS_AT_THE_END = """
+import atexit, numpy as np
+def last():
+    print(tactspace.predict(np.random.default_rng(1).normal(size=(3, 2000))).shape)
+atexit.register(last)
+import tactspace
+"""
+
+
 class BesidePython(unittest.TestCase):
     def test_an_interpreter_that_ends_leaves_a_daemons_work_in_peace(self):
         for _ in range(5):
             done = subprocess.run([sys.executable, "-c", ENDS_WHILE_IT_WORKS], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_what_ends_the_interpreter_may_still_work(self):
+        done = subprocess.run([sys.executable, "-c", WORKS_AT_THE_END], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "(3, 3)\n", ""))
 
     def setUp(self):
         # As in an interpreter that was started by hand; a background job ignores it.
