@@ -168,13 +168,26 @@ Error with_columns_option(Error error) {
     return error;
 }
 
-Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written) {
-    Expected<LabelledMatrix> matrix = read_matrix_file(file, written);
-    if (!matrix) return matrix;
-    for (const std::string& remark : matrix->remarks) {
+namespace {
+
+// Says how a table was understood, if it was read.
+template <class Table>
+Expected<Table> with_its_remarks(const std::filesystem::path& file, Expected<Table> table) {
+    if (!table) return table;
+    for (const std::string& remark : table->remarks) {
         std::cerr << "tactspace: " << shown_text(file.string() + ": " + remark) << "\n";
     }
-    return matrix;
+    return table;
+}
+
+}  // namespace
+
+Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written) {
+    return with_its_remarks(file, read_matrix_file(file, written));
+}
+
+Expected<LabelledPoints> told_points(const std::filesystem::path& file, const TableHints& written) {
+    return with_its_remarks(file, read_coordinates_file(file, written));
 }
 
 Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,

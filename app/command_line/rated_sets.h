@@ -11,6 +11,7 @@
 #include "app/rendering/labels.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/people/foreign_answers.h"
+#include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/pattern_set.h"
 #include "model/study/who_counts.h"
@@ -48,7 +49,8 @@ Expected<AnswerColumns> told_columns(const std::string& columns, const TableHint
 // What could not be read of ratings, with the option that names their columns where that helps.
 Error with_columns_option(Error error);
 
-// A matrix file; how it was understood is told on standard error.
+// Files of coordinates, and of a matrix; how each was understood is told on standard error.
+Expected<LabelledPoints> told_points(const std::filesystem::path& file, const TableHints& written);
 Expected<LabelledMatrix> told_matrix(const std::filesystem::path& file, const TableHints& written);
 
 // How far apart the patterns of these names are by a matrix that may have others and another order.

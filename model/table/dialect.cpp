@@ -104,14 +104,33 @@ bool holds_two_numbers(const Rows& rows) {
     });
 }
 
+// As many cells in each row, and several.
+bool is_even(const Rows& rows) {
+    return !rows.empty() && rows[0].size() > 1 &&
+           std::ranges::all_of(rows,
+                               [&rows](const auto& row) { return row.size() == rows[0].size(); });
+}
+
+bool begins_with_comma(const Rows& rows) {
+    return std::ranges::any_of(rows, [](const auto& row) {
+        return std::ranges::any_of(row,
+                                   [](const std::string& cell) { return cell.starts_with(','); });
+    });
+}
+
 char separator_of(std::string_view text) {
-    for (const char one : {';', '\t'}) {
-        if (is_split(sampled(text, one))) return one;
-    }
     const Rows by_comma = sampled(text, ',');
+    for (const char one : {';', '\t'}) {
+        // Names may have semicolons of their own.
+        const Rows rows = sampled(text, one);
+        if (is_split(rows) && (is_even(rows) || !is_even(by_comma))) return one;
+    }
     const bool any_comma =
         std::ranges::any_of(by_comma, [](const auto& row) { return row.size() > 1; });
-    return any_comma && !holds_two_numbers(by_comma) ? ',' : ' ';
+    if (!any_comma || holds_two_numbers(by_comma)) return ' ';
+    // Words between blanks, and commas in numbers alone.
+    const Rows by_blank = sampled(text, ' ');
+    return !is_even(by_comma) && is_even(by_blank) && !begins_with_comma(by_blank) ? ' ' : ',';
 }
 
 // What a cell says of the decimal sign.

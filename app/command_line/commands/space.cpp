@@ -12,7 +12,6 @@
 #include "app/command_line/rated_sets.h"
 #include "app/pictures/pictures.h"
 #include "model/evaluation/metric_comparison.h"
-#include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/map/alienation.h"
 #include "model/map/mds.h"
@@ -107,10 +106,10 @@ Expected<Mappable> mappable(const SpaceCommand& command) {
 }
 
 // Errors: fewer than three patterns in common; maps that cannot lie upon each other.
-Expected<OnOtherMap> aligned_to(const std::filesystem::path& file,
-                                const std::vector<std::string>& names,
-                                const Eigen::MatrixXd& points, int threads) {
-    const Expected<LabelledPoints> other = read_coordinates_file(file);
+Expected<OnOtherMap> aligned_to(const SpaceCommand& command, const std::vector<std::string>& names,
+                                const Eigen::MatrixXd& points) {
+    const std::filesystem::path& file = command.align_to;
+    const Expected<LabelledPoints> other = told_points(file, command.ratings.written);
     if (!other) return other.error();
     const std::string where = "--align-to " + file.string() + ": ";
     if (other->points.cols() != points.cols()) {
@@ -132,7 +131,7 @@ Expected<OnOtherMap> aligned_to(const std::filesystem::path& file,
     const Eigen::MatrixXd own = points(result.rows, Eigen::all);
     result.target = other->points(theirs, Eigen::all);
     PermutationParams params = kProtest;
-    params.threads = threads;
+    params.threads = command.common.threads;
     const auto k = alienation(own, result.target);
     const auto test = protest(result.target, own, params);
     if (!k || !test) return Error{where + (k ? test.error() : k.error()).message};
@@ -231,8 +230,7 @@ Expected<Done> run(const SpaceCommand& command) {
     PerceptualSpace space = nonmetric_mds(of->apart, params);
     std::optional<OnOtherMap> alignment;
     if (!command.align_to.empty()) {
-        Expected<OnOtherMap> on =
-            aligned_to(command.align_to, labels, space.points, command.common.threads);
+        Expected<OnOtherMap> on = aligned_to(command, labels, space.points);
         if (!on) return on.error();
         space.points = transformed(on->fit, space.points);
         alignment = *std::move(on);

@@ -16,7 +16,6 @@
 #include "app/session/program_version.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_file.h"
-#include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/map/smacof.h"
 #include "model/perceptual_model/perceptual_model.h"
@@ -78,7 +77,7 @@ Expected<Dissimilarity> truth_for(const StudyCommand& command, const PatternSet&
         return in_order(*matrix, command.from_matrix, names);
     }
     if (!command.from_map.empty()) {
-        const Expected<LabelledPoints> map = read_coordinates_file(command.from_map);
+        const Expected<LabelledPoints> map = told_points(command.from_map, command.written);
         if (!map) return map.error();
         const LabelledMatrix matrix{map->labels, {map->labels.size(), distances(map->points)}};
         return in_order(matrix, command.from_map, names);
