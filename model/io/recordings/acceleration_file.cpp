@@ -142,11 +142,19 @@ Expected<Axes> read_table(const fs::path& path, const AccelerationOptions& optio
     TableText decoded = table_text(*std::move(text));
     auto table =
         parse_acceleration_table(decoded.text, path.string(), !options.rate_hz, options.table);
+    const TableEncoding encoding = decoded.encoding;
     decoded = {};  // what follows needs the memory
     if (!table) return table.error();
+    const bool is_usual = table->dialect.separator == ' ' && table->dialect.decimal == '.' &&
+                          encoding == TableEncoding::utf8;
+    const std::string words = words_on(table->dialect, encoding);
+    if (!words.empty() && !is_usual) remarks.push_back("read with " + words);
     Axes axes;
     if (options.rate_hz) {
         axes.rate_hz = *options.rate_hz;
+    } else if (table->time.empty() && table->rate_hz) {
+        axes.rate_hz = *table->rate_hz;
+        remarks.push_back(printed("rate of %.6g Hz, as a comment says", axes.rate_hz));
     } else {
         const Expected<double> rate = rate_of(*table, remarks);
         if (!rate) return Error{path.string() + ": " + rate.error().message};

@@ -27,18 +27,20 @@ struct Layout {
     Fields names;              // one a column; empty: none
     std::string_view heading;  // the line before the numbers
     std::size_t heading_line = 0;
+    bool names_are_comment = false;
+    std::optional<double> rate_hz;  // that a comment says
 };
 
 // Which column is what.
 struct Columns {
-    std::optional<std::size_t> time;
+    std::optional<std::size_t> time;  // or how long after the row before
     std::vector<std::size_t> axes;
 };
 
-// Commas are decimal ones where nothing else can be meant, or somebody says so.
+// Commas are decimal ones where nothing else can be meant, as within a cell between commas, which
+// then stands in quotes; or somebody says so.
 std::optional<double> number_in(std::string field, const Layout& layout) {
-    const char decimal = layout.decimal.value_or(layout.separator == ',' ? '.' : ',');
-    if (decimal == ',') std::ranges::replace(field, ',', '.');
+    if (layout.decimal.value_or(',') == ',') std::ranges::replace(field, ',', '.');
     return finite_number_in(field);
 }
 
@@ -83,7 +85,10 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
-bool is_comment(std::string_view line) { return trimmed(line).starts_with('#'); }
+bool is_comment(std::string_view line) {
+    line = trimmed(line);
+    return line.starts_with('#') || line.starts_with('%');
+}
 
 // Blank lines and comments are passed over.
 CsvRecord next_row(CsvReader& reader) {
@@ -102,21 +107,66 @@ CsvRecord record_of(std::string_view line, char separator) {
     return next_record(reader);
 }
 
+bool names_something(const Fields& names) {
+    return std::ranges::any_of(names, [](const std::string& name) {
+        const std::string word = word_and_unit(name).first;
+        return is_time(word) || is_axis(word);
+    });
+}
+
+// The names of so many columns that a comment holds, as "# t, x, y" does; empty: it is another one.
+Fields names_in_comment(std::string_view comment, char separator, std::size_t columns) {
+    comment = trimmed(comment);
+    comment.remove_prefix(std::min(comment.find_first_not_of("#% \t"), comment.size()));
+    for (const char one : {separator, ',', ';', '\t'}) {
+        Fields names = record_of(comment, one).fields;
+        if (names.size() == columns && names_something(names)) return names;
+    }
+    return {};
+}
+
+// "# sample rate: 2000 Hz", "# sampling_frequency_hz=2000", "# rate 2 kHz".
+std::optional<double> rate_in_comment(std::string_view comment) {
+    const std::string text = lower_case(std::string(comment));
+    std::size_t from = text.find("rate");
+    if (from == text.npos) from = text.find("sampling freq");
+    if (from == text.npos) from = text.find("sample freq");
+    if (from == text.npos) return std::nullopt;
+    const std::size_t begin = text.find_first_of("0123456789", from);
+    if (begin == text.npos) return std::nullopt;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", begin), text.size());
+    const auto number = finite_number_in(text.substr(begin, end - begin));
+    if (!number || !(*number > 0.0)) return std::nullopt;
+    return *number * (text.find("khz", from) != text.npos ? 1000.0 : 1.0);
+}
+
 // Looks for the first line of numbers under any separator, or the one that somebody says; the
 // heading is the line before it.
 std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) {
     constexpr std::size_t kMostLines = 100;  // of a heading
     std::string_view heading;
+    std::string_view comment;
+    std::optional<double> rate_hz;
     std::size_t heading_line = 0;
     for (std::size_t number = 1; !text.empty() && number <= kMostLines; ++number) {
         const std::string_view line = trimmed(take_line(text));
+        if (is_comment(line)) {
+            comment = line;
+            if (const auto rate = rate_in_comment(line)) rate_hz = rate;
+        }
         if (line.empty() || is_comment(line)) continue;
         for (const char separator : {';', '\t', ',', ' '}) {
             if (separator != hints.separator.value_or(separator)) continue;
             if (separator != ' ' && line.find(separator) == line.npos) continue;
             const Fields fields = record_of(line, separator).fields;
-            Layout layout{separator, hints.decimal, number,      fields.size(),
-                          {},        heading,       heading_line};
+            Layout layout;
+            layout.separator = separator;
+            layout.decimal = hints.decimal;
+            layout.first_line = number;
+            layout.columns = fields.size();
+            layout.heading = heading;
+            layout.heading_line = heading_line;
+            layout.rate_hz = rate_hz;
             const auto is_number = [&layout](const std::string& field) {
                 return is_like_a_number(field, layout);
             };
@@ -125,6 +175,10 @@ std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) 
             // Blanks within names: "time (s)" over a column of its own.
             if (names.size() != fields.size() && separator == ' ' && fields.size() == 1) {
                 names = {std::string(heading)};
+            }
+            if (names.empty()) {
+                names = names_in_comment(comment, separator, fields.size());
+                layout.names_are_comment = !names.empty();
             }
             if (names.size() == fields.size()) layout.names = std::move(names);
             return layout;
@@ -249,13 +303,14 @@ struct TableReading {
     Layout layout;
     Columns columns;
     AccelerationTable table;
-    char decimal_sign = 0;  // of the numbers so far; 0: none had one
+    bool has_steps = false;  // in the place of times: how long after the row before
+    char decimal_sign = 0;   // of the numbers so far; 0: none had one
 };
 
 // What is wrong with the decimal sign of a number, or empty: where both signs occur, one of them is
 // no decimal sign.
 std::string sign_fault(TableReading& reading, const std::string& field) {
-    if (reading.layout.separator == ',' || reading.layout.decimal) return {};
+    if (reading.layout.decimal) return {};
     for (const char c : field) {
         if (c != ',' && c != '.') continue;
         if (reading.decimal_sign != 0 && c != reading.decimal_sign) {
@@ -295,6 +350,9 @@ std::string take(const CsvRecord& record, TableReading& reading) {
         table.time_unit_s = 1.0;
     } else if (columns.time) {
         number(*columns.time, "a time", table.time);
+        const std::size_t count = table.time.size();
+        if (reading.has_steps && fault.empty() && count > 1)
+            table.time.back() += table.time[count - 2];
     }
     const std::size_t rows = table.axes.front().size();
     if (fault.empty() && rows > kMaxDecodedSamples / (columns.axes.size() + 1)) {
@@ -378,7 +436,7 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
     text = without_bom(text);
     const std::optional<Layout> layout = layout_of(text, options.written);
     if (!layout) return at_line(file, 1, "expected a line of numbers, got none");
-    TableReading reading{*layout, {}, {}, 0};
+    TableReading reading{*layout, {}, {}};
     CsvReader reader{text, 1, ','};
     for (; reader.line < layout->first_line; ++reader.line) take_line(reader.rest);
     if (const std::string fault = settle_commas(reader, reading.layout); !fault.empty()) {
@@ -388,6 +446,9 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
     auto columns = columns_named(reading.layout, options.columns);
     if (!columns) return at_line(file, layout->first_line, columns.error().message);
     reading.columns = *std::move(columns);
+    if (const auto time = reading.columns.time; time && !reading.layout.names.empty()) {
+        reading.has_steps = is_step_of_time(word_and_unit(reading.layout.names[*time]).first);
+    }
     AccelerationTable& table = reading.table;
     const auto& names = reading.layout.names;
     if (has_times_alone(*layout)) {
@@ -399,8 +460,10 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
     }
     table.axes.resize(reading.columns.axes.size());
     table.time_place = reading.columns.time;
+    table.rate_hz = layout->rate_hz;
     table.axis_places = reading.columns.axes;
-    table.first_line = names.empty() ? layout->first_line : layout->heading_line;
+    table.first_line =
+        names.empty() || layout->names_are_comment ? layout->first_line : layout->heading_line;
     if (const auto fault = take_units(reading.layout, reading.columns, options.time_unit, table);
         !fault.empty()) {
         return at_line(file, layout->first_line, fault);
@@ -416,6 +479,9 @@ Expected<AccelerationTable> parse_acceleration_table(std::string_view text, cons
                                " (with a rate of your own the times do not matter)");
         }
     }
+    table.dialect.separator = reading.layout.separator;
+    table.dialect.decimal =
+        reading.layout.decimal.value_or(reading.decimal_sign == ',' ? ',' : '.');
     return std::move(reading.table);
 }
 

@@ -1,17 +1,18 @@
 // The columns of a table of accelerations: which is the time, which are axes, in what units.
 //
 // Columns are told by names in the line before the first number ("time [ms]", "ax", "acc_y
-// (m/s^2)", "Z", "voltage (V)"); without names by their number: 1 or 3 are axes, 2 or 4 a time and
+// (m/s^2)", "Z", "voltage (V)"), or in the last comment there ("# x, y, z, time diff in ms": a time
+// since the row before); without names by their number: 1 or 3 are axes, 2 or 4 a time and
 // axes.
 //
 // Input     commas, semicolons, tabs or blanks between fields; decimal commas with any but commas,
-//           or in a single column that the line before it names; lines that begin with "#", names
-//           of columns and other lines before the first number. Where commas may be either and
-//           nothing tells, the file is refused, as it is where points and commas occur together.
+//           or in a single column that the line before it names; lines that begin with "#" or "%",
+//           names of columns and other lines before the first number. Where commas may be either
+//           and nothing tells, the file is refused, as it is where points and commas occur
+//           together.
 // Output    errors as "FILE:LINE: expected .."
 // Valid     1 sample and more of any number of axes, kMaxDecodedSamples in all (recording.h); NaN
-// is
-//           refused; so is a unit that a name writes and that is none of ours ("x (mg)", "gal"),
+//           is refused; so is a unit that a name writes and that is none of ours ("x (mg)", "gal"),
 //           for a time as for an axis, and axes of different units
 // Left out  more than one time column; text between the numbers.
 #pragma once
@@ -30,8 +31,10 @@ enum class AccelerationUnit { g, m_per_s2, volt };
 inline constexpr const char* kAccelerationUnits[] = {"g", "m/s2", "V"};
 
 struct AccelerationTable {
+    TableDialect dialect;
     std::vector<double> time;           // as it is written; empty: no column of it
     std::optional<double> time_unit_s;  // that its name says
+    std::optional<double> rate_hz{};    // that a comment before the numbers says
     std::vector<std::vector<double>> axes;
     std::optional<AccelerationUnit> unit;     // that the names of the axes say ...
     std::string unit_column;                  // ... and the first of them that does

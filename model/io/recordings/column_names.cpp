@@ -83,19 +83,30 @@ std::optional<AccelerationUnit> unit_of(const std::string& unit) {
 bool is_time(const std::string& word) {
     return word == "t" || word.starts_with("time") || word.starts_with("zeit") ||
            word.starts_with("elapsed") || word == "second" || word == "seconds" ||
-           word == "millis" || word == "micros";
+           word == "millis" || word == "micros" || word == "dt" || word == "delta t" ||
+           word == "delta_t";
 }
 
-bool is_axis(const std::string& word) {
+bool is_step_of_time(const std::string& word) {
+    if (word == "dt" || word == "delta t" || word == "delta_t") return true;
+    const auto has = [&word](const char* part) { return word.find(part) != word.npos; };
+    return is_time(word) && (has("diff") || has("delta") || has("step") || has("interval"));
+}
+
+bool is_axis(const std::string& whole) {
+    std::string_view word = whole;
+    for (const std::string_view end : {" value", " axis"}) {
+        if (word.ends_with(end)) word.remove_suffix(end.size());
+    }
     if (word.empty()) return false;
     for (const char* letter : {"x", "y", "z"}) {
         for (const char* prefix : {"", "a", "acc", "acc ", "acc_", "accel_", "accel ", "accel",
-                                   "acceleration ", "acceleration_", "axis "}) {
+                                   "acceleration ", "acceleration_", "axis ", "a_", "a "}) {
             if (word == std::string(prefix) + letter) return true;
         }
     }
     // "linear acceleration x", "user acc y"; forces in g: "gfx".
-    const std::string_view last = std::string_view(word).substr(word.size() - 1);
+    const std::string_view last = word.substr(word.size() - 1);
     const bool is_letter = last == "x" || last == "y" || last == "z";
     const bool is_of_acceleration = word.find("acc") != word.npos || word.starts_with("gf");
     const bool is_apart = word.size() > 1 && (word[word.size() - 2] == ' ' || word.size() == 3);

@@ -20,6 +20,9 @@ std::optional<AccelerationUnit> unit_of(const std::string& unit);
 
 bool is_time(const std::string& word);
 
+// A time that counts from the row before: "time diff", "dt".
+bool is_step_of_time(const std::string& word);
+
 // Names that stand for an axis; others ("sample", "temperature") are passed over where some of
 // these are there.
 bool is_axis(const std::string& word);
