@@ -5,7 +5,8 @@
 //           amplitude and frequency are interpolated apart from each other, between the keyframes
 //           that have them. Gain and mixing coefficient of a channel multiply.
 // Output    an effect a channel; vectorial waves of one envelope become carriers (sketch.h)
-// Tolerated older files ("version": "1"): negative amplitudes, keyframes without frequency.
+// Tolerated older files ("version": "1"): negative amplitudes, keyframes without frequency; of
+//           MPEG's tools positions before 0 that lost their sign, "Other" as a perception.
 // Left out  wavelet bands, composites and perceptions that are not vibration, each with a remark.
 //           A curve band is the course of the vibration itself: traced (model/pattern/traced.h).
 
@@ -40,6 +41,7 @@ struct HjifReading {
     std::size_t points = 0;                 // that references make, of the channel that is read
     std::map<double, const Json*> library;  // of the perception that is read, by id
     std::vector<std::string> remarks;
+    bool is_other = false;  // the perception that is being read calls itself so
     Effects effects;
     UnusedNames names;
 };
@@ -58,12 +60,38 @@ struct Keyframes {
     double end_s = 0.0;
 };
 
+// How many of the first keyframes stand before 0: their positions, of 16 bits, are written without
+// a sign by a tool of the standard's own, such as 65534 before 0.
+std::size_t frames_before_zero(JsonObject& effect, HjifReading& hjif) {
+    constexpr double kLeast = 32'768.0;
+    constexpr double kMost = 65'535.0;
+    const Json* frames = field(effect, "keyframes");
+    if (frames == nullptr || !frames->is_array()) return 0;
+    for (std::size_t k = 0; k < frames->size(); ++k) {
+        const Json& frame = (*frames)[k];
+        const auto at = frame.is_object() ? frame.find("relative_position") : frame.end();
+        const bool is_number = frame.is_object() && at != frame.end() && at->is_number();
+        const double ticks = is_number ? at->get<double>() : 0.0;
+        if (ticks > kMost) return 0;
+        if (ticks >= kLeast) continue;
+        if (k > 0) {
+            remark_once(hjif.remarks,
+                        "positions such as 65534 before 0 are taken as -2, and so as 0");
+        }
+        return k;
+    }
+    return 0;  // late, all of them
+}
+
 Keyframes keyframes_of(JsonObject& effect, double start_s, HjifReading& hjif) {
     Keyframes frames;
     frames.end_s = start_s;
+    const std::size_t before_zero = frames_before_zero(effect, hjif);
+    std::size_t place = 0;
     Json unknown;
     read_objects(effect, "keyframes", 0, kMostVoicePoints, unknown, [&](JsonObject& one, Json&) {
-        const double ticks = number_field(one, "relative_position", 0.0, kTicks);
+        const double written = number_field(one, "relative_position", 0.0, kTicks);
+        const double ticks = place++ < before_zero ? 0.0 : written;
         const double time_s = start_s + ticks / hjif.ticks_per_s;
         if (time_s < frames.end_s) {
             refuse(*one.reading, place_of(one, "relative_position"),
@@ -91,9 +119,12 @@ double fundamental(const std::string& signal) {
 }
 
 void add_transients(JsonObject& effect, double start_s, Band& band, HjifReading& hjif) {
+    const std::size_t before_zero = frames_before_zero(effect, hjif);
+    std::size_t place = 0;
     Json unknown;
     read_objects(effect, "keyframes", 0, kMostVoicePoints, unknown, [&](JsonObject& one, Json&) {
-        const double ticks = number_field(one, "relative_position", 0.0, kTicks);
+        const double written = number_field(one, "relative_position", 0.0, kTicks);
+        const double ticks = place++ < before_zero ? 0.0 : written;
         const double share = number_field(one, "amplitude_modulation", 1.0, kHjifAmplitude);
         if (field(one, "frequency_modulation") == nullptr) {
             remark_once(hjif.remarks, "transients without frequency get the middle of their band");
@@ -212,6 +243,7 @@ void read_band(JsonObject& object, double gain_g, Sketch& sketch, HjifReading& h
 
 Expected<Done> read_channel(JsonObject& channel, const std::string& name, HjifReading& hjif) {
     hjif.remarks.clear();
+    if (hjif.is_other) remark_once(hjif.remarks, "\"Other\" is taken as a vibration");
     hjif.points = 0;
     Sketch sketch;
     const double gain_g = hjif.file.map.full_scale_g *
@@ -241,7 +273,9 @@ void read_library(JsonObject& perception, HjifReading& hjif) {
 
 Expected<Done> read_perception(JsonObject& perception, HjifReading& hjif) {
     const std::string modality = text_field(perception, "perception_modality", "Vibrotactile");
-    if (modality != "Vibrotactile" && modality != "Vibration") {
+    // What MPEG's own tools write over vibrations.
+    hjif.is_other = modality == "Other";
+    if (modality != "Vibrotactile" && modality != "Vibration" && !hjif.is_other) {
         remark_once(hjif.remarks, in_quotes(modality) + " is left out: not a vibration");
         return Done{};
     }
@@ -262,7 +296,7 @@ Expected<Done> read_perception(JsonObject& perception, HjifReading& hjif) {
 Expected<Effects> read_hjif(const Json& document, const EffectFile& file) {
     JsonReading reading = reading_of(file);
     JsonObject object = object_at(reading, document, "");
-    HjifReading hjif{file, 1000.0, 0.0, 0, {}, {}, {}, {}};
+    HjifReading hjif{file, 1000.0, 0.0, 0, {}, {}, false, {}, {}};
     hjif.ticks_per_s = number_field(object, "timescale", 1000.0, kTimescale);
     const std::string version = text_field(object, "version", "");
     const auto perceptions = array_field(object, "perceptions", 0, kMostHjifObjects);

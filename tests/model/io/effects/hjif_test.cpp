@@ -71,6 +71,38 @@ TEST_CASE("HJIF: older files with negative amplitudes and no frequencies are rea
     CHECK(envelope_g(effect.pattern, 0.05) == doctest::Approx(0.5));
 }
 
+TEST_CASE("HJIF: a position before 0 that lost its sign is the beginning, a late one is late") {
+    const auto frames = [](const char* first, const char* last) {
+        return std::string(R"([{"relative_position": )") + first +
+               R"(, "amplitude_modulation": 0.2, "frequency_modulation": 80},
+                   {"relative_position": 0, "amplitude_modulation": 0.8},
+                   {"relative_position": )" +
+               last + R"(, "amplitude_modulation": 0.4}])";
+    };
+    const Effect effect = only(hjif("[" + wave("0", frames("65534", "400")) + "]"));
+    CHECK(has_remark(effect, "65534 before 0 are taken as -2"));
+    CHECK(effect.pattern.duration_s == doctest::Approx(0.4));
+    CHECK(envelope_g(effect.pattern, 0.2) == doctest::Approx(0.6));
+    CHECK(fault(hjif("[" + wave("0", frames("30000", "400")) + "]")) != "");
+    const Effect late = only(hjif("[" + wave("0", R"([{"relative_position": 0,
+        "amplitude_modulation": 0.8, "frequency_modulation": 80},
+        {"relative_position": 40000, "amplitude_modulation": 0.4}])") +
+                                  "]"));
+    CHECK(late.pattern.duration_s == doctest::Approx(40.0));
+}
+
+TEST_CASE("HJIF: \"Other\" over bands of vibration is one, said; another sense is left out") {
+    const std::string steady =
+        R"([{"relative_position": 0, "amplitude_modulation": 0.5, "frequency_modulation": 80},
+            {"relative_position": 500, "amplitude_modulation": 0.5}])";
+    std::string text = hjif("[" + wave("0", steady) + "]");
+    const std::string begin = R"("perceptions": [{)";
+    text.insert(text.find(begin) + begin.size(), R"("perception_modality": "Other", )");
+    CHECK(has_remark(only(text), "\"Other\" is taken as a vibration"));
+    text.replace(text.find("Other"), 5, "Wind!");
+    CHECK(fault(text) != "");
+}
+
 TEST_CASE("HJIF: references take their effect from the library, or are refused") {
     const std::string text = R"({"version": "2023", "perceptions": [{"effect_library": [
       {"id": 7, "keyframes": [{"relative_position": 0, "amplitude_modulation": 1, "frequency_modulation": 90},
