@@ -3,109 +3,26 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/measured/import_follow.h"
+#include "app/measured/overlay.h"
 #include "app/measured/recording_fields.h"
 #include "app/progress/failure.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
-#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
-#include "viz/drawing/plot.h"
-#include "viz/drawing/wave_body.h"
 
 namespace tact {
 
 namespace {
 
-constexpr float kMeasuredInk = 0.7F;
-constexpr float kPreviewPx = 170.0F;
-
-// Every other few pixels of a path whose points are a pixel apart.
-void draw_dashes(ImDrawList& list, const Theme& theme, std::span<const ImVec2> points) {
-    const auto dash = static_cast<std::size_t>(std::lround(5.0F * theme.scale));
-    for (std::size_t k = 0; k < points.size(); k += 2 * dash) {
-        const std::size_t count = std::min(dash + 1, points.size() - k);
-        draw_path(list, points.subspan(k, count), theme.text, 2.0F * theme.scale);
-    }
-}
-
-// How far a wave reaches up and down: dashed, so that both are seen where another is drawn.
-void draw_reach(ImDrawList& list, const Theme& theme, const Plot& plot, const Waveform& wave,
-                double least_g) {
-    constexpr double kWidestPx = 16.0;  // of a period whose crests are joined
-    const auto columns = static_cast<std::size_t>(std::max(1.0F, plot.area.width()));
-    const auto body =
-        body_columns(wave.samples_g, plot.x.low * wave.rate_hz, plot.x.high * wave.rate_hz, columns,
-                     {kWidestPx * double{theme.scale}, least_g});
-    for (const auto edge : {&Extremes::high, &Extremes::low}) {
-        std::vector<ImVec2> line;
-        for (std::size_t k = 0; k < body.size(); ++k) {
-            line.push_back(
-                {plot.area.min.x + static_cast<float>(k) + 0.5F, to_pixel(plot.y, body[k].*edge)});
-        }
-        draw_dashes(list, theme, line);
-    }
-}
-
-// Names of the two curves above their right end, each with how it is drawn.
-void draw_names(const Ui& ui, const Plot& plot, const char* measured) {
-    const Theme& theme = ui.theme;
-    const ImFont* font = theme.fonts.small;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float sign_px = 25.0F * theme.scale;
-    const float middle = plot.outer.min.y + 0.55F * text_size(font, "x").y;
-    float x = plot.area.max.x;
-    const auto name = [&](const char* text) {
-        x -= text_size(font, text).x;
-        draw_text(list, font, {x, plot.outer.min.y}, theme.text, text);
-        x -= 0.5F * theme.gap_px + sign_px;
-    };
-    name("intended");
-    std::vector<ImVec2> sample;
-    for (float along = 0.0F; along <= sign_px; along += 1.0F) sample.push_back({x + along, middle});
-    draw_dashes(list, theme, sample);
-    x -= 2.0F * theme.gap_px;
-    name(measured);
-    const float half = 3.0F * theme.scale;
-    list.AddRectFilled({x, middle - half}, {x + sign_px, middle + half},
-                       faded(theme.series, kMeasuredInk));
-}
-
-// The measured signal and how far the intended one reaches, on one scale.
-void draw_overlay(Ui& ui, Workspace& work, const Vibration& intended, const Twin& twin,
-                  bool synthetic) {
-    const Theme& theme = ui.theme;
-    const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const Rect outer = rect_at(corner, {width, kPreviewPx * theme.scale});
-    ImGui::Dummy(outer.size());
-    note_rect(ui.rects, "import:preview", outer.min, outer.max);
-    const Waveform& drawn = cached_waveform(work.cache, intended);
-    const Waveform& measured = twin.alignment.waveform;
-    const double most = std::max({peak_g(drawn), peak_g(measured), 1e-6});
-    const PlotLabels labels{"s", "g"};
-    const Plot plot =
-        plot_within(outer, theme, {0.0, std::max(duration_s(drawn), 1e-3)}, {-most, most}, labels);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_axes(list, theme, plot, labels);
-    draw_signal(list, theme, plot, measured.samples_g, measured.rate_hz,
-                faded(theme.series, kMeasuredInk), TraceStyle::line);
-    draw_reach(list, theme, plot, drawn, 0.01 * most);
-    draw_names(ui, plot, synthetic ? "synthetic" : "measured");
-}
-
-void draw_empty_overlay(const Ui& ui, const char* title, const std::string& reason) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const Rect area =
-        rect_at(corner, {ImGui::GetContentRegionAvail().x, kPreviewPx * ui.theme.scale});
-    ImGui::Dummy(area.size());
-    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
+void draw_twin(Ui& ui, Workspace& work, const Vibration& intended, const Twin& twin,
+               const char* name) {
+    draw_overlay(ui, {"import:preview", twin.alignment.waveform, name,
+                      cached_waveform(work.cache, intended), "intended"});
 }
 
 // The patterns that a recording can measure, and none of them. True when another was chosen.
@@ -209,7 +126,7 @@ void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
         return draw_empty_overlay(ui, "No pattern chosen",
                                   "Which one was played when this was recorded?");
     }
-    draw_overlay(ui, work, work.document.set.vibrations[*place], *file->twin, false);
+    draw_twin(ui, work, work.document.set.vibrations[*place], *file->twin, "measured");
     std::string remarks;
     for (const std::string& remark : file->remarks) {
         remarks += (remarks.empty() ? "" : "; ") + remark;
@@ -336,7 +253,7 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
         const Twin& twin = shown->twins.front();
         const auto place =
             place_named(work.document.set, std::get<Measurement>(twin.vibration.source).measures);
-        if (place) draw_overlay(ui, work, work.document.set.vibrations[*place], twin, true);
+        if (place) draw_twin(ui, work, work.document.set.vibrations[*place], twin, "synthetic");
     } else if (shown || !draw_failure(ui, "simulation", failure_of(importing.simulation_job))) {
         draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");

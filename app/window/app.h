@@ -23,6 +23,7 @@
 #include "app/physiology/physiology_state.h"
 #include "app/play/play_state.h"
 #include "app/rendering/rendering_state.h"
+#include "app/sounds/sounds_state.h"
 #include "app/study/study_state.h"
 #include "app/subset/subset_state.h"
 #include "app/tables/table_state.h"
@@ -87,6 +88,7 @@ struct App {
     GenerateState generating;
     ImportState importing;
     TableState table;
+    SoundsState sounds;
     StudyState studying;
     CalibrateState calibrating;
     LessonState lesson;

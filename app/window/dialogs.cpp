@@ -25,6 +25,8 @@
 #include "app/patterns/tapping.h"
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
+#include "app/sounds/sounds_dialog.h"
+#include "app/sounds/sounds_follow.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/subset/subset_export.h"
@@ -140,6 +142,8 @@ void draw_chooser(App& app) {
             return read_calibration_recording(app.ui, app.calibrating, *chosen);
         case ChooserPurpose::import_recordings:
             return import_recordings(app.ui, app.work, app.importing, {*chosen});
+        case ChooserPurpose::from_sound:
+            return open_sounds(app.ui, app.work, app.sounds, {*chosen});
         case ChooserPurpose::study_folder:
             return set_study_folder(app.work, app.studying, *chosen);
         case ChooserPurpose::export_study:
@@ -206,6 +210,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::open_table) {
         draw_table_dialog(app.ui, app.work, app.layout, app.table, app.importing);
     }
+    if (app.ui.dialog == Dialog::from_sound) draw_sounds_dialog(app.ui, app.work, app.sounds);
     if (app.ui.dialog == Dialog::about) draw_about(app);
     if (app.ui.dialog == Dialog::keys) draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
@@ -240,6 +245,7 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
         return import_recordings(app.ui, app.work, app.importing, paths);
     }
     if (tables) return load_ratings_or_ask(app.ui, app.work, app.layout, app.table, paths);
+    if (are_sounds(paths)) return open_sounds(app.ui, app.work, app.sounds, paths);
     if (paths.size() == 1) return open_file(app, paths[0]);
     open_paths(app.ui, app.work, app.opening, paths, true);
 }

@@ -15,6 +15,7 @@
 #include "app/opening/opening.h"
 #include "app/patterns/tapping.h"
 #include "app/pictures/copying.h"
+#include "app/sounds/sounds_follow.h"
 #include "app/subset/subset_export.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/command_actions.h"
@@ -96,6 +97,13 @@ constexpr auto
                      [](App& app) { import_recordings_dialog(app.ui, app.work); },
                      nullptr,
                      "measured accelerometer csv wav acceleration"},
+                    {"File",
+                     "From sound...",
+                     {},
+                     always,
+                     [](App& app) { from_sound_dialog(app.ui, app.work); },
+                     nullptr,
+                     "audio music mp3 flac ogg wav envelope onsets import"},
                     {"File",
                      "Actuator maps...",
                      {},

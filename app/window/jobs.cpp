@@ -90,6 +90,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::export_view:
         case Dialog::export_animation:
         case Dialog::export_effects:
+        case Dialog::from_sound:
         case Dialog::generate:
         case Dialog::import_recordings:
         case Dialog::open_table:
@@ -147,6 +148,7 @@ void begin_others_again(App& app) {
     app.importing.answer.reset();
     app.importing.simulated.reset();
     begin_again(app.table, TableState{});
+    begin_again(app.sounds, SoundsState{});
     app.play.hovered_in_map.reset();
     app.play.felt_on_hover.clear();
     if (is_study_running(app.studying)) return;
@@ -250,6 +252,7 @@ void stop_jobs(App& app) {
     app.pattern_panes.recording.job.reset();
     stop_import(app.importing);
     app.table.job.reset();
+    app.sounds.job.reset();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
     stop_maybes_jobs(app.maybes);

@@ -11,12 +11,14 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/lesson/lesson.h"
+#include "app/sounds/sounds_follow.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/tables/table_look.h"
 #include "app/window/commands.h"
+#include "model/io/recordings/wave_file.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
 #include "tests/support/scene_steps.h"
@@ -287,6 +289,21 @@ void add_dialogs(std::vector<Scene>& all) {
                                               "2,p1,p3,80,S1\n";
                        open_table(p.app.ui, p.app.work, p.app.table, file);
                        wait_until(p, [&p] { return p.app.table.answer != nullptr; });
+                       p.settle();
+                       std::filesystem::remove(file);
+                   }});
+    all.push_back({"dialog, from sound", [](Program& p) {
+                       const auto file = std::filesystem::temp_directory_path() /
+                                         ("a sound " + std::to_string(::getpid()) + ".wav");
+                       Pattern pattern;
+                       pattern.rhythm = {"x=-x=---", 0.1};
+                       pattern.transients = {{0.62, 0.7, 120.0, 0.03}};
+                       (void)write_wave_file(file, render(pattern));
+                       open_sounds(p.app.ui, p.app.work, p.app.sounds, {file});
+                       wait_until(p, [&p] {
+                           const auto made = current_sounds(p.app.sounds);
+                           return made && made->request.with_pm;
+                       });
                        p.settle();
                        std::filesystem::remove(file);
                    }});
