@@ -46,14 +46,4 @@ void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem
     say(ui, text + ".");
 }
 
-void load_ratings(Ui& ui, Workspace& work, Layout& layout,
-                  const std::vector<std::filesystem::path>& paths,
-                  const std::function<void(const Error&)>& refused) {
-    if (paths.empty()) return;
-    const Expected<LoadedRatings> loaded = read_ratings(paths, RatingScale::guess);
-    if (!loaded && refused) return refused(loaded.error());
-    if (!loaded) return complain(ui, loaded.error().message);
-    take_ratings(ui, work, layout, paths.front(), *loaded);
-}
-
 }  // namespace tact

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <vector>
 
 #include "app/document/workspace.h"
 #include "app/ui/layout.h"
@@ -17,14 +15,8 @@ void load_ratings_dialog(Ui& ui, const Workspace& work);
 // The study of those patterns of the set that the loaded ratings are of.
 Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& loaded);
 
-// What was read of a file into the document.
+// What was read of a file into the document, as one step; an error changes nothing.
 void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem::path& path,
                   const LoadedRatings& loaded);
-
-// Ratings into the document, as one step; an error changes nothing. `refused` is told of one in
-// place of the person.
-void load_ratings(Ui& ui, Workspace& work, Layout& layout,
-                  const std::vector<std::filesystem::path>& paths,
-                  const std::function<void(const Error&)>& refused = {});
 
 }  // namespace tact

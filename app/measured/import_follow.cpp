@@ -236,7 +236,7 @@ void import_recordings_dialog(Ui& ui, const Workspace& work) {
 }
 
 void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
-                       const std::vector<fs::path>& paths, const AccelerationTableOptions& told) {
+                       const std::vector<fs::path>& paths, const AccelerationOptions& told) {
     const std::vector<fs::path> files = files_of(paths);
     if (files.empty()) {
         return complain(ui, "No recording there: expected .csv, .txt or .wav files");
@@ -249,7 +249,8 @@ void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
         importing.files.clear();
         importing.patterns.clear();
         importing.answer.reset();
-        importing.fields.options.table = told;
+        importing.fields.options.table = told.table;
+        if (told.unit) importing.fields.options.unit = told.unit;
     }
     importing.shown = importing.files.size();
     for (const fs::path& file : files) {

@@ -21,10 +21,10 @@ bool is_taking(const ImportState& importing);  // something is still to go into 
 
 // Choosing recordings, then the dialog on them.
 void import_recordings_dialog(Ui& ui, const Workspace& work);
-// `told`: what somebody says of these tables.
+// `told`: what somebody says of these files.
 void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
                        const std::vector<std::filesystem::path>& paths,
-                       const AccelerationTableOptions& told = {});
+                       const AccelerationOptions& told = {});
 
 // Whether these are tables of accelerations rather than of ratings.
 bool are_accelerations(const std::vector<std::filesystem::path>& paths);

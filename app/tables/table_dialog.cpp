@@ -64,14 +64,25 @@ bool draw_of_its_kind(Ui& ui, TableWords& words) {
                                          {"alike", RatingScale::similarity}},
                                         words.scale);
     }
-    using Unit = std::optional<TimeUnit>;
-    return draw_choice<Unit>(ui, "Times in",
-                             {{"as named", {}},
-                              {"s", TimeUnit::s},
-                              {"ms", TimeUnit::ms},
-                              {"us", TimeUnit::us},
-                              {"ns", TimeUnit::ns}},
-                             words.time_unit);
+    ImGui::PushID("times");
+    bool changed = draw_choice<std::optional<TimeUnit>>(ui, "Times in",
+                                                        {{"as named", {}},
+                                                         {"s", TimeUnit::s},
+                                                         {"ms", TimeUnit::ms},
+                                                         {"us", TimeUnit::us},
+                                                         {"ns", TimeUnit::ns}},
+                                                        words.time_unit);
+    ImGui::PopID();
+    ImGui::PushID("values");
+    changed |=
+        draw_choice<std::optional<AccelerationUnit>>(ui, "Values in",
+                                                     {{"as named", {}},
+                                                      {"g", AccelerationUnit::g},
+                                                      {"m/s\u00b2", AccelerationUnit::m_per_s2},
+                                                      {"V", AccelerationUnit::volt}},
+                                                     words.unit);
+    ImGui::PopID();
+    return changed;
 }
 
 // What a column is read as; true when another use was chosen.
@@ -189,7 +200,7 @@ void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& tabl
     }
     const bool is_recording = table.words.kind == TableKind::recording;
     const auto is_used = [](const std::string& use) { return !use.empty(); };
-    // The unit of a recording is asked by the dialog that follows.
+    // What a recording lacks, the dialog that follows asks.
     const bool is_ready =
         is_newest && (table.answer->fault.empty() ||
                       (is_recording && std::ranges::any_of(table.answer->uses, is_used)));

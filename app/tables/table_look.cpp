@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/rating_files.h"
+#include "app/progress/failure.h"
 #include "app/tables/table_words.h"
 #include "app/ui/file_question.h"
 #include "model/signal/waveform.h"
@@ -35,7 +36,9 @@ std::string told_name(const TableHead& head, std::size_t column) {
     const auto& names = head.rows.front();
     const std::string name{trimmed(names[column])};
     const auto is_same = [&name](const std::string& cell) { return trimmed(cell) == name; };
-    const bool is_plain = !name.empty() && std::ranges::count_if(names, is_same) == 1;
+    // A number is no name: the table has none.
+    const bool is_plain = !name.empty() && !number_in(name, head.dialect) &&
+                          std::ranges::count_if(names, is_same) == 1;
     return is_plain ? name : std::to_string(column + 1);
 }
 
@@ -84,10 +87,16 @@ void look_at_answers(TableAnswer& answer, const std::string& text) {
     answer.ratings = *std::move(loaded);
 }
 
+AccelerationOptions options_of(const TableWords& words) {
+    AccelerationOptions options;
+    options.unit = words.unit;
+    options.table = {words.axes, words.time_unit, words.written};
+    return options;
+}
+
 void look_at_recording(TableAnswer& answer, const std::string& text) {
     const TableRequest& request = answer.request;
-    AccelerationOptions options;
-    options.table = {request.words.axes, request.words.time_unit, request.words.written};
+    const AccelerationOptions options = options_of(request.words);
     const TableText decoded = table_text(text);
     const auto table = parse_acceleration_table(decoded.text, request.file.filename().string(),
                                                 true, options.table);
@@ -101,7 +110,7 @@ void look_at_recording(TableAnswer& answer, const std::string& text) {
         note_use(answer, table->axis_places[k], kAxisUses[std::min<std::size_t>(k + 1, 3)]);
     }
     const auto recording = read_acceleration_file(request.file, options);
-    // What the unit of the axes is, the next dialog asks.
+    // The sensitivity of a sensor, and which axis counts, the next dialog asks.
     if (!recording) {
         answer.fault = recording.error().message;
         return;
@@ -114,6 +123,36 @@ void look_at_recording(TableAnswer& answer, const std::string& text) {
 std::optional<TableAnswer> looked_at(const TableRequest& request, std::stop_token,
                                      std::atomic<float>&) {
     return answer_on(request);
+}
+
+std::optional<TablesAnswer> read_all(const TablesRequest& request, std::stop_token,
+                                     std::atomic<float>&) {
+    TablesAnswer answer{request, {}, {}, false};
+    auto ratings = read_ratings(request.files, RatingScale::guess);
+    if (ratings) {
+        answer.ratings = *std::move(ratings);
+    } else {
+        answer.fault = ratings.error().message;
+        answer.are_recordings = request.may_be_recordings && are_accelerations(request.files);
+    }
+    return answer;
+}
+
+void take_read(Ui& ui, Workspace& work, Layout& layout, TableState& table, ImportState& importing,
+               const TablesAnswer& read) {
+    const auto& files = read.request.files;
+    if (read.request.document != work.document_number) {
+        return complain(ui, files.front().filename().string() +
+                                " was read for a set that is not open any more. Open that one, "
+                                "then the file again.");
+    }
+    if (read.ratings) return take_ratings(ui, work, layout, files.front(), *read.ratings);
+    std::error_code none;
+    const bool is_single = files.size() == 1 && fs::is_regular_file(files.front(), none);
+    if (!read.are_recordings && !is_single) return complain(ui, read.fault);
+    say(ui, "");
+    if (read.are_recordings) return import_recordings(ui, work, importing, files);
+    open_table(ui, work, table, files.front());
 }
 
 }  // namespace
@@ -181,10 +220,35 @@ void look_at_table(const Ui& ui, const Workspace& work, TableState& table) {
                        std::make_shared<const PatternSet>(work.document.set)});
 }
 
-void follow_table(TableState& table) {
-    if (!table.job) return;
-    const auto answer = table.job->latest();
-    if (answer && answer->request.file == table.file) table.answer = answer;
+void read_tables(Ui& ui, const Workspace& work, TableState& table,
+                 const std::vector<fs::path>& files, bool may_be_recordings) {
+    if (files.empty()) return;
+    using Job = LatestJob<TablesRequest, TablesAnswer>;
+    if (!table.reading_job) {
+        table.reading_job = std::make_unique<Job>(JobPolicy::finish, read_all, ui.wake);
+    }
+    table.reading_job->submit({++table.asked, work.document_number, files, may_be_recordings});
+    say(ui, "Reading " + files.front().filename().string() + "\u2026");
+}
+
+void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
+                   ImportState& importing) {
+    if (table.job) {
+        const auto answer = table.job->latest();
+        if (answer && answer->request.file == table.file) table.answer = answer;
+    }
+    if (table.asked == table.taken) return;
+    if (const std::string failure = failure_of(table.reading_job); !failure.empty()) {
+        table.taken = table.asked;
+        return complain(ui, "Not read: " + failure + ".");
+    }
+    const auto read = table.reading_job ? table.reading_job->latest() : nullptr;
+    if (!read || read->request.number != table.asked) return;
+    // What has to be asked waits for what is asked now.
+    const bool is_free = ui.dialog == Dialog::none && !ui.chooser.is_open;
+    if (!read->ratings && !is_free) return;
+    table.taken = table.asked;
+    take_read(ui, work, layout, table, importing, *read);
 }
 
 void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table,
@@ -193,21 +257,10 @@ void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table,
     if (!answer || answer->request.document != work.document_number) return;
     remember_words(work.session, table.names, answer->request.words);
     if (answer->request.words.kind == TableKind::recording) {
-        const TableWords& words = answer->request.words;
         return import_recordings(ui, work, importing, {table.file},
-                                 {words.axes, words.time_unit, words.written});
+                                 options_of(answer->request.words));
     }
     if (answer->ratings) take_ratings(ui, work, layout, table.file, *answer->ratings);
-}
-
-void load_ratings_or_ask(Ui& ui, Workspace& work, Layout& layout, TableState& table,
-                         const std::vector<fs::path>& paths) {
-    load_ratings(ui, work, layout, paths, [&](const Error& error) {
-        std::error_code none;
-        const bool is_single = paths.size() == 1 && fs::is_regular_file(paths.front(), none);
-        if (!is_single) return complain(ui, error.message);
-        open_table(ui, work, table, paths.front());
-    });
 }
 
 }  // namespace tact

@@ -38,17 +38,19 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const std::fil
 // Asks again, after the words have changed.
 void look_at_table(const Ui& ui, const Workspace& work, TableState& table);
 
-// The newest answer on the table.
-void follow_table(TableState& table);
+// Reads files beside the window, then follow_tables() takes them: as ratings; as recordings, where
+// they may be such; else a single one is asked about in the dialog.
+void read_tables(Ui& ui, const Workspace& work, TableState& table,
+                 const std::vector<std::filesystem::path>& files, bool may_be_recordings = false);
+
+// The newest answer on the table that is looked at, and on files that are read.
+void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
+                   ImportState& importing);
 
 // Ratings into the document; what was said of the table is remembered.
 void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table, ImportState& importing);
 
 void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                        ImportState& importing);
-
-// Loads ratings, or shows the dialog where a single file of them cannot be read as it stands.
-void load_ratings_or_ask(Ui& ui, Workspace& work, Layout& layout, TableState& table,
-                         const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

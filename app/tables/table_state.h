@@ -26,6 +26,7 @@ struct TableWords {
     RatingScale scale = RatingScale::guess;
     AccelerationColumns axes;  // ... and of a recording
     std::optional<TimeUnit> time_unit;
+    std::optional<AccelerationUnit> unit;
 
     bool operator==(const TableWords&) const = default;
 };
@@ -49,12 +50,30 @@ struct TableAnswer {
     std::optional<LoadedRatings> ratings;  // where they were read
 };
 
+// Files that are dropped or chosen as tables: ratings, if they read as such, or recordings.
+struct TablesRequest {
+    std::uint64_t number = 0;
+    std::uint64_t document = 0;
+    std::vector<std::filesystem::path> files;
+    bool may_be_recordings = false;
+};
+
+struct TablesAnswer {
+    TablesRequest request;
+    std::optional<LoadedRatings> ratings;
+    std::string fault;  // why they are no ratings
+    bool are_recordings = false;
+};
+
 struct TableState {
     std::filesystem::path file;
     TableHead names;  // the first row as it was found, by which words are remembered
     TableWords words;
     OwnedJob<TableRequest, TableAnswer> job;
     std::shared_ptr<const TableAnswer> answer;
+    OwnedJob<TablesRequest, TablesAnswer> reading_job;
+    std::uint64_t asked = 0;  // the number of the last request ...
+    std::uint64_t taken = 0;  // ... and of the last one that came to its end
 };
 
 }  // namespace tact

@@ -61,6 +61,7 @@ std::string text_of(const TableWords& words) {
                   {"decimal", sign_of(words.written.decimal)},
                   {"columns", columns}};
     if (words.time_unit) whole["time_unit"] = static_cast<int>(*words.time_unit);
+    if (words.unit) whole["unit"] = static_cast<int>(*words.unit);
     return whole.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -75,6 +76,10 @@ TableWords words_in(std::string_view text) {
     if (whole.contains("time_unit")) {
         words.time_unit.emplace();
         take_choice(whole, "time_unit", static_cast<int>(TimeUnit::ns), *words.time_unit);
+    }
+    if (whole.contains("unit")) {
+        words.unit.emplace();
+        take_choice(whole, "unit", static_cast<int>(AccelerationUnit::volt), *words.unit);
     }
     const auto at = whole.find("columns");
     if (at == whole.end() || !at->is_object()) return words;

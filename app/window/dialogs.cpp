@@ -13,7 +13,6 @@
 #include "app/compare/compare_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
-#include "app/document/rating_files.h"
 #include "app/export/exports.h"
 #include "app/generate/generate_dialog.h"
 #include "app/lesson/lesson_edit.h"
@@ -36,7 +35,6 @@
 #include "app/window/animation.h"
 #include "app/window/commands.h"
 #include "model/io/lesson/lesson_file.h"
-#include "model/io/people/ratings_file.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utf8.h"
@@ -125,7 +123,7 @@ void draw_chooser(App& app) {
         case ChooserPurpose::load_tables:
             return load_tables(app.ui, app.work, *chosen);
         case ChooserPurpose::load_ratings:
-            return load_ratings_or_ask(app.ui, app.work, app.layout, app.table, {*chosen});
+            return read_tables(app.ui, app.work, app.table, {*chosen});
         case ChooserPurpose::open_table:
             return open_table(app.ui, app.work, app.table, *chosen);
         case ChooserPurpose::load_calibration:
@@ -241,10 +239,7 @@ void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {
     const bool tables = !paths.empty() && std::ranges::all_of(paths, [](const auto& path) {
         return extension_of(path) == ".csv";
     });
-    if (tables && !read_ratings(paths, RatingScale::guess) && are_accelerations(paths)) {
-        return import_recordings(app.ui, app.work, app.importing, paths);
-    }
-    if (tables) return load_ratings_or_ask(app.ui, app.work, app.layout, app.table, paths);
+    if (tables) return read_tables(app.ui, app.work, app.table, paths, true);
     if (are_sounds(paths)) return open_sounds(app.ui, app.work, app.sounds, paths);
     if (paths.size() == 1) return open_file(app, paths[0]);
     open_paths(app.ui, app.work, app.opening, paths, true);

@@ -308,7 +308,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.work.selection.hovered_pair_last =
         std::exchange(app.work.selection.hovered_pair, std::nullopt);
     follow_import(app.ui, app.work, app.importing);
-    follow_table(app.table);
+    follow_tables(app.ui, app.work, app.layout, app.table, app.importing);
     follow_sounds(app.ui, app.sounds);
     follow_calibrate(app.ui, app.play, app.calibrating);
     follow_study(app.ui, app.work, app.play, app.studying);

@@ -252,6 +252,7 @@ void stop_jobs(App& app) {
     app.pattern_panes.recording.job.reset();
     stop_import(app.importing);
     app.table.job.reset();
+    app.table.reading_job.reset();
     app.sounds.job.reset();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);

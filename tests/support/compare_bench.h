@@ -43,8 +43,11 @@ struct CompareBench {
     }
 
     void load(const std::string& text, const std::string& name = "people.csv") {
-        load_ratings(program.app.ui, program.app.work, program.app.layout,
-                     {folder.write(name, text)});
+        const auto file = folder.write(name, text);
+        const auto loaded = read_ratings({&file, 1}, RatingScale::guess);
+        App& app = program.app;
+        if (loaded) take_ratings(app.ui, app.work, app.layout, file, *loaded);
+        if (!loaded) complain(app.ui, loaded.error().message);
         program.settle();
     }
 

@@ -10,6 +10,7 @@
 #include "app/document/shown_side.h"
 #include "app/map/pair.h"
 #include "app/measured/import_follow.h"
+#include "app/tables/table_look.h"
 #include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/compare_bench.h"
@@ -110,8 +111,10 @@ TEST_CASE("compare tab: a file that does not fit is refused in words and changes
     bench.load("a,b\n1,two,3\n", "odd.csv");
     CHECK(app.ui.status.is_error);
     CHECK(contains(app.ui.status.text, "odd.csv"));
-    load_ratings(app.ui, app.work, app.layout, {bench.folder.path / "none.csv"});
+    read_tables(app.ui, app.work, app.table, {bench.folder.path / "none.csv"});
+    bench.wait_until([&app] { return app.table.taken == app.table.asked; });
     CHECK(app.ui.status.is_error);
+    CHECK(contains(app.ui.status.text, "none.csv"));
     CHECK(app.work.document.set.ratings.empty());
     CHECK(app.work.document.history.undo_label() == nullptr);
 }

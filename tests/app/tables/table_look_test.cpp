@@ -55,7 +55,8 @@ TEST_CASE("open table: nothing is typed but what the columns hold, and that is r
     Program program(short_patterns(3));
     App& app = program.app;
     const auto file = folder.write("answers.csv", kAnswers);
-    load_ratings_or_ask(app.ui, app.work, app.layout, app.table, {file});
+    read_tables(app.ui, app.work, app.table, {file});
+    wait_until(program, [&app] { return app.ui.dialog != Dialog::none; });
     REQUIRE(app.ui.dialog == Dialog::open_table);
     wait_for_answer(program);
     CHECK(
@@ -118,6 +119,50 @@ TEST_CASE("open table: a column without a name of its own goes by its number") {
     CHECK(words.axes.time == "y");
 }
 
+TEST_CASE(
+    "open table: what is dropped is read beside the window, and asks where nothing else does") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(3));
+    App& app = program.app;
+    const auto ratings = folder.write("fine.csv", "a,b,rating\np1,p2,10\np1,p3,35\np2,p3,70\n");
+    drop_paths(app, {ratings});
+    CHECK(app.work.document.set.ratings.empty());
+    wait_until(program, [&app] { return app.table.taken == app.table.asked; });
+    CHECK_FALSE(app.work.document.set.ratings.empty());
+    CHECK(app.ui.dialog == Dialog::none);
+    drop_paths(app, {folder.write("p1.csv", recording("time_ms,no,x"))});
+    wait_until(program, [&app] { return app.ui.dialog == Dialog::import_recordings; });
+    program.click("button:cancel");
+    drop_paths(app, {folder.write("answers.csv", kAnswers)});
+    REQUIRE(app.table.taken < app.table.asked);
+    app.ui.dialog = Dialog::about;
+    wait_until(program, [&app] {
+        const auto read = app.table.reading_job->latest();
+        return read && read->request.number == app.table.asked;
+    });
+    program.settle();
+    CHECK(app.ui.dialog == Dialog::about);
+    program.press_key(key::kEscape);
+    wait_until(program, [&app] { return app.ui.dialog == Dialog::open_table; });
+    CHECK(app.ui.dialog == Dialog::open_table);
+}
+
+TEST_CASE("open table: ratings that were dropped for another set are not its own") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(3));
+    App& app = program.app;
+    read_tables(app.ui, app.work, app.table,
+                {folder.write("fine.csv", "a,b,rating\np1,p2,10\np1,p3,35\np2,p3,70\n")});
+    ++app.work.document_number;
+    follow_tables(app.ui, app.work, app.layout, app.table, app.importing);
+    const auto until = end_of_patience();
+    while (app.table.taken != app.table.asked && std::chrono::steady_clock::now() < until) {
+        follow_tables(app.ui, app.work, app.layout, app.table, app.importing);
+    }
+    CHECK(app.work.document.set.ratings.empty());
+    CHECK(has(app.ui.status.text, "not open any more"));
+}
+
 TEST_CASE("open table: a separator that is said is taken, and a wrong one is told") {
     const TemporaryFolder folder;
     Program program(short_patterns(3));
@@ -160,6 +205,32 @@ TEST_CASE("open table: the columns of a recording are told from the dialog on it
     CHECK(app.importing.answer->files[0].fault.empty());
 }
 
+TEST_CASE("open table: columns without names go by their number, and a unit is said once") {
+    const TemporaryFolder folder;
+    Program program(short_patterns(2));
+    App& app = program.app;
+    app.work.session.folder = folder.path / "state";
+    std::string text;
+    for (int n = 0; n < 1500; ++n) {
+        text += std::to_string(0.001 * n) + "," + std::to_string(n % 7) + "," +
+                std::to_string(9.8 + 4.0 * std::sin(0.05 * n)) + "\n";
+    }
+    open_table(app.ui, app.work, app.table, folder.write("p1.csv", text), TableKind::recording);
+    wait_for_answer(program);
+    choose_use(program, 1, "time");
+    choose_use(program, 3, "x");
+    choose_use(program, 2, "not read");
+    CHECK(app.table.words.axes.x == "3");
+    CHECK(has(program.at("table:outcome").value, "gravity in m/s2"));
+    program.click("table:Values in m/s\u00b2");
+    wait_for_answer(program);
+    CHECK(has(program.at("table:outcome").value, "A recording of 1.5 s, at most 0.4"));
+    program.click("button:choose");
+    wait_until(program, [&app] { return app.importing.answer != nullptr; });
+    CHECK(app.importing.answer->request.options.unit == AccelerationUnit::m_per_s2);
+    CHECK(app.importing.answer->files[0].fault.empty());
+}
+
 TEST_CASE("open table: what was said is kept with the settings, and damage says nothing") {
     TableWords words;
     words.kind = TableKind::recording;
@@ -168,6 +239,7 @@ TEST_CASE("open table: what was said is kept with the settings, and damage says 
     words.answers = {"a\"1", "b", "", "who", {}};
     words.axes = {"t", "", "y", "z"};
     words.time_unit = TimeUnit::us;
+    words.unit = AccelerationUnit::m_per_s2;
     CHECK(words_in(text_of(words)) == words);
     CHECK(words_in(text_of(TableWords{})) == TableWords{});
     for (const char* damaged :
