@@ -11,6 +11,7 @@
 #include "model/io/set/spec_file.h"
 #include "model/io/tables/checkpoint.h"
 #include "tests/fuzz/readers.h"
+#include "tests/support/zip_bytes.h"
 
 namespace tact::fuzz {
 namespace {
@@ -85,6 +86,13 @@ std::vector<std::string> spec_seeds() {
 bool any_set(std::string_view bytes) { return is_read(load_set(written(bytes, "fuzz.json"))); }
 std::vector<std::string> any_set_seeds() { return {R"({"tactspace":1,"patterns":[]})", "0\n1\n"}; }
 
+bool zip(std::string_view bytes) { return is_read(load_set(written(bytes, "fuzz.zip"))); }
+std::vector<std::string> zip_seeds() {
+    const std::string timings = R"({"timings": [100, 50], "amplitudes": [255, 128]})";
+    const std::vector<ZipMember> members{{"a/knock.json", timings}, {"plain.json", timings, false}};
+    return {zip_of(members), zip_of(members, true)};
+}
+
 bool checkpoint(std::string_view bytes) {
     const auto path = written(bytes, "fuzz.tiles");
     const TileKey key{3, 2, 1, 1, 1};
@@ -118,6 +126,7 @@ std::span<const Reader> file_readers() {
         {"recording", recording, recording_seeds, {"time", "(g)", "(V)", ";"}},
         {"spec", spec, spec_seeds, {"\"rhythms\"", "\"amplitude_g\"", "\"from\"", "\"steps\""}},
         {"any_set", any_set, any_set_seeds, {"\"Pattern\"", "\"patterns\"", "RIFF"}},
+        {"zip", zip, zip_seeds, {"PK\x01\x02", "PK\x03\x04", "PK\x05\x06", "PK\x06\x06", ".json"}},
         {"checkpoint", checkpoint, checkpoint_seeds, {}}};
     return all;
 }
