@@ -28,7 +28,7 @@ TEST_CASE("curves: straight between points, held before and after, and a jump is
     CHECK(value_at(curve, 0.4) == 0.5);
     CHECK(std::abs(value_at(curve, 0.6) - 0.375) <= 1e-15);
     CHECK(value_at(curve, 60.0) == 0.25);
-    CHECK(value_at({}, 0.3) == 1.0);
+    CHECK(value_at(AmplitudeCurve{}, 0.3) == 1.0);
     CHECK(!frequency_at({}, 0.3));
     CHECK(frequency_at({{0.0, 100.0}, {1.0, 200.0}}, 0.25) == 125.0);
 }
@@ -46,7 +46,7 @@ TEST_CASE("curves: points as close as numbers can be give numbers") {
     const Sweep sweep = sweep_of({{0.0, 1.0}, {5e-324, 1000.0}});
     CHECK(turns_at(sweep, 0.0) == 0.0);
     CHECK(std::isfinite(turns_at(sweep, 1.0)));
-    CHECK(value_at({{0.0, 0.0}, {5e-324, 1.0}}, 0.0) == 0.0);
+    CHECK(value_at(AmplitudeCurve{{0.0, 0.0}, {5e-324, 1.0}}, 0.0) == 0.0);
 }
 
 TEST_CASE("curves: a transient begins and ends at nothing, and is its sine in between") {
