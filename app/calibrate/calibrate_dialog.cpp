@@ -63,7 +63,7 @@ void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
     choice("tones", "stepped tones", false,
            "A tone at each sixth of an octave and at three levels: tells distortion, and whether "
            "twice the drive is twice the g");
-    choice("sweep", "sweep", true, "One sine that rises: shorter, and at one level only");
+    choice("sweep", "sweep", true, "A sine that rises three times, each time stronger");
     ImGui::NewLine();
     const CalibrationParams normal;
     changed |= draw_number_row(ui, {"calibrate:low", "From", normal.low_hz, kToneRangeHz, "Hz"},
@@ -130,6 +130,9 @@ void draw_recording_part(Ui& ui, const Workspace& work, CalibrateState& calibrat
 }
 
 std::string point_text(const ResponsePoint& point) {
+    if (point.unknown) {
+        return significant(point.frequency_hz) + " Hz: not known, and nothing is sent around it";
+    }
     return significant(point.frequency_hz) + " Hz: " + significant(point.g_per_full_scale) +
            " g at full scale, distortion " + percent(point.thd) + ", off proportion " +
            percent(point.nonlinearity);

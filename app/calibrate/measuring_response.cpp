@@ -32,7 +32,7 @@ std::optional<ResponseAnswer> answered(const ResponseQuestion& question, std::st
     answer.remarks = recording->remarks;
     progress = 0.3F;
     if (stop.stop_requested()) return std::nullopt;
-    auto result = calibration_from(calibration_plan(question.params), recording->waveform);
+    auto result = calibration_from(question.params, recording->waveform);
     if (result) {
         answer.result = *std::move(result);
     } else {

@@ -141,7 +141,8 @@ void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& cho
         "what the sensor recorded meanwhile (.csv, .txt, .wav), begun before it");
     signal->excludes(recording);
     add_recording_options(calibrate, options.how, "--full-scale,--scale");
-    calibrate.add_flag("--sweep", options.sweep, "a sweep of 20 s instead of tones of 0.6 s");
+    calibrate.add_flag("--sweep", options.sweep,
+                       "three sweeps of 18 s, each stronger, instead of tones of 0.6 s");
     calibrate.add_option("--low", options.low_hz, "lowest frequency, Hz; default: 20")
         ->check(within(1.0, 2000.0));
     calibrate.add_option("--high", options.high_hz, "highest frequency, Hz; default: 500")

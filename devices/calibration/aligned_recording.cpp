@@ -100,10 +100,10 @@ std::optional<double> lateness_of(const CalibrationPlan& plan, const Calibration
     return most_db < kClearDb ? std::nullopt : std::optional(static_cast<double>(best));
 }
 
-// What the clock of a sweep's recording is still off: the median of how much later each tone lies
-// than another, as a resonance delays a few of them. To a thousandth or so.
-double sweep_clock_left(const CalibrationPlan& plan, std::span<const double> samples,
-                        std::size_t start, std::ptrdiff_t around) {
+// The middle of each third tone of a sweep, and its lateness.
+std::vector<std::pair<double, double>> latenesses(const CalibrationPlan& plan,
+                                                  std::span<const double> samples,
+                                                  std::size_t start, std::ptrdiff_t around) {
     std::vector<std::pair<double, double>> late;
     for (std::size_t k = 0; k < plan.tones.size(); k += 3) {
         const CalibrationTone& tone = plan.tones[k];
@@ -111,6 +111,12 @@ double sweep_clock_left(const CalibrationPlan& plan, std::span<const double> sam
             lateness_of(plan, tone, samples, static_cast<std::ptrdiff_t>(start), around);
         if (by) late.emplace_back(static_cast<double>(tone.begin + tone.end) / 2.0, *by);
     }
+    return late;
+}
+
+// What the clock of a sweep's recording is still off: the median of how much later each tone lies
+// than another, as a resonance delays a few of them. To a thousandth or so.
+double clock_left_of(const std::vector<std::pair<double, double>>& late) {
     std::vector<double> slopes;
     for (std::size_t i = 0; i < late.size(); ++i) {
         for (std::size_t j = i + 1; j < late.size(); ++j) {
@@ -120,6 +126,19 @@ double sweep_clock_left(const CalibrationPlan& plan, std::span<const double> sam
     if (slopes.empty()) return 0.0;
     std::ranges::nth_element(slopes, slopes.begin() + std::ssize(slopes) / 2);
     return -slopes[slopes.size() / 2];
+}
+
+double sweep_clock_left(const CalibrationPlan& plan, std::span<const double> samples,
+                        std::size_t start, std::ptrdiff_t around) {
+    return clock_left_of(latenesses(plan, samples, start, around));
+}
+
+std::size_t moved_by_median(std::size_t start, std::vector<std::pair<double, double>> late) {
+    if (late.empty()) return start;
+    const auto middle = late.begin() + std::ssize(late) / 2;
+    std::ranges::nth_element(late, middle, {}, &std::pair<double, double>::second);
+    const double moved = static_cast<double>(start) + middle->second;
+    return static_cast<std::size_t>(std::max(0.0, moved));
 }
 
 // ... of any recording. Less than that does no harm.
@@ -133,20 +152,21 @@ double left_of_clock(const CalibrationPlan& plan, const AlignedRecording& made, 
     return sweep_clock_left(plan, samples, made.start, round == 0 ? 6000 : 1000);
 }
 
-}  // namespace
+Waveform of_clock(const Waveform& recorded, double clock_off, std::size_t least_count) {
+    Waveform made = clock_off == 0.0 ? recorded : with_clock(recorded, clock_off);
+    made.samples_g.resize(std::max(made.samples_g.size(), least_count), 0.0);
+    return made;
+}
 
-std::optional<AlignedRecording> aligned_recording(const CalibrationPlan& plan,
-                                                  const Waveform& recorded) {
+std::optional<AlignedRecording> aligned(const CalibrationPlan& plan, const Waveform& recorded,
+                                        bool latest = false) {
     constexpr int kRounds = 5;
     const double least = least_clock_off(plan);
     double off = plan.is_sweep ? 0.0 : clock_off_of(plan, recorded.samples_g);
     for (int round = 0;; ++round) {
-        const bool is_right = std::abs(off) < least;
-        AlignedRecording made{is_right ? recorded : with_clock(recorded, off), 0,
-                              is_right ? 0.0 : off};
-        const std::size_t length = plan.drive.samples.size();
-        if (made.recorded.samples_g.size() < length) made.recorded.samples_g.resize(length, 0.0);
-        const auto found = place_of_plan(plan, made.recorded.samples_g);
+        const double taken = std::abs(off) < least ? 0.0 : off;
+        AlignedRecording made{of_clock(recorded, taken, plan.drive.samples.size()), 0, taken};
+        const auto found = place_of_plan(plan, made.recorded.samples_g, latest);
         if (!found) return std::nullopt;
         made.start = refined_start(plan, made.recorded.samples_g, *found);
         if (round == kRounds) return made;
@@ -155,6 +175,61 @@ std::optional<AlignedRecording> aligned_recording(const CalibrationPlan& plan,
         off = (1.0 + made.clock_off) * (1.0 + left) - 1.0;
         if (std::abs(off) > 2.0 * kMostClockOff) return std::nullopt;
     }
+}
+
+// The last of several sweeps, which is the strongest, as a plan of its own from sample `begin` on.
+CalibrationPlan last_sweep_of(const CalibrationPlan& plan, std::size_t begin) {
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    CalibrationPlan last{
+        {plan.drive.rate_hz, {plan.drive.samples.begin() + from, plan.drive.samples.end()}},
+        {plan.phase_rad.begin() + from, plan.phase_rad.end()},
+        {},
+        true};
+    for (CalibrationTone tone : plan.tones) {
+        if (tone.begin < begin) continue;
+        tone.begin -= begin;
+        tone.end -= begin;
+        last.tones.push_back(tone);
+    }
+    return last;
+}
+
+// By the last sweep first: it is above the noise where the others may not be. Over all of them the
+// clock shows better, and needs to.
+std::optional<AlignedRecording> aligned_sweeps(const CalibrationPlan& plan, std::size_t last_begin,
+                                               const Waveform& recorded) {
+    constexpr int kRounds = 3;
+    constexpr double kLeast = 5e-5;  // 2 ms at the first sweep
+    const CalibrationPlan last = last_sweep_of(plan, last_begin);
+    std::optional<AlignedRecording> found = aligned(last, recorded, true);
+    for (int round = 0; found; ++round) {
+        if (found->start < last_begin) return std::nullopt;
+        found->start -= last_begin;
+        const auto late = latenesses(plan, found->recorded.samples_g, found->start, 1000);
+        const double left = clock_left_of(late);
+        if (round == kRounds || std::abs(left) < kLeast) {
+            found->start = moved_by_median(found->start, late);
+            return found;
+        }
+        const double off = (1.0 + found->clock_off) * (1.0 + left) - 1.0;
+        const auto was = static_cast<double>(found->start + last_begin);
+        AlignedRecording made{of_clock(recorded, off, plan.drive.samples.size()), 0, off};
+        made.start = refined_start(last, made.recorded.samples_g,
+                                   static_cast<std::size_t>(std::max(0.0, was * (1.0 + left))));
+        found = std::move(made);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::optional<AlignedRecording> aligned_recording(const CalibrationPlan& plan,
+                                                  const Waveform& recorded) {
+    if (!plan.is_sweep || plan.tones.empty()) return aligned(plan, recorded);
+    const double strongest = plan.tones.back().level;
+    const auto last = std::ranges::find(plan.tones, strongest, &CalibrationTone::level);
+    if (last == plan.tones.begin()) return aligned(plan, recorded);
+    return aligned_sweeps(plan, (last - 1)->end, recorded);
 }
 
 }  // namespace tact

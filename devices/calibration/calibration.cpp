@@ -54,11 +54,38 @@ double interpolated_g(const Calibration& calibration, double frequency_hz) {
     return low.g_per_full_scale * std::pow(above->g_per_full_scale / low.g_per_full_scale, share);
 }
 
-// 1 within the table, 0 beyond its reach.
-double edge(const Calibration& calibration, double frequency_hz) {
+// Between the known points around those that are not known; to the table's end and beyond, where
+// none follows.
+struct Gap {
+    double low_hz = 0.0;
+    double high_hz = std::numeric_limits<double>::infinity();
+};
+
+std::vector<Gap> gaps_of(const Calibration& calibration) {
+    std::vector<Gap> gaps;
+    const auto& points = calibration.points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!points[k].unknown) continue;
+        Gap gap;
+        if (k > 0) gap.low_hz = points[k - 1].frequency_hz;
+        while (k < points.size() && points[k].unknown) ++k;
+        if (k < points.size()) gap.high_hz = points[k].frequency_hz;
+        gaps.push_back(gap);
+    }
+    return gaps;
+}
+
+double octaves_from(const Gap& gap, double frequency_hz) {
+    return std::max(
+        {0.0, std::log2(gap.low_hz / frequency_hz), std::log2(frequency_hz / gap.high_hz)});
+}
+
+// 1 within the table, 0 beyond its reach and where it is not known.
+double edge(const Calibration& calibration, const std::vector<Gap>& gaps, double frequency_hz) {
     if (frequency_hz <= 0.0) return 0.0;
-    const double outside = octaves_outside(calibration, frequency_hz);
-    const double soft = (kReachOctaves - outside) / kEdgeOctaves;
+    double inside = kReachOctaves - octaves_outside(calibration, frequency_hz);
+    for (const Gap& gap : gaps) inside = std::min(inside, octaves_from(gap, frequency_hz));
+    const double soft = inside / kEdgeOctaves;
     if (soft >= 1.0) return 1.0;
     return soft <= 0.0 ? 0.0 : 0.5 - 0.5 * std::cos(std::numbers::pi * soft);
 }
@@ -182,13 +209,14 @@ void soften_end(std::vector<double>& samples, double rate_hz) {
 double share_lost(const Waveform& waveform, const Calibration& calibration) {
     const Spectrum spectrum = amplitude_spectrum(waveform.samples_g, waveform.rate_hz);
     const double floor_g = strongest_g(calibration) / kLargestBoost;
+    const std::vector<Gap> gaps = gaps_of(calibration);
     double meant = 0.0;
     double lost = 0.0;
     for (std::size_t k = 1; k < spectrum.amplitude_g.size(); ++k) {
         const double f_hz = frequency_hz(spectrum, k);
         const double square = spectrum.amplitude_g[k] * spectrum.amplitude_g[k];
         const double g = interpolated_g(calibration, f_hz);
-        const double given = edge(calibration, f_hz) * g / std::max(g, floor_g);
+        const double given = edge(calibration, gaps, f_hz) * g / std::max(g, floor_g);
         meant += square;
         lost += square * (1.0 - given * given);
     }
@@ -302,11 +330,12 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
                                  bool loop, std::optional<double> longest_s) {
     assert(!calibration.points.empty() && "a calibration without a point");
     const double floor_g = strongest_g(calibration) / kLargestBoost;
+    const std::vector<Gap> gaps = gaps_of(calibration);
     CalibratedDrive driven;
     driven.drive.rate_hz = waveform.rate_hz;
     driven.drive.samples =
         zero_phase_filtered(waveform.samples_g, waveform.rate_hz, [&](double f_hz) {
-            const double passed = edge(calibration, f_hz);
+            const double passed = edge(calibration, gaps, f_hz);
             if (passed == 0.0) return 0.0;
             return passed / std::max(interpolated_g(calibration, f_hz), floor_g);
         });

@@ -3,7 +3,8 @@
 // Between measured frequencies log S is linear in log f. The drive of a waveform is the waveform
 // divided by the response, frequency by frequency, without delay:
 //     H(f) = 1 / max(S(f), S_max / 10)        (20 dB of boost at most: more would tear at the coil)
-// and 0 beyond a third of an octave outside the table, with a soft edge on the way there. A drive
+// and 0 beyond a third of an octave outside the table, with a soft edge on the way there, and
+// between the known points around those that are not known, with that edge outside. A drive
 // that is no loop and would end above 2 % of its peak ends in a ramp of 5 ms.
 //
 // Source    linear interpolation of log-log responses and regularised inversion are common
@@ -35,6 +36,7 @@ struct ResponsePoint {
     double thd = 0.0;  // total harmonic distortion there: second to fifth, as a share
     double nonlinearity = 0.0;  // largest departure from proportional over the levels, as a share
     bool between = false;       // worked out from the points around it, not measured
+    bool unknown = false;       // out of proportion at all levels: nothing is sent around it
 
     bool operator==(const ResponsePoint&) const = default;
 };

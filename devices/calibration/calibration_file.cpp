@@ -32,6 +32,7 @@ ResponsePoint point_of(JsonObject object) {
     point.thd = number_field(object, "thd", point.thd, kFactor);
     point.nonlinearity = number_field(object, "nonlinearity", point.nonlinearity, kFactor);
     point.between = yes_no_field(object, "between", false);
+    point.unknown = yes_no_field(object, "unknown", false);
     (void)unknown_fields(object);
     return point;
 }
@@ -107,6 +108,7 @@ std::string print_calibration(const Calibration& calibration) {
                                   {"thd", point.thd},
                                   {"nonlinearity", point.nonlinearity}});
         if (point.between) json["points"].back()["between"] = true;
+        if (point.unknown) json["points"].back()["unknown"] = true;
     }
     return json.dump(2) + "\n";
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <map>
 #include <numbers>
-#include <span>
 
 #include "devices/calibration/aligned_recording.h"
 #include "devices/calibration/plan_alignment.h"
+#include "devices/calibration/proportion.h"
+#include "devices/calibration/proven_resonances.h"
 #include "devices/calibration/resonance.h"
 #include "devices/calibration/ringing.h"
 #include "devices/calibration/tone_fit.h"
@@ -25,9 +25,8 @@ constexpr double kBurstS = 0.3;
 constexpr double kPauseS = 0.3;  // after the burst, and at the end
 constexpr double kRampS = 0.02;  // of every tone
 constexpr double kMostThd = 0.1;
-constexpr double kMostError = 0.03;          // standard error of an amplitude: 0.26 dB
-constexpr double kMostOffProportion = 0.12;  // between levels: 1 dB
 constexpr double kToldRingingDb = 0.25;
+constexpr double kToldOffProportion = 0.04;  // less is noise, or nothing
 
 std::vector<double> frequencies(const CalibrationParams& params) {
     std::vector<double> all;
@@ -72,14 +71,14 @@ void add_steps(CalibrationPlan& plan, const CalibrationParams& params) {
 }
 
 // f(t) = low 2^(t r), so p(t) = 2 pi low (2^(t r) - 1) / (r ln 2).
-void add_sweep(CalibrationPlan& plan, const CalibrationParams& params) {
+void add_sweep(CalibrationPlan& plan, const CalibrationParams& params, double level) {
     const double margin = std::exp2(1.0 / 12.0);
     const double low_hz = params.low_hz / margin;
     const double high_hz = params.high_hz * margin;
     const double octaves_per_s = std::log2(high_hz / low_hz) / params.sweep_s;
     const double scale = kTau * low_hz / (octaves_per_s * std::numbers::ln2);
     const std::size_t begin = plan.drive.samples.size();
-    add_sine(plan, params.levels.back(), params.sweep_s,
+    add_sine(plan, level, params.sweep_s,
              [&](double t_s) { return scale * (std::exp2(t_s * octaves_per_s) - 1.0); });
     const auto place = [&](double f_hz) {
         const double t_s = std::log2(f_hz / low_hz) / octaves_per_s;
@@ -88,7 +87,7 @@ void add_sweep(CalibrationPlan& plan, const CalibrationParams& params) {
     };
     const double half = std::exp2(1.0 / 24.0);
     for (const double f_hz : frequencies(params)) {
-        plan.tones.push_back({f_hz, params.levels.back(), place(f_hz / half), place(f_hz * half)});
+        plan.tones.push_back({f_hz, level, place(f_hz / half), place(f_hz * half)});
     }
 }
 
@@ -99,49 +98,6 @@ std::string remark_on_left_out(const std::vector<MeasuredTone>& tones) {
     if (taken == all) return {};
     return std::to_string(all - taken) + " of " + std::to_string(all) +
            " tones were left out: " + words_on_left_out();
-}
-
-double strength(const MeasuredTone& one) { return one.amplitude_g / one.tone.level; }
-
-// How far the strengths of tones of one frequency are off that of the last, as a share.
-double off_proportion(std::span<const MeasuredTone* const> levels) {
-    double most = 0.0;
-    for (const MeasuredTone* one : levels) {
-        most = std::max(most, std::abs(strength(*one) / strength(*levels.back()) - 1.0));
-    }
-    return most;
-}
-
-struct Points {
-    std::vector<ResponsePoint> points;
-    std::vector<CalibrationTone> tones;  // by which those were measured
-    std::vector<double> left_out_hz;     // out of proportion already at the lowest levels
-    std::size_t lowered = 0;  // measured at higher levels, too, which were not in proportion
-};
-
-// One point a frequency: at the highest accepted level up to which all are in proportion, as a
-// table has one strength for all levels.
-Points points_of(const std::vector<MeasuredTone>& tones) {
-    std::map<double, std::vector<const MeasuredTone*>> accepted;
-    for (const MeasuredTone& tone : tones) {
-        if (tone.accepted) accepted[tone.tone.frequency_hz].push_back(&tone);
-    }
-    Points made;
-    for (auto& [f_hz, levels] : accepted) {
-        std::ranges::sort(levels, {}, [](const MeasuredTone* one) { return one->tone.level; });
-        const std::size_t all = levels.size();
-        while (levels.size() > 1 && off_proportion(levels) > kMostOffProportion) levels.pop_back();
-        if (all > 1 && levels.size() == 1) {
-            made.left_out_hz.push_back(f_hz);
-            continue;
-        }
-        made.lowered += levels.size() < all ? 1 : 0;
-        const MeasuredTone& highest = *levels.back();
-        made.points.push_back(
-            {f_hz, strength(highest), highest.tone.level, highest.thd, off_proportion(levels)});
-        made.tones.push_back(highest.tone);
-    }
-    return made;
 }
 
 std::string short_digits(double value) {
@@ -161,23 +117,39 @@ void tell_ringing(const std::vector<Resonance>& sharp, std::vector<std::string>&
     }
 }
 
-void tell_proportion(const Points& made, std::vector<std::string>& remarks) {
-    const std::string limit = std::to_string(std::lround(100.0 * kMostOffProportion)) + " %";
-    if (!made.left_out_hz.empty()) {
-        std::string where;
-        for (const double f_hz : made.left_out_hz) {
-            where += (where.empty() ? "" : ", ") + short_digits(f_hz);
+// What follows a little less than in proportion does so at lower levels, too: by half of what the
+// softest limit makes of it.
+void raise_a_little(MeasuredPoint& one) {
+    if (one.followed.size() < 2 || one.point.nonlinearity < kToldOffProportion) return;
+    const auto raised = raised_by(one.followed[0], one.followed[1]);
+    const double noise =
+        3.0 * std::hypot(one.followed[0].standard_error, one.followed[1].standard_error);
+    if (raised && noise < 0.5 * one.point.nonlinearity) {
+        one.point.g_per_full_scale *= std::sqrt(*raised);
+    }
+}
+
+// The table made finer, each run of known points by itself.
+FinerTable finer_runs(const std::vector<MeasuredPoint>& measured,
+                      const std::vector<Resonance>& sharp) {
+    FinerTable all;
+    std::vector<ResponsePoint> run;
+    const auto end_run = [&] {
+        const FinerTable finer = finer_table(run, sharp);
+        all.points.insert(all.points.end(), finer.points.begin(), finer.points.end());
+        all.remarks.insert(all.remarks.end(), finer.remarks.begin(), finer.remarks.end());
+        run.clear();
+    };
+    for (const MeasuredPoint& one : measured) {
+        if (!one.point.unknown) {
+            run.push_back(one.point);
+            continue;
         }
-        remarks.push_back("left out " + where +
-                          " Hz: what was measured there is out of proportion "
-                          "to the drive by more than " +
-                          limit + ", already at the lowest levels");
+        end_run();
+        all.points.push_back(one.point);
     }
-    if (made.lowered > 0) {
-        remarks.push_back("at " + std::to_string(made.lowered) +
-                          " frequencies the actuator is in proportion to its drive, to " + limit +
-                          ", at lower levels only: it is driven up to those");
-    }
+    end_run();
+    return all;
 }
 
 }  // namespace
@@ -189,7 +161,7 @@ CalibrationPlan calibration_plan(const CalibrationParams& params) {
     add_sine(plan, params.levels.back(), kBurstS, [](double t_s) { return kTau * kBurstHz * t_s; });
     add_silence(plan, kPauseS);
     if (params.is_sweep) {
-        add_sweep(plan, params);
+        for (const double level : params.sweep_levels) add_sweep(plan, params, level);
     } else {
         add_steps(plan, params);
     }
@@ -204,7 +176,7 @@ std::string words_on_left_out() {
     return percent(kMostThd) +
            " of harmonic distortion or more, or so much noise that the standard error of the "
            "amplitude is " +
-           percent(kMostError) + " or more";
+           percent(kMostToneError) + " or more";
 }
 
 Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
@@ -227,26 +199,35 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
     for (const CalibrationTone& tone : plan.tones) {
         const ToneFit fit = fit_of(plan, tone, found->recorded.samples_g, found->start);
         result.tones.push_back({tone, fit.amplitude_g, fit.thd, fit.snr_db, fit.standard_error,
-                                fit.thd < kMostThd && fit.standard_error < kMostError});
+                                fit.thd < kMostThd && fit.standard_error < kMostToneError});
     }
-    Points made = points_of(result.tones);
-    if (made.points.empty() && !made.left_out_hz.empty()) {
+    std::vector<MeasuredPoint> measured = in_proportion(result.tones);
+    if (measured.empty()) {
+        return Error{"no tone of this recording is clean enough: all have " + words_on_left_out()};
+    }
+    if (std::ranges::all_of(measured, [](const auto& one) { return one.point.unknown; })) {
         return Error{
             "nothing in this recording is in proportion to the drive: the sensor clips, or "
             "this is not the signal that was played"};
     }
-    if (made.points.empty()) {
-        return Error{"no tone of this recording is clean enough: all have " + words_on_left_out()};
+    const std::vector<Resonance> sharp = proven_resonances(plan, measured);
+    for (MeasuredPoint& one : measured) {
+        const double f_hz = one.point.frequency_hz;
+        const auto covers = [f_hz](const Resonance& known) {
+            return f_hz >= known.low_hz && f_hz <= known.high_hz;
+        };
+        if (std::ranges::none_of(sharp, covers)) raise_a_little(one);
     }
-    const std::vector<Resonance> sharp = sharp_resonances(plan, made.tones, made.points);
-    FinerTable finer = finer_table(made.points, sharp);
+    FinerTable finer = finer_runs(measured, sharp);
     result.points = std::move(finer.points);
     result.remarks = std::move(finer.remarks);
     if (const std::string left_out = remark_on_left_out(result.tones); !left_out.empty()) {
         result.remarks.insert(result.remarks.begin(), left_out);
     }
     tell_ringing(sharp, result.remarks);
-    tell_proportion(made, result.remarks);
+    for (std::string& remark : words_on_proportion(measured)) {
+        result.remarks.push_back(std::move(remark));
+    }
     if (result.clock_off != 0.0) {
         result.remarks.insert(result.remarks.begin(),
                               "the clock of this recording runs " +
@@ -255,6 +236,17 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
                                   ", by the signal itself: taken out");
     }
     return result;
+}
+
+Expected<CalibrationResult> calibration_from(const CalibrationParams& params,
+                                             const Waveform& recorded) {
+    Expected<CalibrationResult> found = calibration_from(calibration_plan(params), recorded);
+    if (found || !params.is_sweep) return found;
+    CalibrationParams earlier = params;
+    earlier.sweep_levels = {params.levels.back()};
+    earlier.sweep_s = 20.0;
+    Expected<CalibrationResult> old = calibration_from(calibration_plan(earlier), recorded);
+    return old ? old : found;
 }
 
 }  // namespace tact

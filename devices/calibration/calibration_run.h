@@ -1,9 +1,8 @@
 // Measuring an actuator: the signal to play, and the table that a recording of it gives.
 //
 // Stepped   a tone at each frequency and level; what it did while it settled is left out
-// Sweep     a sine whose frequency rises evenly in octaves; each frequency counts for a twelfth of
-// an
-//           octave around it
+// Sweep     a sine whose frequency rises evenly in octaves, once a level; each frequency counts for
+//           a twelfth of an octave around it
 //
 // By least squares over a tone's settled part, with its phase p known at every sample:
 //     x[n] = c + sum_{h=1..5} (a_h cos h p[n] + b_h sin h p[n]) + rest
@@ -34,10 +33,11 @@ struct CalibrationParams {
     double low_hz = 20.0;
     double high_hz = 500.0;
     int per_octave = 6;
-    std::vector<double> levels = {0.1, 0.3, 0.6};  // of full scale; a sweep takes the last
+    std::vector<double> levels = {0.1, 0.3, 0.6};  // of full scale
     double tone_s = 0.6;  // all tones of the default take 53 s: recordings may last a minute
     double settle_s = 0.2;
-    double sweep_s = 20.0;
+    double sweep_s = 18.0;                                   // each; all three take 55 s
+    std::vector<double> sweep_levels = {0.0375, 0.15, 0.6};  // one after the other, rising
 
     bool operator==(const CalibrationParams&) const = default;
 };
@@ -87,5 +87,9 @@ std::string words_on_left_out();
 // Errors: a recording of another rate, or shorter than the plan; no sign of the plan in it; no tone
 // good enough.
 Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan, const Waveform& recorded);
+
+// ... of the signal that these parameters make, or made: a sweep once had one level, of 20 s.
+Expected<CalibrationResult> calibration_from(const CalibrationParams& params,
+                                             const Waveform& recorded);
 
 }  // namespace tact

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kHopSamples = 100;  // 10 ms
 constexpr std::size_t kHalfWindow = 5;    // hops
 constexpr double kLeastAlike = 0.3;
+constexpr double kNearly = 0.8;  // as much alike as the best: another play of the plan
 
 double mean_of(std::span<const double> samples) {
     double sum = 0.0;
@@ -178,7 +179,7 @@ double clock_off_of(const CalibrationPlan& plan, std::span<const double> samples
 }
 
 std::optional<std::size_t> place_of_plan(const CalibrationPlan& plan,
-                                         std::span<const double> samples) {
+                                         std::span<const double> samples, bool latest) {
     const std::vector<double>& drive = plan.drive.samples;
     std::set<double> frequencies_hz;
     for (const CalibrationTone& tone : plan.tones) frequencies_hz.insert(tone.frequency_hz);
@@ -188,8 +189,15 @@ std::optional<std::size_t> place_of_plan(const CalibrationPlan& plan,
         add_correlations(strength_over_time(drive, f_hz, plan.drive.rate_hz),
                          strength_over_time(samples, f_hz, plan.drive.rate_hz), alike);
     }
-    const auto best = std::ranges::max_element(alike);
+    auto best = std::ranges::max_element(alike);
     if (*best < kLeastAlike * static_cast<double>(frequencies_hz.size())) return std::nullopt;
+    if (latest) {
+        const double nearly = kNearly * *best;
+        auto last = alike.end() - 1;
+        while (*last < nearly) --last;
+        while (last != alike.begin() && *(last - 1) >= *last) --last;
+        best = last;
+    }
     return static_cast<std::size_t>(best - alike.begin()) * kHopSamples;
 }
 

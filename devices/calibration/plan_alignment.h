@@ -7,7 +7,7 @@
 // Source    a spectrogram's correlation, each row by itself; the least one: a choice of ours. Noise
 //           reaches 0.05, the plan at another lag 0.2.
 // Output    the first sample of the plan, to a hundredth of a second; none where it is not
-// Left out  two plays of the plan.
+// Left out  two plays of the plan, but for the latest.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,9 @@ double clock_off_of(const CalibrationPlan& plan, std::span<const double> samples
 
 inline constexpr double kMostClockOff = 0.035;
 
-// `samples` at the plan's rate, at least as long as it.
+// `samples` at the plan's rate, at least as long as it. `latest`: where it is there several times,
+// as weaker sweeps before the last are.
 std::optional<std::size_t> place_of_plan(const CalibrationPlan& plan,
-                                         std::span<const double> samples);
+                                         std::span<const double> samples, bool latest = false);
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 namespace tact {
@@ -12,6 +13,9 @@ namespace {
 
 constexpr double kStraightDb = 0.25;  // that a straight line may err
 constexpr double kAgreedDb = 0.5;     // that two parabolas may differ
+constexpr double kSpare = 0.25;       // of that difference, as they may both be wrong
+constexpr double kMostToldDb = 12.0;  // that a strength may be wrong
+constexpr double kBent = 0.04;        // off proportion, as a share
 constexpr int kMostHalvings = 5;
 
 double decibels(double ratio) { return 20.0 * std::log10(ratio); }
@@ -125,19 +129,58 @@ Bend bend_of(const std::vector<ResponsePoint>& points, std::size_t k) {
     return bend;
 }
 
-std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, const Bend& bend) {
+std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, double told_db) {
     std::array<char, 160> text{};
-    if (bend.doubt_db > 40.0) {
+    if (told_db > kMostToldDb) {
         std::snprintf(text.data(), text.size(),
                       "between %.0f and %.0f Hz the response bends too much for the points there: "
-                      "strengths may be wrong",
+                      "strengths are not known, and nothing is sent there",
                       a.frequency_hz, b.frequency_hz);
     } else {
         std::snprintf(text.data(), text.size(),
-                      "between %.0f and %.0f Hz strengths may be wrong by %.1f dB", a.frequency_hz,
-                      b.frequency_hz, std::max(bend.doubt_db, bend.most_db));
+                      "between %.0f and %.0f Hz strengths may be wrong by %.1f dB, and are taken "
+                      "as high as they may be",
+                      a.frequency_hz, b.frequency_hz, told_db);
     }
     return text.data();
+}
+
+// Of a point that gives out a peak beside it is not to be told.
+bool is_bent(const ResponsePoint& point) { return point.nonlinearity > kBent; }
+
+// Points of the interval k as strong as the actuator may be there, so that nothing is driven too
+// strongly; one that is not known where that could be anything.
+void add_highest(const std::vector<ResponsePoint>& points, std::size_t k, const Bend& bend,
+                 FinerTable& finer) {
+    const double spare_db = kSpare * bend.doubt_db;
+    const ResponsePoint& from = points[k];
+    const ResponsePoint& to = points[k + 1];
+    std::vector<ResponsePoint> added;
+    double told_db = spare_db + std::max(bend.doubt_db, bend.most_db);
+    for (const double share : {0.25, 0.5, 0.75}) {
+        ResponsePoint point = from;
+        point.between = true;
+        point.frequency_hz =
+            from.frequency_hz * std::pow(to.frequency_hz / from.frequency_hz, share);
+        const std::optional<Guess> guess = guess_at(points, k, point.frequency_hz);
+        if (!guess) continue;
+        const double line_g = by_line(from, to, point.frequency_hz);
+        const double high_db = 0.5 * guess->doubt_db + spare_db;
+        point.g_per_full_scale = std::max(line_g, guess->g * std::pow(10.0, high_db / 20.0));
+        const double low_g =
+            std::min(line_g, guess->g * std::pow(10.0, -0.5 * guess->doubt_db / 20.0));
+        told_db = std::max(told_db, decibels(point.g_per_full_scale / low_g));
+        added.push_back(point);
+    }
+    if (told_db > kMostToldDb || is_bent(from) || is_bent(to)) {
+        told_db = std::numeric_limits<double>::infinity();
+        added = {from};
+        added[0].frequency_hz = std::sqrt(from.frequency_hz * to.frequency_hz);
+        added[0].between = true;
+        added[0].unknown = true;
+    }
+    finer.points.insert(finer.points.end(), added.begin(), added.end());
+    finer.remarks.push_back(doubt_about(from, to, told_db));
 }
 
 }  // namespace
@@ -156,7 +199,7 @@ FinerTable finer_table(const std::vector<ResponsePoint>& points,
         const Bend bend = bend_of(points, k);
         if (std::max(bend.most_db, bend.doubt_db) <= kStraightDb) continue;
         if (bend.doubt_db > kAgreedDb) {
-            finer.remarks.push_back(doubt_about(points[k], points[k + 1], bend));
+            add_highest(points, k, bend, finer);
             continue;
         }
         add_between(points, k, points[k], points[k + 1], 0, finer.points);

@@ -4,7 +4,9 @@
 // parabola in 1 / f^2, whatever g, f0 and Q are, and three points of it give all others. Between
 // two points there are two such parabolas, with the next point below or above. Where they agree,
 // points are put between until straight lines in log f, log S, as a table is read, follow them to
-// 0.25 dB; where they do not, it is no single resonance, and what may be wrong is said.
+// 0.25 dB; where they do not, it is no single resonance: the points between are as strong as they
+// may be, so that nothing is driven too strongly, and what may be wrong is said. Where that is more
+// than 12 dB a point between is not known.
 //
 // Around a sharp resonance that is known (ringing.h) the points between are its own.
 //

@@ -187,6 +187,17 @@ double strength_g(const Resonance& resonance, double f_hz) {
     return resonance.g * shape(resonance.f0_hz, resonance.q, f_hz);
 }
 
+std::vector<double> rung_g(const CalibrationPlan& plan, const std::vector<CalibrationTone>& tones,
+                           const Resonance& resonance) {
+    if (tones.empty()) return {};
+    Peak peak{plan, tones, {}, std::vector<double>(plan.drive.samples.size(), 0.0)};
+    const Eigen::VectorXd logs = measured_of(
+        peak, {std::log(resonance.f0_hz), std::log(resonance.q), std::log(resonance.g)});
+    std::vector<double> strengths;
+    for (const double log : logs) strengths.push_back(std::exp(log));
+    return strengths;
+}
+
 std::vector<Resonance> sharp_resonances(const CalibrationPlan& plan,
                                         const std::vector<CalibrationTone>& tones,
                                         std::vector<ResponsePoint>& points) {

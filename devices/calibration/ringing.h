@@ -31,6 +31,10 @@ struct Resonance {
 
 double strength_g(const Resonance& resonance, double f_hz);
 
+// What each tone of the plan would be measured to have, per full scale.
+std::vector<double> rung_g(const CalibrationPlan& plan, const std::vector<CalibrationTone>& tones,
+                           const Resonance& resonance);
+
 // `tones`: those by which the points were measured, frequencies rising. Corrects the points.
 std::vector<Resonance> sharp_resonances(const CalibrationPlan& plan,
                                         const std::vector<CalibrationTone>& tones,

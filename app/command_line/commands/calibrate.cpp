@@ -31,7 +31,9 @@ std::string table_of(const CalibrationResult& result) {
                         fixed_digits(point.largest_drive, 2),
                         fixed_digits(100.0 * point.thd, 1) + " %",
                         fixed_digits(100.0 * point.nonlinearity, 1) + " %",
-                        point.between ? "worked out" : "measured"});
+                        point.unknown   ? "not known"
+                        : point.between ? "worked out"
+                                        : "measured"});
     }
     return aligned(rows);
 }
@@ -47,7 +49,8 @@ std::string json_of(const CalibrationResult& result) {
                                   {"largest_drive", point.largest_drive},
                                   {"thd", point.thd},
                                   {"nonlinearity", point.nonlinearity},
-                                  {"between", point.between}});
+                                  {"between", point.between},
+                                  {"unknown", point.unknown}});
     }
     for (const MeasuredTone& one : result.tones) {
         json["tones"].push_back({{"frequency_hz", one.tone.frequency_hz},
@@ -82,15 +85,14 @@ Expected<Done> run(const CalibrateCommand& command) {
     if (params.high_hz < params.low_hz) {
         return Error{"--high: expected " + digits(params.low_hz) + " Hz or more, as --low is"};
     }
-    const CalibrationPlan plan = calibration_plan(params);
-    if (!command.signal.empty()) return write_signal(command, plan);
+    if (!command.signal.empty()) return write_signal(command, calibration_plan(params));
 
     const Expected<Recording> recording = read_acceleration_file(command.recording, command.how);
     if (!recording) return recording.error();
     for (const std::string& remark : recording->remarks) {
         std::cerr << "tactspace: " << command.recording.string() << ": " << remark << "\n";
     }
-    const Expected<CalibrationResult> result = calibration_from(plan, recording->waveform);
+    const Expected<CalibrationResult> result = calibration_from(params, recording->waveform);
     if (!result) return Error{command.recording.string() + ": " + result.error().message};
     Calibration calibration = command.about;
     calibration.points = result->points;

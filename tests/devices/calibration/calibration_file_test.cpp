@@ -96,6 +96,7 @@ TEST_CASE("calibration file: it comes back as it went") {
     calibration.actuator = "coil \"A\"";
     calibration.rms_limit = 0.4;
     calibration.points[1].between = true;
+    calibration.points[0].unknown = true;
     const auto back = parse_calibration(print_calibration(calibration), "c.json");
     REQUIRE(back);
     CHECK(*back == calibration);

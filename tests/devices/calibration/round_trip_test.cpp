@@ -151,7 +151,8 @@ TEST_CASE("round trip: what is out of proportion already at low levels is left o
     const auto result = calibration_from(plan, recorded);
     REQUIRE(result);
     for (const ResponsePoint& point : result->points) {
-        CHECK(std::abs(point.frequency_hz - 40.0) > 1.0);
+        CHECK(point.unknown == (std::abs(point.frequency_hz - 40.0) < 1.0));
+        if (point.unknown) continue;
         CHECK(std::abs(point.g_per_full_scale - 1.0) < 0.01);
     }
     CHECK(std::ranges::any_of(result->remarks, [](const std::string& remark) {
