@@ -28,14 +28,16 @@ constexpr double kMostThd = 0.1;
 constexpr double kToldRingingDb = 0.25;
 constexpr double kToldOffProportion = 0.04;  // less is noise, or nothing
 
+// From the lowest to the highest by equal steps, as many to an octave or a few more: both ends are
+// measured.
 std::vector<double> frequencies(const CalibrationParams& params) {
-    std::vector<double> all;
-    for (int k = 0;; ++k) {
-        const double f_hz = params.low_hz * std::exp2(static_cast<double>(k) / params.per_octave);
-        // The highest one is not missed for its last bit.
-        if (f_hz > params.high_hz * (1.0 + 1e-9)) return all;
-        all.push_back(f_hz);
-    }
+    constexpr double kLastBit = 1e-9;
+    const double octaves = std::log2(params.high_hz / params.low_hz);
+    const int steps = static_cast<int>(std::ceil(octaves * params.per_octave - kLastBit));
+    std::vector<double> all{params.low_hz};
+    for (int k = 1; k < steps; ++k) all.push_back(params.low_hz * std::exp2(octaves * k / steps));
+    if (steps > 0) all.push_back(params.high_hz);
+    return all;
 }
 
 void add_silence(CalibrationPlan& plan, double seconds) {

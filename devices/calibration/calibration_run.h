@@ -32,7 +32,7 @@ struct CalibrationParams {
     bool is_sweep = false;
     double low_hz = 20.0;
     double high_hz = 500.0;
-    int per_octave = 6;
+    int per_octave = 6;  // at the least: steps are equal, and the last is high_hz
     std::vector<double> levels = {0.1, 0.3, 0.6};  // of full scale
     double tone_s = 0.6;  // all tones of the default take 53 s: recordings may last a minute
     double settle_s = 0.2;

@@ -37,7 +37,9 @@ TEST_CASE("calibration: stepped tones find the response of a coil to 1 %, wherev
         const auto result = calibration_from(plan, recorded(coil, plan, before, 0.0005));
         REQUIRE(result);
         const auto measured = std::ranges::count(result->points, false, &ResponsePoint::between);
-        CHECK(measured == 14);  // a third of an octave each from 20 to 403 Hz
+        CHECK(measured == 15);  // from 20 to 500 Hz, 0.33 octaves each
+        CHECK(result->points.front().frequency_hz == 20.0);
+        CHECK(result->points.back().frequency_hz == 500.0);
         for (const ResponsePoint& point : result->points) {
             const double off = point.g_per_full_scale / coil.gain_at(point.frequency_hz) - 1.0;
             CHECK_MESSAGE(std::abs(off) < 0.01, point.frequency_hz << " Hz: " << off);

@@ -140,6 +140,7 @@ TEST_CASE("round trip: what is out of proportion already at low levels is left o
     CalibrationParams params;
     params.tone_s = 0.4;
     params.per_octave = 2;
+    params.high_hz = 640.0;  // so that 40 Hz is one of the steps
     const CalibrationPlan plan = calibration_plan(params);
     Waveform recorded = recorded_of(flat(), plan);
     // At 40 Hz the weaker, the stronger: 275 % off.
