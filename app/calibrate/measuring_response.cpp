@@ -43,12 +43,13 @@ std::optional<ResponseAnswer> answered(const ResponseQuestion& question, std::st
 
 // One that is not there yet: what was measured before stays.
 fs::path new_file(const Workspace& work, const PlayState& play, const Calibration& made) {
-    if (work.session.folder.empty()) return {};
+    const fs::path folder = calibration_folder(work);
+    if (folder.empty()) return {};
     const std::string stem = file_stem(device_text(play) + ", " + made.date);
     std::error_code fault;
     for (int number = 1;; ++number) {
         const std::string ending = number == 1 ? "" : " " + std::to_string(number);
-        fs::path file = work.session.folder / "calibrations" / (stem + ending + ".json");
+        fs::path file = folder / (stem + ending + ".json");
         if (!fs::exists(file, fault)) return file;
     }
 }

@@ -5,6 +5,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/play/playing.h"
+#include "app/session/folders.h"
 #include "app/ui/file_question.h"
 #include "app/ui/widgets.h"
 #include "devices/calibration/calibration_file.h"
@@ -53,15 +54,23 @@ void follow_calibration(Ui& ui, Workspace& work, RenderingState& rendered, PlayS
     follow_rendered_coil(work, rendered, play);
 }
 
+std::filesystem::path calibration_folder(const Workspace& work) {
+    return work.session.folder.empty() ? std::filesystem::path{}
+                                       : work.session.folder / "calibrations";
+}
+
 void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play) {
     ui.dialog = Dialog::none;  // its list would lie over the files
     const std::filesystem::path last = play.choice.calibration;
+    const std::filesystem::path own = calibration_folder(work);
     ask_for_file(ui,
                  {.purpose = ChooserPurpose::load_calibration,
                   .use = ChooserUse::open,
                   .title = "Load the calibration of this device",
                   .extensions = {".json"}},
-                 last.empty() ? work.document.path.parent_path() : last.parent_path());
+                 !last.empty()   ? last.parent_path()
+                 : is_there(own) ? own
+                                 : work.document.path.parent_path());
 }
 
 void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,

@@ -19,6 +19,10 @@ namespace tact {
 // rendering report takes a voice coil for follows it.
 void follow_calibration(Ui& ui, Workspace& work, RenderingState& rendered, PlayState& play);
 
+// Where what is measured in the window is kept; empty: nowhere.
+std::filesystem::path calibration_folder(const Workspace& work);
+
+// In the folder of the one in use, else in that one.
 void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play);
 void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                      PlayState& play, const std::filesystem::path& path);  // empty: none any more

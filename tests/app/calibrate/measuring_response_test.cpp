@@ -131,6 +131,34 @@ TEST_CASE("measuring a response: a second calibration leaves the first one's fil
     CHECK(std::filesystem::exists(first));
 }
 
+TEST_CASE("measuring a response: what was saved is looked for where it is, also by one without") {
+    Measuring program;
+    read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
+    program.wait_for_answer();
+    program.click("button:choose");
+    const auto folder = program.app.work.session.folder / "calibrations";
+    for (const bool is_in_use : {true, false}) {
+        CAPTURE(is_in_use);
+        program.app.ui.dialog = Dialog::devices;
+        program.settle();
+        if (!is_in_use) program.click("link:no calibration");
+        program.click("link:load calibration");
+        REQUIRE(program.app.ui.chooser.is_open);
+        CHECK(program.app.ui.chooser.listing.folder == folder);
+        program.press_key(key::kEscape);
+    }
+}
+
+TEST_CASE("measuring a response: the last tone is as high as was asked, and so says the table") {
+    Measuring program;
+    program.app.calibrating.params = {};
+    CHECK(calibration_plan({}).tones.back().frequency_hz == program.app.calibrating.params.high_hz);
+    program.app.calibrating.params.high_hz = 190.0;
+    const auto tones = calibration_plan(program.app.calibrating.params).tones;
+    CHECK(tones.front().frequency_hz == 20.0);
+    CHECK(tones.back().frequency_hz == 190.0);
+}
+
 TEST_CASE("measuring a response: what is no recording of the signal is said, and not saved") {
     Measuring program;
     read_calibration_recording(program.app.ui, program.app.calibrating,
