@@ -217,6 +217,14 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     dim_text(ui, text);
     draw_size(ui, work, exports.moving_view, exports.frame_size);
     draw_formats(ui, exports);
+    const PictureSize& size = exports.frame_size;
+    const std::string even =
+        exports.film ? film_size_words(*exports.film, {size.width, size.height}) : "";
+    if (!even.empty()) {
+        draw_label(ui, "");
+        coloured_text(ui.theme.warning, "The film has " + even + ".");
+        note_item(ui.rects, "export:even", even);
+    }
     const char* choose = exports.film ? "Choose a file..." : "Choose a folder...";
     if (!draw_ends(ui, choose, is_good)) return;
     choose_frames(ui, work, exports);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/export/effect_export.h"
 #include "app/pictures/film.h"
@@ -31,6 +32,7 @@ struct RunningAnimation {
     PictureSize size;
     FrameSequence sequence;
     std::shared_ptr<Film> film;  // one file; null: a picture each
+    std::string another_size;    // of the film than was asked, in words
     int done = 0;                // frames
     double begun_s = 0.0;
 };

@@ -23,13 +23,10 @@ fs::path part_of(const fs::path& path) {
     return part;
 }
 
-// Many players want sizes that two divides.
-std::string ffmpeg_line(const fs::path& path, int width, int height) {
-    const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    const bool odd = width % 2 != 0 || height % 2 != 0;
+std::string ffmpeg_line(const fs::path& path, FilmSize film) {
+    const std::string size = std::to_string(film.width) + "x" + std::to_string(film.height);
     return "exec ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s " + size +
-           " -framerate 25 -i - " + (odd ? "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' " : "") +
-           "-pix_fmt yuv420p -f mp4 " + shell_word(part_of(path).string());
+           " -framerate 25 -i - -pix_fmt yuv420p -f mp4 " + shell_word(part_of(path).string());
 }
 
 }  // namespace
@@ -51,6 +48,18 @@ int frames_of(double length_s, double slower, double frames_per_s) {
                       kMostFrames);
 }
 
+FilmSize film_size(FilmFormat format, FilmSize asked) {
+    if (format != FilmFormat::mp4) return asked;
+    return {asked.width + asked.width % 2, asked.height + asked.height % 2};
+}
+
+std::string film_size_words(FilmFormat format, FilmSize asked) {
+    const FilmSize size = film_size(format, asked);
+    if (size.width == asked.width && size.height == asked.height) return {};
+    return std::to_string(size.width) + " \u00d7 " + std::to_string(size.height) +
+           " pixels, as sides of an MP4 are even";
+}
+
 Film::~Film() {
     if (ffmpeg == nullptr) return;
     pclose(ffmpeg);
@@ -58,7 +67,7 @@ Film::~Film() {
     fs::remove(part_of(path), none);
 }
 
-Expected<std::shared_ptr<Film>> open_film(const fs::path& path, int width, int height) {
+Expected<std::shared_ptr<Film>> open_film(const fs::path& path, FilmSize size) {
     auto film = std::make_shared<Film>();
     film->path = path;
     film->format = film_format(path).value_or(FilmFormat::apng);
@@ -69,7 +78,7 @@ Expected<std::shared_ptr<Film>> open_film(const fs::path& path, int width, int h
             path.string() +
             ": MP4 is made by ffmpeg, which is not installed; .gif and .apng need nothing"};
     }
-    film->ffmpeg = popen(ffmpeg_line(path, width, height).c_str(), "w");
+    film->ffmpeg = popen(ffmpeg_line(path, size).c_str(), "w");
     if (film->ffmpeg == nullptr) return Error{path.string() + ": ffmpeg could not be started"};
     return film;
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "model/common/expected.h"
 #include "viz/picture/apng.h"
@@ -29,6 +30,18 @@ const char* ending_of(FilmFormat format);
 // How many frames of `frames_per_s` show a stretch of a pattern so many times slower than life.
 int frames_of(double length_s, double slower, double frames_per_s);
 
+// In pixels. Colours of an MP4 stand for two by two of them: its sides are even.
+struct FilmSize {
+    int width = 0;
+    int height = 0;
+};
+
+// What its pictures are to be drawn at.
+FilmSize film_size(FilmFormat format, FilmSize asked);
+
+// "1000 × 1002 pixels, as sides of an MP4 are even": where that is not what was asked; else empty.
+std::string film_size_words(FilmFormat format, FilmSize asked);
+
 struct Film {
     std::filesystem::path path;
     FilmFormat format = FilmFormat::apng;
@@ -42,8 +55,8 @@ struct Film {
     ~Film();  // unfinished: nothing is left of it
 };
 
-// Errors: ffmpeg is not there, or does not start.
-Expected<std::shared_ptr<Film>> open_film(const std::filesystem::path& path, int width, int height);
+// Of pictures of film_size(). Errors: ffmpeg is not there, or does not start.
+Expected<std::shared_ptr<Film>> open_film(const std::filesystem::path& path, FilmSize size);
 Expected<Done> add_frame(Film& film, const Image& image);
 Expected<Done> finish(Film& film);
 

@@ -11,6 +11,7 @@
 #include "app/window/view_pictures.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -51,8 +52,10 @@ void finish_film(App& app) {
     if (const Expected<Done> done = finish(*running.film); !done) {
         return complain(app.ui, "Not exported: " + done.error().message);
     }
+    const std::string& size = running.another_size;
     say(app.ui, "Exported " + running.film->path.string() + ", " +
-                    film_speed(running.sequence, kFilmFileFramesPerS) + ".");
+                    film_speed(running.sequence, kFilmFileFramesPerS) +
+                    (size.empty() ? "" : ", " + size) + ".");
 }
 
 void draw_next_frame(App& app) {
@@ -70,8 +73,9 @@ void draw_next_frame(App& app) {
     }
     if (++running.done < sequence.frames) return;
     if (running.film) return finish_film(app);
-    say(app.ui, "Exported " + std::to_string(sequence.frames) + " frames. A film: " +
-                    film_command(sequence.folder, running.size.width, running.size.height));
+    say(app.ui,
+        "Exported " + counted(static_cast<std::size_t>(sequence.frames), "frame", "frames") +
+            ". A film: " + film_command(sequence.folder, running.size.width, running.size.height));
     app.exports.animation.reset();
 }
 
@@ -134,12 +138,17 @@ void export_animation(App& app, const fs::path& folder) {
     const FrameSequence sequence{folder, state.from_s, state.to_s, state.frames};
     PictureSize size = state.frame_size;
     size.dark = app.ui.dark;
-    RunningAnimation running{still_view(app), state.moving_view, size, sequence, nullptr, 0,
+    RunningAnimation running{still_view(app), state.moving_view, size, sequence, nullptr, {}, 0,
                              app.ui.time_s};
-    if (film_format(folder)) {
-        const auto film = open_film(folder, size.width, size.height);
+    if (const auto format = film_format(folder)) {
+        const FilmSize asked{size.width, size.height};
+        const FilmSize drawn = film_size(*format, asked);
+        const auto film = open_film(folder, drawn);
         if (!film) return complain(app.ui, "Not exported: " + film.error().message);
         running.film = *film;
+        running.size.width = drawn.width;
+        running.size.height = drawn.height;
+        running.another_size = film_size_words(*format, asked);
     } else if (const Expected<Done> open = open_sequence(sequence); !open) {
         return complain(app.ui, "Not exported: " + open.error().message);
     }
@@ -153,7 +162,8 @@ void cancel_animation(App& app) {
         return say(app.ui, "Export cancelled; no file was written.");
     }
     say(app.ui, "Export cancelled: " + std::to_string(running.done) + " of " +
-                    std::to_string(running.sequence.frames) + " frames are in " +
+                    counted(static_cast<std::size_t>(running.sequence.frames), "frame", "frames") +
+                    (running.done == 1 ? " is in " : " are in ") +
                     running.sequence.folder.string());
     app.exports.animation.reset();
 }

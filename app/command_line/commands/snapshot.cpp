@@ -15,6 +15,7 @@
 #include "model/io/set/load.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_waveforms.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -173,10 +174,15 @@ Expected<FrameSequence> sequence_of(const SnapshotCommand& command, double whole
 
 // A file that is whole or not there.
 Expected<Done> draw_film(const SnapshotCommand& command, const PatternSet& set,
-                         const ViewChoice& choice, const FrameSequence& sequence,
-                         const PictureSize& size, const Interrupt& interrupt) {
-    const auto film = open_film(command.out, size.width, size.height);
+                         const ViewChoice& choice, const FrameSequence& sequence, PictureSize size,
+                         const Interrupt& interrupt) {
+    const FilmFormat format = *film_format(command.out);
+    const FilmSize asked{size.width, size.height};
+    const FilmSize drawn = film_size(format, asked);
+    const auto film = open_film(command.out, drawn);
     if (!film) return film.error();
+    size.width = drawn.width;
+    size.height = drawn.height;
     const auto view = opened_view(set, choice);
     const auto progress = progress_line("drawing frames");
     for (int k = 0; k < sequence.frames; ++k) {
@@ -187,8 +193,11 @@ Expected<Done> draw_film(const SnapshotCommand& command, const PatternSet& set,
         progress(static_cast<double>(k + 1) / static_cast<double>(sequence.frames));
     }
     if (const Expected<Done> done = finish(**film); !done) return done;
-    std::cerr << "tactspace: wrote " << sequence.frames << " frames, "
-              << film_speed(sequence, kFilmFileFramesPerS) << "\n";
+    const std::string another_size = film_size_words(format, asked);
+    std::cerr << "tactspace: wrote "
+              << counted(static_cast<std::size_t>(sequence.frames), "frame", "frames") << ", "
+              << film_speed(sequence, kFilmFileFramesPerS)
+              << (another_size.empty() ? "" : ", " + another_size) << "\n";
     return Done{};
 }
 
@@ -217,8 +226,9 @@ Expected<Done> draw_sequence(const SnapshotCommand& command, const PictureSize& 
         if (!written) return written;
         progress(static_cast<double>(k + 1) / static_cast<double>(sequence->frames));
     }
-    std::cerr << "tactspace: wrote " << sequence->frames << " frames, in a film "
-              << film_speed(*sequence) << ": "
+    std::cerr << "tactspace: wrote "
+              << counted(static_cast<std::size_t>(sequence->frames), "frame", "frames")
+              << ", in a film " << film_speed(*sequence) << ": "
               << film_command(sequence->folder, size.width, size.height) << "\n";
     return Done{};
 }

@@ -378,6 +378,41 @@ TEST_CASE("exports: an MP4 says how long it takes, and one that is cancelled lea
     CHECK_FALSE(fs::exists(part));
 }
 
+TEST_CASE("exports: an MP4 of an odd size is drawn at the even one, said before it and after it") {
+    for (const auto& [format, is_told] :
+         {std::pair{FilmFormat::gif, false}, {FilmFormat::apng, false}, {FilmFormat::mp4, true}}) {
+        CHECK(film_size_words(format, {1000, 1001}).empty() != is_told);
+        CHECK(film_size_words(format, {1000, 1002}).empty());
+        CHECK(film_size(format, {1001, 1001}).width == (is_told ? 1002 : 1001));
+    }
+    Exporting exporting;
+    Program& program = exporting.program;
+    const fs::path bin = exporting.folder.path / "bin";
+    fs::create_directory(bin);
+    std::ofstream(bin / "ffmpeg") << "#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n";
+    fs::permissions(bin / "ffmpeg", fs::perms::owner_all);
+    program.app.exports.to_s = 0.1;
+    program.app.exports.frames = 2;
+    program.app.exports.film = FilmFormat::mp4;
+    program.app.exports.frame_size.width = 64;
+    program.app.exports.frame_size.height = 65;
+    program.app.ui.dialog = Dialog::export_animation;
+    program.settle();
+    CHECK(program.at("export:even").value == "64 \u00d7 66 pixels, as sides of an MP4 are even");
+    program.app.exports.film = FilmFormat::gif;
+    program.settle();
+    CHECK_FALSE(program.shows("export:even"));
+    program.press_key(key::kEscape);
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
+    const fs::path out = exporting.folder.path / "a.mp4";
+    export_animation(program.app, out);
+    ::setenv("PATH", path.c_str(), 1);
+    while (is_exporting(program.app)) exporting.frame();
+    CHECK(contains(exporting.status(), "64 \u00d7 66 pixels, as sides of an MP4 are even"));
+    CHECK(fs::file_size(out) == 2 * 64 * 66 * 4);
+}
+
 TEST_CASE("exports: an animation is of the moment it began, whatever is edited meanwhile") {
     Exporting exporting;
     App& app = exporting.program.app;
