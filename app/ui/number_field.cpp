@@ -81,19 +81,31 @@ void frame_in_red(const Ui& ui) {
                                         1.5F * ui.theme.hairline_px);
 }
 
-// What is wrong with the text, on a plate beneath the entry, while it is typed.
-void show_fault(const Ui& ui, const NumberEntry& entry, const NumberTyping& typing) {
+// What is wrong with a text; empty: nothing.
+std::string fault_of(const NumberEntry& entry, const Expected<TypedNumber>& typed) {
+    if (!typed) return typed.error().message;
+    if (typed->remark.empty()) return {};
+    const bool is_most = typed->value == entry.rules.allowed.high;
+    return (is_most ? "at most " : "at least ") + shown_number(entry.format, typed->value);
+}
+
+// A sum is not understood: where one may be meant, what is. "+0.1" is 0.1.
+std::string meaning_of(const NumberEntry& entry, const std::string& text,
+                       const Expected<TypedNumber>& typed) {
+    if (!text.starts_with('+') || !typed || typed->factor) return {};
+    return shown_number(entry.format, typed->value) + " itself; +10% and *2 change what is there";
+}
+
+// Of the text while it is typed, on a plate beneath the entry: what is wrong, or what it means.
+void show_words_on(Ui& ui, const NumberEntry& entry, const NumberTyping& typing) {
     if (typing.text == typing.first || typing.text.empty()) return;
     const auto typed = typed_number(typing.text, typing.before, entry.rules);
-    if (typed && typed->remark.empty()) return;
-    frame_in_red(ui);
+    const std::string fault = fault_of(entry, typed);
+    const std::string words = fault.empty() ? meaning_of(entry, typing.text, typed) : fault;
+    if (words.empty()) return;
+    if (!fault.empty()) frame_in_red(ui);
     const Theme& theme = ui.theme;
-    std::string words;
-    if (!typed) words = typed.error().message;
-    if (typed) {
-        const bool is_most = typed->value == entry.rules.allowed.high;
-        words = (is_most ? "at most " : "at least ") + shown_number(entry.format, typed->value);
-    }
+    const ImU32 ink = fault.empty() ? theme.warning : theme.error;
     const ImVec2 pad{4.0F * theme.scale, 2.0F * theme.scale};
     const ImVec2 size = text_size(theme.fonts.small, words) + pad * 2.0F;
     const float rightmost = std::max(0.0F, ImGui::GetIO().DisplaySize.x - size.x);
@@ -101,8 +113,9 @@ void show_fault(const Ui& ui, const NumberEntry& entry, const NumberTyping& typi
                         ImGui::GetItemRectMax().y + 2.0F * theme.scale};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled(corner, corner + size, theme.pane, theme.rounding_px);
-    list.AddRect(corner, corner + size, theme.error, theme.rounding_px, 0, theme.hairline_px);
-    draw_text(list, theme.fonts.small, corner + pad, theme.error, words);
+    list.AddRect(corner, corner + size, ink, theme.rounding_px, 0, theme.hairline_px);
+    draw_text(list, theme.fonts.small, corner + pad, ink, words);
+    note_rect(ui.rects, "words on typed", corner, corner + size, words);
 }
 
 // Takes the number that the text stands for; where it stands for none, the one that was stays.
@@ -198,7 +211,7 @@ NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value) {
         typing.text = text;
         const double before = value;
         if (!stepping.stepped) {
-            show_fault(ui, entry, typing);
+            show_words_on(ui, entry, typing);
             if (entry.live) value = live_number(entry, typing);
             edit.changed = value != before;
             return edit;

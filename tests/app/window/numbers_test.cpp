@@ -104,6 +104,22 @@ TEST_CASE("numbers: a click selects all of it, and typing replaces it") {
     CHECK(program.pattern(0).attack_s == doctest::Approx(0.02).epsilon(1e-12));
 }
 
+TEST_CASE("numbers: a sign is the number's own, and who may mean a sum is told so while typing") {
+    Program program(odd_numbers(1));
+    program.click("entry:amplitude_g");
+    program.type("+0.5");
+    CHECK(program.at("words on typed").value.starts_with("0.5 g itself; "));
+    program.press_key(key::kEnter);
+    CHECK(program.pattern(0).amplitude_g == 0.5);
+    CHECK_FALSE(program.app.ui.status.is_error);
+    program.click("entry:amplitude_g");
+    for (const char* text : {"+10%", "0.5", "*2"}) {
+        program.press('a', true);
+        program.type(text);
+        CHECK_FALSE(program.shows("words on typed"));
+    }
+}
+
 TEST_CASE("numbers: Esc brings back what was") {
     Program program(odd_numbers(1));
     program.click("entry:carrier_1_hz");
