@@ -213,6 +213,7 @@ void take_not_saved(StudyRun& run, const std::string& why) {
 
 void ask(StudyRun& run, StudyDeeds& deeds, const Play& played, double now_s) {
     if (run.is_asking || run.is_waiting) return;
+    if (run.page == StudyPage::finished) return;  // there is nothing left to pause
     fall_silent(run, deeds, played, now_s);
     run.is_asking = true;
     run.asked_s = now_s;

@@ -82,6 +82,8 @@ TEST_CASE("study window: a whole study by keyboard becomes the ratings of the se
         program.answer(k);
     }
     CHECK(program.page() == "finished 7");
+    program.key(key::kEscape);  // nothing is left to pause
+    CHECK(program.page() == "finished 7");
     program.key(key::kEnter);
     program.wait_for("participant:P1");
     CHECK(program.at("participant:P1").value == "7 of 7, counts");
