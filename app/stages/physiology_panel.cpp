@@ -110,16 +110,34 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     draw_patterns(ui, work, timeline, physiology, patterns, stage, plots, size);
 }
 
+// What a row shows, and the place in it from which the next one goes where all are too narrow for
+// their names.
 constexpr std::array kRowStages{Stage::vibration, Stage::spikes, Stage::central, Stage::brain};
+constexpr std::array<std::size_t, kRowStages.size() - 1> kGoFirst{2, 1, 1};
+
+std::vector<Stage> stages_in_row(const Ui& ui, float width_px, float gap_px) {
+    const auto name_px = [&ui](Stage stage) {
+        return text_size(ui.theme.fonts.small, text_of(stage).short_name).x;
+    };
+    std::vector<Stage> stages(kRowStages.begin(), kRowStages.end());
+    for (const std::size_t next : kGoFirst) {
+        const float widest = name_px(std::ranges::max(stages, {}, name_px));
+        const auto count = static_cast<float>(stages.size());
+        if (count * (widest + gap_px) - gap_px <= width_px) break;
+        stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+    return stages;
+}
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
               const std::vector<ShownStages>& patterns, const Rect& area) {
     const float gap = 1.5F * ui.theme.gap_px;
-    const float count = static_cast<float>(kRowStages.size());
+    const std::vector<Stage> stages = stages_in_row(ui, area.width(), gap);
+    const float count = static_cast<float>(stages.size());
     const float width = (area.width() - gap * (count - 1.0F)) / count;
     const float label = text_size(ui.theme.fonts.small, "X").y + 0.5F * ui.theme.gap_px;
     float left = area.min.x;
-    for (const Stage stage : kRowStages) {
+    for (const Stage stage : stages) {
         Rect cell{{left, area.min.y}, {left + width, area.max.y}};
         draw_stage_label(ui, physiology, stage, {cell.min, {cell.max.x, cell.min.y + label}});
         cell.min.y += label;

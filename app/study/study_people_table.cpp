@@ -31,6 +31,17 @@ std::string state_of(const ParticipantSummary& person) {
     return text;
 }
 
+// Where it is too long, without the last of its parts, never in the middle of one that can go.
+std::string fitting(const ImFont* font, const std::string& state, float room_px) {
+    if (text_size(font, state).x <= room_px) return state;
+    for (std::size_t comma = state.rfind(", "); comma != state.npos && comma > 0;
+         comma = state.rfind(", ", comma - 1)) {
+        const std::string part = state.substr(0, comma) + "\u2026";
+        if (text_size(font, part).x <= room_px) return part;
+    }
+    return shortened(font, state, room_px);
+}
+
 std::string identical_text(const ParticipantSummary& person) {
     std::string text;
     for (const double similarity : person.attention) {
@@ -142,13 +153,15 @@ void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& p
     const bool is_odd = !person.excluded.empty() || person.is_outlier;
     ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
     const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(shortened(ui.theme.fonts.regular, state, room).c_str());
+    const std::string shown = fitting(ui.theme.fonts.regular, state, room);
+    ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
     draw_tooltip(ui, person.is_outlier
                          ? "Agrees with the others far less than they do among themselves "
                            "(below Tukey's lower fence). Counted all the same."
                          : state.c_str());
     note_item(ui.rects, "status:" + person.code, state);
+    note_item(ui.rects, "shown status:" + person.code, shown);
 }
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
