@@ -48,7 +48,7 @@ void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& c
     if (each < 2.0F * theme.scale) {
         const auto notes = static_cast<std::size_t>(std::ranges::count(*row.rhythm, 'x'));
         return draw_text(list, font, {cell.min.x, y}, theme.dim_text,
-                         std::to_string(notes) + " notes");
+                         counted(notes, "note", "notes"));
     }
     const float half = 5.0F * theme.scale;
     draw_rhythm_cells(

@@ -225,7 +225,9 @@ std::size_t different(Indices indices) {
 Expected<Done> check_subset(const SubsetProblem& problem, std::size_t objects) {
     for (const Indices& indices : {problem.keep, problem.drop}) {
         if (std::ranges::any_of(indices, [&](std::size_t v) { return v >= objects; })) {
-            return Error{"only " + std::to_string(objects) + " patterns are there to pick from"};
+            return Error{objects == 1 ? std::string("only 1 pattern is there to pick from")
+                                      : "only " + std::to_string(objects) +
+                                            " patterns are there to pick from"};
         }
     }
     for (const std::size_t v : problem.keep) {

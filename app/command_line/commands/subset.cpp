@@ -23,6 +23,7 @@
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
@@ -221,9 +222,10 @@ std::string stability_text(const Stability& stability, const Names& names) {
     for (const std::size_t k : ever_picked(stability)) {
         rows.push_back({names[k], fixed_digits(100.0 * stability.share_picked[k], 0) + " %"});
     }
-    return "\n" + std::to_string(stability.draws) + " draws of the model: the same subset in " +
-           fixed_digits(100.0 * stability.share_same, 0) + " %, the same weakest pair in " +
-           fixed_digits(100.0 * stability.share_weakest, 0) + " %\n" + aligned(rows);
+    return "\n" + counted(static_cast<std::size_t>(stability.draws), "draw", "draws") +
+           " of the model: the same subset in " + fixed_digits(100.0 * stability.share_same, 0) +
+           " %, the same weakest pair in " + fixed_digits(100.0 * stability.share_weakest, 0) +
+           " %\n" + aligned(rows);
 }
 
 std::string text_of(const SubsetResult& result, const Names& names) {
