@@ -426,7 +426,11 @@ MapMarks map_marks(App& app) {
 std::string name_of_pane(const App& app, Pane pane) { return title_of(app, pane).title; }
 
 void draw_pane_of(App& app, Pane pane, const Rect& area) {
-    draw_pane(app.ui, app.layout, pane, area, title_of(app, pane), [&app, pane] {
+    PaneTitle title = title_of(app, pane);
+    // The window has the set's name above its panes.
+    const std::string& set = app.work.document.set.name;
+    if (app.ui.as_picture && !set.empty()) title.detail = set + "   " + title.detail;
+    draw_pane(app.ui, app.layout, pane, area, title, [&app, pane] {
         if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows)) app.in_use.pane = pane;
         draw_content(app, pane);
         if (!app.ui.as_picture && !app.ui.presenting) draw_pane_menu(app, pane);

@@ -82,6 +82,7 @@ PaneTitle physiology_title(const App& app) {
     if (const Vibration* current = current_vibration(app.work)) title.detail = current->name;
     if (!app.work.selection.pinned.empty())
         title.detail += "   compared with   " + app.work.selection.pinned;
+    if (!app.work.document.set.name.empty()) title.detail += "   " + app.work.document.set.name;
     add_origin(app, title);
     char at[64];
     std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.timeline.playhead.at_s,
@@ -243,7 +244,7 @@ void stand_still(App& still) {
 // Whole states are copied: what a room keeps besides its jobs is in the picture, whatever is added
 // to it. Every member of App is named here, and one that is new does not compile until it is.
 std::shared_ptr<StillView> still_view(const App& app) {
-    auto view = std::make_shared<StillView>(make_app());
+    auto view = std::make_shared<StillView>(make_app(), scrolled_windows());
     App& still = view->app;
     const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
                  physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
@@ -290,6 +291,7 @@ Picture view_picture(StillView& of, PictureView view, double at_s, const Picture
     options.svg_ids = size.svg_ids;
     options.extra_text = drawn_text(still.work.document.set);
     options.has_panes = view == PictureView::window;
+    options.scrolled = of.scrolled;
     return drawn(size, options, [&still, view](const Theme& theme) {
         still.ui.theme = theme;
         draw_view(still, view);

@@ -5,18 +5,21 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/export/export_state.h"
 #include "app/physiology/stages.h"
 #include "app/pictures/pictures.h"
 #include "app/window/app.h"
 #include "devices/calibration/rendering.h"
+#include "viz/picture/picture.h"
 
 namespace tact {
 
 // A program that stands still while pictures of it are drawn.
 struct StillView {
     App app;
+    std::vector<WindowScroll> scrolled{};  // its panes
 };
 
 // What a fresh view is to show of its set; places in set.vibrations.
@@ -34,7 +37,8 @@ struct ViewChoice {
 // The program as it would open on the set, with what the view shows computed.
 std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice);
 
-// The program as it is, but still: without jobs, files, hints and what the mouse does.
+// The program as it is in the current ImGui context, but still: without jobs, files, hints and what
+// the mouse does.
 std::shared_ptr<StillView> still_view(const App& app);
 
 // Draws a program from one of the two above, with its playhead at the time.

@@ -1,5 +1,6 @@
 #include "viz/picture/picture.h"
 
+#include <imgui_internal.h>
 #include <stb/stb_image_write.h>
 
 #include <cassert>
@@ -25,6 +26,16 @@ void run_frame(const Theme& theme, const std::function<void(const Theme&)>& draw
     draw(theme);
     ImGui::End();
     ImGui::Render();
+}
+
+// The next frame holds them to what there is.
+void scroll(const std::vector<WindowScroll>& windows) {
+    for (const WindowScroll& one : windows) {
+        ImGuiWindow* window = ImGui::FindWindowByName(one.window.c_str());
+        if (window == nullptr) continue;
+        ImGui::SetScrollX(window, one.px.x);
+        ImGui::SetScrollY(window, one.px.y);
+    }
 }
 
 // Soft for pixels; exact where lines and curves are to be read back from the triangles.
@@ -58,6 +69,7 @@ void draw_frames(int width, int height, const PictureOptions& options, Edges edg
     apply(theme, ImGui::GetStyle());
     set_edges(ImGui::GetStyle(), edges);
     run_frame(theme, draw);
+    scroll(options.scrolled);
     run_frame(theme, draw);
     use(theme);
     ImGui::DestroyContext(own);
@@ -89,6 +101,16 @@ ImU32 pixel(const Image& image, int x, int y) {
         &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                          static_cast<std::size_t>(x))];
     return IM_COL32(p[0], p[1], p[2], p[3]);
+}
+
+std::vector<WindowScroll> scrolled_windows() {
+    std::vector<WindowScroll> scrolled;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        const bool is_at_begin = window->Scroll.x == 0.0F && window->Scroll.y == 0.0F;
+        if (!window->WasActive || is_at_begin) continue;
+        scrolled.push_back({window->Name, {window->Scroll.x, window->Scroll.y}});
+    }
+    return scrolled;
 }
 
 Image draw_picture(int width, int height, const PictureOptions& options,

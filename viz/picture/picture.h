@@ -45,6 +45,15 @@ struct AlphaTexture {
 // Blends a frame's triangles over the image, as the OpenGL backend would.
 void rasterise(const ImDrawData& frame, const AlphaTexture& texture, Image& image);
 
+// How far a window within the frame is scrolled.
+struct WindowScroll {
+    std::string window;  // ImGui's name of it
+    ImVec2 px;
+};
+
+// Of the current context, those that are not at their beginning.
+std::vector<WindowScroll> scrolled_windows();
+
 struct PictureOptions {
     bool dark = true;
     float scale = 1.0F;
@@ -52,6 +61,7 @@ struct PictureOptions {
     std::optional<ImVec2> mouse_px{};  // where the mouse hovers, if anywhere
     bool has_panes = false;            // the drawing brings panes of its own, on the background
     std::string svg_ids{};             // what names in an SVG begin with
+    std::vector<WindowScroll> scrolled{};
 };
 
 // Runs `draw` for two frames (layout settles in the first) inside a borderless window that fills
