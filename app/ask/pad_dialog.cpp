@@ -188,7 +188,8 @@ void open_pad(Ui& ui, const Workspace& work, PadState& pad) {
 
 void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
     const float s = ui.theme.scale;
-    const float around_px = kMarginPx + ui.theme.padding_px / s;
+    constexpr float kRoundingPx = 2.0F;
+    const float around_px = kMarginPx + ui.theme.padding_px / s + kRoundingPx;
     if (!begin_dialog(ui, "Mix on a pad", kPadPx + 2.0F * around_px)) return;
     keep_mix(work.document.set, pad);
     coloured_text(ui.theme.dim_text,

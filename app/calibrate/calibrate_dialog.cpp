@@ -238,13 +238,8 @@ void draw_about_part(Ui& ui, CalibrateState& calibrating) {
         "of full scale, rms over a second at most; 0: not known");
 }
 
-// They scroll where the screen is too low for them: the buttons below stay in sight.
 void draw_parts(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                 CalibrateState& calibrating) {
-    float& content_px = calibrating.content_px;
-    const float most = 0.9F * ImGui::GetIO().DisplaySize.y - 4.0F * ImGui::GetFrameHeight();
-    const float height = content_px > 0.0F ? std::min(content_px, most) : most;
-    ImGui::BeginChild("parts", {0.0F, height});
     const std::string actuator =
         can_be_calibrated(play) ? "the actuator on " + device_text(play) : "an actuator";
     wrapped_dim(ui, "How many g " + actuator +
@@ -253,8 +248,6 @@ void draw_parts(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& pl
     draw_recording_part(ui, work, calibrating);
     draw_result_part(ui, calibrating);
     draw_about_part(ui, calibrating);
-    content_px = ImGui::GetCursorPosY();
-    ImGui::EndChild();
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ struct CalibrateState {
     RecordingFields fields;
     Calibration about;  // all but the table
     bool is_playing = false;
-    float content_px = 0.0F;  // height of the dialog's parts in the last frame
     bool comes_back = false;  // the dialog, when a file is chosen or not
     std::uint64_t asked = 0;
     OwnedJob<ResponseQuestion, ResponseAnswer> job;

@@ -1,6 +1,6 @@
 // The dialog for candidates: what may vary, what that makes, and a look at some of it.
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,6 @@ namespace tact {
 namespace {
 
 constexpr float kDialogWidthPx = 860.0F;
-constexpr float kBelowRowsPx = 430.0F;  // of the dialog, besides the parameters
 constexpr std::size_t kMostPreviews = 8;
 constexpr std::size_t kFewestPreviews = 4;  // that share the width: fewer leave some of it
 constexpr float kPreviewHeightPx = 34.0F;
@@ -45,12 +44,12 @@ std::string losses(const GeneratePlan& plan) {
     const Rejections& rejected = plan.found.rejected;
     const std::size_t known = plan.found.kept.size() - plan.add.fresh.size();
     const std::array<std::pair<std::size_t, const char*>, 5> parts{
-        {{plan.found.doubles, "doubles"},
+        {{plan.found.doubles, plan.found.doubles == 1 ? "double" : "doubles"},
          {rejected.band, "outside the device band"},
          {rejected.displacement, "with too much displacement"},
          {rejected.detectability, "not detectable enough"},
          {known, "in the set already"}}};
-    std::string text = grouped_digits(plan.found.combinations) + " combinations";
+    std::string text = counted(plan.found.combinations, "combination", "combinations");
     for (const auto& [count, what] : parts) {
         if (count > 0) text += ", " + grouped_digits(count) + " " + what;
     }
@@ -195,17 +194,19 @@ void draw_buttons(Ui& ui, Workspace& work, GenerateState& generating, const Gene
     if (leave) close(ui, generating);
 }
 
-// The parameters scroll where the window is too low for all of them.
+// To the side they scroll where the window is too narrow for a range with all its words.
 void draw_parameters(Ui& ui, GenerateState& generating) {
-    const float room = 0.9F * ImGui::GetIO().DisplaySize.y - kBelowRowsPx * ui.theme.scale;
-    const float least = 3.0F * ImGui::GetFrameHeightWithSpacing();
-    // How high the rows are is known from the last frame; in the first one, about.
-    const float rows = generating.rows_px > 0.0F ? generating.rows_px : 3.5F * least;
-    const float height = std::max(std::min(room, rows), least);
+    // How high and wide the rows are is known from the last frame; in the first one, about.
+    const float about = 10.0F * ImGui::GetFrameHeightWithSpacing();
+    const bool is_wide = generating.row_px > ImGui::GetContentRegionAvail().x;
+    const float bar = is_wide ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+    const float height = (generating.rows_px > 0.0F ? generating.rows_px : about) + bar;
     if (ImGui::BeginChild("parameters", {0.0F, height}, false,
                           ImGuiWindowFlags_HorizontalScrollbar)) {
         draw_factor_rows(ui, generating);
-        generating.rows_px = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y;
+        const ImGuiWindow& rows = *ImGui::GetCurrentWindowRead();
+        generating.rows_px = rows.DC.CursorMaxPos.y - rows.DC.CursorStartPos.y;
+        generating.row_px = rows.DC.CursorMaxPos.x - rows.DC.CursorStartPos.x;
     }
     ImGui::EndChild();
 }
@@ -249,6 +250,8 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     draw_counts(ui, shown.get(), !plan);
     (void)draw_failure(ui, "generate", failure_of(generating.job));
     draw_previews(ui, work, shown.get());
+    begin_foot(ui);
+    ImGui::Spacing();
     if (generating.asking && plan && plan->fault.empty()) {
         draw_question(ui, work, generating, *plan);
     } else {
@@ -256,7 +259,7 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     }
     const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     if (escape && !typing && !popup) close(ui, generating);
-    ImGui::EndPopup();
+    end_foot();
 }
 
 }  // namespace tact

@@ -52,7 +52,8 @@ struct GenerateState {
     bool takes_back = false;  // what is typed is no good, or was left by Esc
     std::string refused;      // the entry whose last text was no good ...
     std::string refusal;   // ... and why: it stands beside the entry until that is typed in again
-    float rows_px = 0.0F;  // height of all parameters, in the last frame
+    float rows_px = 0.0F;  // height of all parameters, in the last frame,
+    float row_px = 0.0F;   // and width of the widest one
     RhythmChoice rhythms;
     std::optional<Before> asking;  // whether so many are really wanted
     OwnedJob<GenerateRequest, GeneratePlan> job;

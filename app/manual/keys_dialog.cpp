@@ -180,9 +180,8 @@ void draw_keys_dialog(Ui& ui, ManualState& manual, std::span<const KeyRow> rows)
         ImGui::CloseCurrentPopup();
     }
     ImGui::Spacing();
-    // Title, head and *Close* stay where they are.
-    const float most = ImGui::GetIO().DisplaySize.y * 0.9F - ImGui::GetCursorPosY() -
-                       ImGui::GetFrameHeightWithSpacing() - 2.0F * ui.theme.padding_px;
+    // The head stays where it is.
+    const float most = dialog_room_px() - ImGui::GetCursorPosY() - 4.0F * ui.theme.scale;
     const float height =
         manual.keys_height_px > 0.0F ? std::min(manual.keys_height_px, most) : most;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));

@@ -158,13 +158,6 @@ void drop_left_out(ImportState& state) {
     }
 }
 
-// The dialog ends without an answer, for what comes in its place.
-void give_way(Ui& ui) {
-    ui.dialog = Dialog::none;
-    ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-}
-
 // True where the dialog gives way to the one on the columns of the shown table.
 bool draw_columns_button(Ui& ui, ImportState& importing) {
     const bool is_table = importing.shown < importing.files.size() &&

@@ -29,15 +29,14 @@ bool draw_choice(Ui& ui, const char* label, const std::pair<const char*, Value> 
     bool changed = false;
     draw_label(ui, label);
     for (const auto& [text, one] : choices) {
+        if (&one != &choices[0].second) flow_on(chip_width(ui, text), 2.0F * ui.theme.scale);
         const bool is_on = value == one;
         if (draw_switch(ui, text, text, is_on) && !is_on) {
             value = one;
             changed = true;
         }
         note_item(ui.rects, std::string("table:") + label + " " + text, is_on ? "chosen" : "");
-        ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
-    ImGui::NewLine();
     return changed;
 }
 
@@ -183,8 +182,9 @@ void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& tabl
                        ImportState& importing) {
     if (!begin_dialog(ui, "Open table", kTableDialogPx)) return;
     const bool is_newest = table.answer && table.answer->request.words == table.words;
-    dim_text(ui, label_of(table.file.filename().string()) +
-                     ": what is in each column? It is remembered for tables with the same names.");
+    coloured_text(ui.theme.dim_text,
+                  label_of(table.file.filename().string()) +
+                      ": what is in each column? It is remembered for tables with the same names.");
     TableWords words = table.words;
     draw_choice<TableKind>(ui, "It holds",
                            {{"ratings", TableKind::ratings}, {"a recording", TableKind::recording}},

@@ -8,22 +8,109 @@
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/imgui_versions.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
+
+namespace {
+
+constexpr float kMostHeight = 0.9F;  // of the window
+constexpr float kEdgePx = 2.0F;      // for the frames of what stands at the edges of what scrolls
+
+// How high the dialog was when it was drawn last; ImGui keeps it with the window.
+constexpr ImGuiID kBody = 1;    // all that scrolls
+constexpr ImGuiID kShown = 2;   // of that
+constexpr ImGuiID kAround = 3;  // its title, its foot and what is between
+
+float kept_px(ImGuiWindow* dialog, ImGuiID what) {
+    return dialog == nullptr ? 0.0F : dialog->StateStorage.GetFloat(what);
+}
+
+// Beside what is around it. As long as that is not known, about.
+float room_px(float around_px) {
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    const float room = kMostHeight * ImGui::GetIO().DisplaySize.y;
+    return std::max(room - (around_px > 0.0F ? around_px : 5.0F * line), 2.0F * line);
+}
+
+void begin_body(const Ui& ui, float height_px) {
+    const ImVec2 pad{ImGui::GetStyle().WindowPadding.x, kEdgePx * ui.theme.scale};
+    ImGui::SetCursorPos({0.0F, ImGui::GetCursorPosY() - pad.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
+    ImGui::BeginChild("body", {ImGui::GetWindowWidth(), height_px}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+float dialog_room_px() {
+    return room_px(kept_px(ImGui::GetCurrentWindowRead()->RootWindow, kAround));
+}
 
 bool begin_dialog(const Ui& ui, const char* title, float width_px) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGuiWindow* const before = ImGui::FindWindowByName(title);
+    const float around = kept_px(before, kAround);
+    const float content = kept_px(before, kBody);
+    const float room = room_px(around);
+    const float body = content > 0.0F ? std::min(content, room) : room;
     ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
     const float width = std::min(width_px * ui.theme.scale, screen.x * 0.9F);
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * 0.9F});
-    ImGui::SetNextWindowSize({width, 0.0F});
-    ImFont* const before = push_dialog_head(ui.theme);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * kMostHeight});
+    // ImGui's own fit would be that of the frame before the last one.
+    ImGui::SetNextWindowSize({width, around > 0.0F ? around + body : 0.0F});
+    ImFont* const font = push_dialog_head(ui.theme);
     const bool is_open = ImGui::BeginPopupModal(
         title, nullptr,
-        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
-    pop_dialog_head(before);
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    pop_dialog_head(font);
+    if (is_open) begin_body(ui, body);
     return is_open;
+}
+
+void begin_foot(const Ui& ui) {
+    const ImGuiWindow& body = *ImGui::GetCurrentWindowRead();
+    const float pad = kEdgePx * ui.theme.scale;
+    ImGuiWindow& dialog = *body.ParentWindow;
+    const float content = body.DC.CursorMaxPos.y - body.DC.CursorStartPos.y + 2.0F * pad;
+    const float shown = body.Size.y;
+    dialog.StateStorage.SetFloat(kBody, content);
+    dialog.StateStorage.SetFloat(kShown, shown);
+    const float widest = dialog.DC.CursorMaxPos.x;
+    ImGui::EndChild();
+    dialog.DC.CursorMaxPos.x = widest;  // it reaches from edge to edge, and nothing is beside it
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - pad);
+    if (content <= shown + 1.0F) return;
+    // There is more of it. The line takes no room, which would change how much is shown.
+    draw_level_line(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos().y, dialog.Pos.x,
+                    dialog.Pos.x + dialog.Size.x, whole_px(ui.theme.hairline_px),
+                    ImGui::GetColorU32(ImGuiCol_Separator));
+}
+
+void end_foot() {
+    ImGuiWindow& dialog = *ImGui::GetCurrentWindow();
+    // A field that takes the keys may have scrolled it while it was too low.
+    const float whole_px = dialog.DC.CursorMaxPos.y - dialog.Pos.y + dialog.Scroll.y +
+                           ImGui::GetStyle().WindowPadding.y;
+    dialog.StateStorage.SetFloat(kAround, whole_px - kept_px(&dialog, kShown));
+    ImGui::EndPopup();
+}
+
+void give_way(Ui& ui) {
+    ui.dialog = Dialog::none;
+    ImGui::CloseCurrentPopup();
+    begin_foot(ui);
+    end_foot();
+}
+
+void press_focused(const Ui& ui) {
+    ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    if (!ui.keyboard_mode || !ui.rects.tab_order.is_on_button) return;
+    imgui.NavNextActivateId = imgui.NavId;
+    imgui.NavNextActivateFlags = ImGuiActivateFlags_None;
 }
 
 ImFont* push_dialog_head(const Theme& theme) {
@@ -68,6 +155,7 @@ bool is_popup_open() {
 }
 
 void end_dialog(Ui& ui) {
+    begin_foot(ui);
     ImGui::Spacing();
     const bool typing = is_number_typed(ui);  // whose keys these are then
     const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape) && !ui.escape_taken && !typing;
@@ -80,10 +168,11 @@ void end_dialog(Ui& ui) {
         ImGui::CloseCurrentPopup();
     }
     note_item(ui.rects, "button:close");
-    ImGui::EndPopup();
+    end_foot();
 }
 
 bool draw_ends(Ui& ui, const char* action, bool enabled) {
+    begin_foot(ui);
     ImGui::Spacing();
     const auto pressed = [&](ImGuiKey which) {
         return ImGui::IsKeyPressed(which, false) && !is_number_typed(ui);
@@ -102,7 +191,7 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
         ui.dialog = Dialog::none;
         ImGui::CloseCurrentPopup();
     }
-    ImGui::EndPopup();
+    end_foot();
     return go;
 }
 

@@ -49,19 +49,6 @@ std::optional<std::size_t> chosen_by_key(const Ui& ui, const Question& question)
     return {};
 }
 
-// Its sentences; a list longer than the window scrolls, so that the answers stay in sight.
-void draw_words(Ui& ui, const Question& question) {
-    const std::string text = shown_lines(question.text);
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
-    const float most = 0.6F * ImGui::GetIO().DisplaySize.y;
-    const bool scrolls = height > most;
-    if (scrolls) ImGui::BeginChild("words", {width, most});
-    ImGui::TextWrapped("%s", text.c_str());
-    if (scrolls) ImGui::EndChild();
-    note_item(ui.rects, "question", question.text);
-}
-
 }  // namespace
 
 void ask(Ui& ui, Question question) {
@@ -78,7 +65,10 @@ void draw_question(Ui& ui) {
     if (!ui.question) return;
     Question& question = *ui.question;
     if (!begin_dialog(ui, (question.title + "###question").c_str())) return;
-    draw_words(ui, question);
+    const std::string text = shown_lines(question.text);
+    ImGui::TextWrapped("%s", text.c_str());
+    note_item(ui.rects, "question", question.text);
+    begin_foot(ui);
     ImGui::Spacing();
     // The key that asked has not answered yet.
     std::optional<std::size_t> chosen;
@@ -88,7 +78,7 @@ void draw_question(Ui& ui) {
     }
     if (const auto pressed = draw_answers(ui, question)) chosen = pressed;
     if (chosen) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    end_foot();
     if (!chosen) return;
     // An answer may ask anew.
     const Question answered = *std::exchange(ui.question, std::nullopt);

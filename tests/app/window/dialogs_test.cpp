@@ -1,0 +1,123 @@
+// Every dialog, at every size of text: its buttons are in sight, and all the rest can be scrolled
+// to.
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/support/scenes.h"
+
+namespace dialogs_test {
+
+using namespace tact;
+
+namespace {
+
+struct Screen {
+    ImVec2 size;
+    float scale;
+};
+
+// Nothing lies over the panes in a scene that is none of a dialog.
+const ImGuiWindow* dialog_on_screen() {
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    return popups.empty() ? nullptr : popups.front().Window;
+}
+
+// What ends a dialog, by how its name begins.
+bool is_end(std::string_view name) {
+    for (const char* end :
+         {"button:choose", "button:cancel", "button:close", "button:back", "button:add candidates",
+          "button:replace generated", "button:generate all the same", "answer:"}) {
+        if (name.starts_with(end) && name != "button:cancel export") return true;
+    }
+    return false;
+}
+
+// Widget places are noted in whole pixels.
+bool is_within(const Place& place, const ImRect& area) {
+    return place.min.x >= area.Min.x - 1.0F && place.min.y >= area.Min.y - 1.0F &&
+           place.max.x <= area.Max.x + 1.0F && place.max.y <= area.Max.y + 1.0F;
+}
+
+// What of a window cannot be scrolled to.
+std::string out_of_reach(const ImGuiWindow& window) {
+    const ImVec2 content = window.DC.CursorMaxPos - window.DC.CursorStartPos;
+    const ImVec2 room = window.WorkRect.GetSize();
+    const bool has_bar = (window.Flags & ImGuiWindowFlags_NoScrollbar) == 0;
+    const bool is_wide = (window.Flags & ImGuiWindowFlags_HorizontalScrollbar) != 0;
+    std::string faults;
+    if (content.x > room.x + 1.5F && !is_wide) {
+        faults += "to the right by " + std::to_string(content.x - room.x) + " px; ";
+    }
+    if (content.y > room.y + 1.5F && !has_bar) {
+        faults += "below by " + std::to_string(content.y - room.y) + " px; ";
+    }
+    return faults;
+}
+
+std::vector<std::string> faults_of(const SceneWindow& window, const ImGuiWindow& dialog) {
+    std::vector<std::string> faults;
+    const ImRect screen({}, ImGui::GetIO().DisplaySize);
+    if (!screen.Contains(dialog.Rect())) faults.push_back("the dialog leaves the screen");
+    int ends = 0;
+    for (const auto& [name, place] : window.places) {
+        if (!is_end(name)) continue;
+        ++ends;
+        if (!is_within(place, dialog.InnerRect)) faults.push_back(name + " is out of sight");
+    }
+    if (ends == 0) faults.push_back("it has no end");
+    for (const ImGuiWindow* one : ImGui::GetCurrentContext()->Windows) {
+        if (!one->WasActive || one->RootWindow != &dialog) continue;
+        const std::string lost = out_of_reach(*one);
+        if (!lost.empty()) faults.push_back(std::string(one->Name) + ": " + lost);
+    }
+    return faults;
+}
+
+}  // namespace
+
+TEST_CASE("dialogs: at any size of text the buttons are in sight, and nothing is out of reach" *
+          doctest::test_suite("long")) {
+    SceneWindow window;
+    for (const Screen& screen :
+         {Screen{{1600.0F, 1000.0F}, 1.0F}, Screen{{1280.0F, 720.0F}, 1.0F},
+          Screen{{1600.0F, 1000.0F}, 1.5F}, Screen{{1280.0F, 720.0F}, 1.5F},
+          Screen{{1600.0F, 1000.0F}, 2.0F}, Screen{{1280.0F, 720.0F}, 2.0F}}) {
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.scale);
+        window.resize(screen.size, screen.scale);
+        for (const Scene& scene : scenes()) {
+            const bool is_dialog = scene.name.starts_with("dialog, ") &&
+                                   scene.name != "dialog, palette";  // Esc leaves that
+            if (!is_dialog) continue;
+            CAPTURE(scene.name);
+            window.show(scene);
+            window.settle();
+            const ImGuiWindow* dialog = dialog_on_screen();
+            CHECK_MESSAGE(dialog != nullptr, "no dialog");
+            if (dialog == nullptr) continue;
+            for (const std::string& fault : faults_of(window, *dialog)) FAIL_CHECK(fault);
+        }
+    }
+}
+
+TEST_CASE("dialogs: Generate scrolls down to its last row, and its buttons stay where they are") {
+    SceneWindow window;
+    window.resize({1280.0F, 720.0F}, 2.0F);
+    window.press('g', true);
+    const Place add = window.at("button:add candidates");
+    CHECK(window.at("generate:detectable").min.y > add.min.y);  // further down
+    window.window.move(window.at("generate:amplitude values").middle());
+    for (int k = 0; k < 200; ++k) {
+        push(window.window.input, {window.window.now_s, MouseWheel{0.0F, -1.0F}});
+    }
+    window.settle();
+    CHECK(window.at("generate:detectable").max.y <= add.min.y);
+    CHECK(window.at("button:add candidates").min.y == add.min.y);
+}
+
+}  // namespace dialogs_test
