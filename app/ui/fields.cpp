@@ -155,9 +155,11 @@ bool draw_label_help(Ui& ui, const Field& field) {
     return reset;
 }
 
-// A ring on the field that arrow keys nudge.
+// A ring on the field that arrow keys nudge. Once Tab is used they do not, and the ring is around
+// what has the focus.
 void draw_nudge_ring(Ui& ui, const Field& field) {
-    if (ui.field.active != field.id || !field.enabled || ui.as_picture) return;
+    const bool is_nudged = ui.field.active == field.id && !ui.keyboard_mode;
+    if (!is_nudged || !field.enabled || ui.as_picture) return;
     const float s = ui.theme.scale;
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin() - ImVec2{s, s},
                                         ImGui::GetItemRectMax() + ImVec2{s, s}, ui.theme.accent,

@@ -81,6 +81,7 @@ constexpr auto kGestures = std::to_array<Gesture>({
     {"Window", "Esc", "silences everything, at once; leaves what is open"},
     {"Window", "F1; F1 again", "this list; the manual"},
     {"Window", "Tab, Shift+Tab, Enter", "go through the widgets by keyboard"},
+    {"Window", "Space in a dialog", "presses what has the ring, as Enter does"},
     {"Window", "Ctrl+Tab", "from pane to pane"},
     {"Window", "Double click on a title", "maximise the pane; Esc puts it back"},
     {"Window", "Drop files or a folder", "open them"},

@@ -241,6 +241,9 @@ void follow_playhead(App& app) {
 // The mouse, once used again, ends the keyboard's way through the widgets.
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
+    // In the panes Space plays.
+    const bool is_over = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || is_popup_open();
+    if (is_over && was_pressed(pressed, key::kSpace)) press_focused(app.ui);
     for (const KeyPress& press : pressed) {
         if (press.code != key::kTab || press.alt) continue;
         app.ui.keyboard_mode = true;

@@ -86,6 +86,39 @@ TEST_CASE("tab: Enter presses what has the focus, and the frame around it is see
     CHECK_FALSE(program.shows("focus"));  // the mouse needs none
 }
 
+TEST_CASE("tab: once it has left a number, one ring is on the screen, around what has the focus") {
+    Program program(short_patterns(3));
+    program.click("entry:amplitude_g");
+    CHECK(program.shows("nudged by arrows"));
+    program.press_key(key::kTab, false, true);
+    program.press_key(key::kTab, false, true);
+    CHECK(program.shows("focus"));
+    CHECK_FALSE(program.shows("nudged by arrows"));
+}
+
+TEST_CASE("tab: Space presses what has the focus in a dialog, and plays in the panes") {
+    Program program(short_patterns(3));
+    while (focused_or_none(program) != "radio:2-D") program.press_key(key::kTab);
+    program.press(U' ');
+    CHECK(program.app.shown_map.dimensions == 3);
+    CHECK(program.app.timeline.playhead.playing);
+    program.press(U' ');
+    program.press('g', true);  // generate
+    while (focused_or_none(program) != "generate:amplitude range") program.press_key(key::kTab);
+    CHECK(program.at("generate:amplitude range").value.empty());
+    program.press(U' ');
+    CHECK(program.at("generate:amplitude range").value == "chosen");
+    CHECK_FALSE(program.app.timeline.playhead.playing);
+    while (focused_or_none(program) != "generate:add carrier") program.press_key(key::kTab);
+    const std::size_t carriers = program.app.generating.draft.carriers.size();
+    program.press(U' ');
+    CHECK(program.app.generating.draft.carriers.size() == carriers + 1);
+    // In a field of text it is a letter.
+    while (focused_or_none(program) != "generate:rhythm") program.press_key(key::kTab);
+    program.press(U' ');
+    CHECK(program.app.ui.dialog == Dialog::generate);
+}
+
 TEST_CASE("tab: with Ctrl it goes from pane to pane") {
     Program program(short_patterns(3));
     std::vector<std::string> firsts;
