@@ -30,7 +30,7 @@ std::string cell_words(const CandidateRow& row, CandidateColumn column) {
     if (!number) return {};
     if (column == CandidateColumn::nearest) return grouped(*number);
     std::string words = significant_digits(*number, 3);
-    if (column == CandidateColumn::carrier) {
+    if (column == CandidateColumn::carrier && !row.mean_hz) {
         for (const double hz : row.further_hz) words += " + " + significant_digits(hz, 3);
     }
     return words;
@@ -41,8 +41,10 @@ void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& c
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImFont* font = theme.fonts.small;
     const float y = cell.centre().y - text_size(font, "x").y / 2.0F;
-    if (row.rhythm->empty())
-        return draw_text(list, font, {cell.min.x, y}, theme.dim_text, "steady");
+    if (row.rhythm->empty()) {
+        const std::string words = row.ticks > 0 ? counted(row.ticks, "tick", "ticks") : "steady";
+        return draw_text(list, font, {cell.min.x, y}, theme.dim_text, words);
+    }
     const float each =
         std::min(8.0F * theme.scale, cell.width() / static_cast<float>(row.rhythm->size()));
     if (each < 2.0F * theme.scale) {

@@ -51,8 +51,11 @@ const char* heading_help(CandidateColumn column) {
     switch (column) {
         case CandidateColumn::picture:
             return "In the order of the set.";
+        case CandidateColumn::amplitude:
+            return "Amplitude; where curves or transients are drawn, their peak.";
         case CandidateColumn::carrier:
-            return "Carriers. 70+: others are mixed with it, which a row's tooltip names.";
+            return "Carriers. 70+: others are mixed with it, which a row's tooltip names. Where "
+                   "curves or transients are drawn, the mean by strength.";
         case CandidateColumn::nearest:
             return "PM to the closest other pattern of the set, which a row's tooltip names.";
         case CandidateColumn::picked:

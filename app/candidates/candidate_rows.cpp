@@ -18,6 +18,32 @@ namespace {
 
 using RowsByName = std::unordered_map<std::string_view, std::size_t>;
 
+void add_drawn(CandidateRow& row, const Pattern& pattern) {
+    constexpr int kLooks = 200;
+    const double step_s = pattern.duration_s / kLooks;
+    double peak_g = 0.0;
+    double strength = 0.0;  // g s
+    double turns = 0.0;     // times Hz
+    const auto add = [&](double g, double hz, double seconds) {
+        peak_g = std::max(peak_g, g);
+        strength += g * seconds;
+        turns += g * seconds * hz;
+    };
+    for (int k = 0; k < kLooks; ++k) {
+        const double t_s = (k + 0.5) * step_s;
+        add(envelope_g(pattern, t_s), first_carrier_hz(pattern, t_s), step_s);
+    }
+    for (const auto& point : pattern.amplitude_curve) {
+        peak_g = std::max(peak_g, envelope_g(pattern, point.time_s));
+    }
+    for (const Transient& one : pattern.transients) {
+        add(one.amplitude_g, one.frequency_hz, one.duration_s);
+    }
+    row.peak_g = peak_g;
+    if (strength > 0.0) row.mean_hz = turns / strength;
+    row.ticks = pattern.transients.size();
+}
+
 CandidateRow row_of(const Vibration& vibration, std::size_t place) {
     CandidateRow row;
     row.place = place;
@@ -36,6 +62,7 @@ CandidateRow row_of(const Vibration& vibration, std::size_t place) {
     row.modulation_hz = value_of(*pattern, PatternParameter::modulation);
     row.rhythm = pattern->rhythm.text;
     row.duration_s = pattern->duration_s;
+    if (is_drawn(*pattern)) add_drawn(row, *pattern);
     return row;
 }
 
@@ -79,9 +106,9 @@ void sort_rows(std::vector<CandidateRow>& rows, const Workspace& work,
 std::optional<double> number_in(const CandidateRow& row, CandidateColumn column) {
     switch (column) {
         case CandidateColumn::amplitude:
-            return row.amplitude_g;
+            return row.peak_g ? row.peak_g : row.amplitude_g;
         case CandidateColumn::carrier:
-            return row.carrier_hz;
+            return row.mean_hz ? row.mean_hz : row.carrier_hz;
         case CandidateColumn::modulation:
             return row.modulation_hz;
         case CandidateColumn::duration:
@@ -150,13 +177,16 @@ std::string candidates_csv(const PatternSet& set, const std::vector<CandidateRow
         return text;
     };
     const auto line = [](const std::vector<std::string>& cells) { return csv_row(cells); };
-    std::string csv = line({"name", "amplitude_g", "carriers_hz", "modulation_hz", "rhythm",
-                            "duration_s", "nearest", "nearest_pm", "picked", "mark"});
+    std::string csv =
+        line({"name", "amplitude_g", "carriers_hz", "modulation_hz", "rhythm", "duration_s",
+              "nearest", "nearest_pm", "picked", "mark", "peak_g", "mean_hz", "ticks"});
     const std::string mark = corner_text(mark_of(set));
     for (const CandidateRow& row : rows) {
         csv += line({set.vibrations[row.place].name, number(row.amplitude_g), carriers(row),
                      number(row.modulation_hz), row.rhythm.value_or(""), number(row.duration_s),
-                     row.nearest_name, number(row.nearest_pm), row.picked ? "yes" : "no", mark});
+                     row.nearest_name, number(row.nearest_pm), row.picked ? "yes" : "no", mark,
+                     number(row.peak_g), number(row.mean_hz),
+                     row.peak_g ? std::to_string(row.ticks) : std::string()});
     }
     return csv;
 }

@@ -187,4 +187,33 @@ TEST_CASE("candidates: a narrow table keeps name, numbers and who is picked") {
     }
 }
 
+TEST_CASE("candidates: what is drawn shows its peak, its mean frequency and its ticks") {
+    PatternSet set = short_patterns(3);
+    auto& drawn = std::get<Pattern>(set.vibrations[1].source);
+    drawn.amplitude_g = 2.0;
+    drawn.modulation = {};
+    drawn.duration_s = 1.0;
+    drawn.amplitude_curve = {{0.0, 0.25}, {1.0, 0.25}};
+    drawn.frequency_curve = {{0.0, 100.0}, {1.0, 300.0}};
+    drawn.transients = {{0.2, 0.9, 150.0, 0.02}, {0.6, 0.4, 150.0, 0.02}};
+    auto& ticks = std::get<Pattern>(set.vibrations[2].source);
+    ticks.amplitude_g = 0.0;
+    ticks.transients = {{0.02, 0.7, 80.0, 0.02}};
+    Program program(set);
+    program.app.layout.bench = BenchTab::candidates;
+    program.settle();
+    const auto& rows =
+        candidate_rows(program.app.work, program.app.shown_map, program.app.candidates);
+    REQUIRE(rows.size() == 3);
+    CHECK_FALSE(rows[0].peak_g);
+    CHECK(number_in(rows[0], CandidateColumn::carrier) == 60.0);
+    CHECK(number_in(rows[1], CandidateColumn::amplitude) == doctest::Approx(0.9));
+    // 0.5 g for 1 s at 200 Hz on the mean, and 0.026 g s at 150 Hz.
+    CHECK(number_in(rows[1], CandidateColumn::carrier) ==
+          doctest::Approx((0.5 * 200.0 + 0.026 * 150.0) / 0.526));
+    CHECK(rows[1].ticks == 2);
+    CHECK(number_in(rows[2], CandidateColumn::amplitude) == doctest::Approx(0.7));
+    CHECK(number_in(rows[2], CandidateColumn::carrier) == doctest::Approx(80.0));
+}
+
 }  // namespace candidates_panel_test
