@@ -28,12 +28,12 @@ constexpr const char* kTestVariants = "Test 100 variants";
 bool may_ask(const ShownMap& shown_map, const SubsetState& picking) {
     const Pick* pick = shown_pick(shown_map, picking);
     return pick != nullptr && !pick->request.by_ratings && !is_of_preview(pick->request) &&
-           pick->request.metric == Metric::pm && picking.stability_job;
+           pick->request.metric == Metric::pm;
 }
 
 // Of the button, which was drawn last.
 void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
-    if (pressed) picking.stability_job->submit({picking.pick, 100});
+    if (pressed && picking.stability_job) picking.stability_job->submit({picking.pick, 100});
     note_item(ui.rects, "button:draw models");
     draw_tooltip(ui,
                  "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
@@ -106,8 +106,9 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                          SubsetState& picking) {
     const Stability* stability = shown_stability(picking);
     // Below what it is for, until there is an answer to stand above.
-    const bool first = stability == nullptr && may_ask(shown_map, picking) &&
-                       !picking.stability_job->busy() && failure_of(picking.stability_job).empty();
+    const bool busy = picking.stability_job && picking.stability_job->busy();
+    const bool first = stability == nullptr && may_ask(shown_map, picking) && !busy &&
+                       failure_of(picking.stability_job).empty();
     if (!first) draw_ask(ui, shown_map, picking);
     if (stability == nullptr) {
         const Rect area = rest_of_pane();

@@ -23,7 +23,7 @@ namespace {
 
 // How far work is, and what can be asked of it, is known by the job, which a picture is without.
 bool tells_of_work(const std::string& name) {
-    return name == "how sure" || name == "training" || name == "a map of an earlier state" ||
+    return name == "training" || name == "a map of an earlier state" ||
            name == "compare, pairs with people";
 }
 
@@ -36,18 +36,32 @@ bool is_in_pictures(const std::string& name) {
     return true;
 }
 
-std::vector<std::string> texts_on_screen(SceneWindow& window) {
-    window.window.move({-100.0F, -100.0F});
-    window.settle();
-    ImGui::GetStyle().AntiAliasedLines = false;
-    ImGui::GetStyle().AntiAliasedLinesUseTex = false;
-    ImGui::GetStyle().AntiAliasedFill = false;
+std::vector<std::string> drawn_texts(SceneWindow& window) {
     window.frame();
     std::vector<std::string> texts;
     for (const DrawnText& text : texts_of(*ImGui::GetDrawData(), window.app.ui.theme.fonts).texts) {
         texts.push_back(text.words);
     }
     std::ranges::sort(texts);
+    return texts;
+}
+
+std::vector<std::string> texts_on_screen(SceneWindow& window) {
+    window.window.move({-100.0F, -100.0F});
+    window.settle();
+    ImGui::GetStyle().AntiAliasedLines = false;
+    ImGui::GetStyle().AntiAliasedLinesUseTex = false;
+    ImGui::GetStyle().AntiAliasedFill = false;
+    // A picture waits for the stages that it shows.
+    const auto is_awaited = [](const std::string& text) {
+        return text.find("on their way") != text.npos;
+    };
+    std::vector<std::string> texts = drawn_texts(window);
+    for (const auto until = end_of_patience();
+         std::ranges::any_of(texts, is_awaited) && std::chrono::steady_clock::now() < until;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        texts = drawn_texts(window);
+    }
     return texts;
 }
 
