@@ -91,9 +91,8 @@ void draw_actuator_choice(Ui& ui, SoundsRequest& wanted) {
 void draw_sound_fields(Ui& ui, SoundsRequest& wanted) {
     draw_actuator_choice(ui, wanted);
     const std::string usual =
-        "g at full scale; 0: the file's own, else the " +
-        significant_digits(bundled_actuator(wanted.actuator).full_scale_g, 3) +
-        " g of the actuator";
+        "g; 0: the file's own, else " +
+        significant_digits(bundled_actuator(wanted.actuator).full_scale_g, 3) + " g";
     draw_number_row(ui, {"sounds:full scale", "Full scale", 0.0, kSoundFullScaleG, usual.c_str()},
                     wanted.full_scale_g);
     draw_label(ui, "");

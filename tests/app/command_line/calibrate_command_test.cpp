@@ -45,7 +45,7 @@ TEST_CASE("calibrate: the recording of its own signal gives the response, in a f
         CHECK(calibration->device == "a card");
         CHECK(calibration->channel == 3);
         CHECK(calibration->rms_limit == 0.4);
-        REQUIRE(calibration->points.size() == 28);
+        REQUIRE(calibration->points.size() == 29);
         for (const ResponsePoint& point : calibration->points) {
             CHECK(std::abs(point.g_per_full_scale / 0.5 - 1.0) < 1e-3);
         }
@@ -78,7 +78,7 @@ TEST_CASE("calibrate: tones that noise hides are left out, and said to be, on sc
     CHECK(refused >= 20);
     const std::string words =
         std::to_string(refused) +
-        " of 84 tones were left out: 10 % of harmonic distortion or more, or so much noise that "
+        " of 87 tones were left out: 10 % of harmonic distortion or more, or so much noise that "
         "the standard error of the amplitude is 3 % or more";
     CHECK(contains(ran.err, "tactspace: " + words + "\n"));
     CHECK(json.at("remarks").at(0) == words);
