@@ -52,9 +52,9 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
     ImGui::GetStyle().AntiAliasedLines = false;
     ImGui::GetStyle().AntiAliasedLinesUseTex = false;
     ImGui::GetStyle().AntiAliasedFill = false;
-    // A picture waits for the stages that it shows.
+    // A picture waits for the stages that it shows, and says nothing of a map under way.
     const auto is_awaited = [](const std::string& text) {
-        return text.find("on their way") != text.npos;
+        return text.find("on their way") != text.npos || text.starts_with("computing");
     };
     std::vector<std::string> texts = drawn_texts(window);
     for (const auto until = end_of_patience();
