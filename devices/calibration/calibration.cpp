@@ -4,13 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
 #include "devices/device/protection.h"
 #include "model/common/units.h"
 #include "model/signal/spectrum.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -227,12 +227,6 @@ std::string percent(double share) {
     return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
-std::string digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 // The nearer of the measured neighbours, in octaves.
 double largest_drive(const Calibration& calibration, double frequency_hz) {
     const auto& points = calibration.points;
@@ -269,28 +263,29 @@ double largest_level(const CalibratedDrive& driven, const Calibration& limits) {
 }
 
 std::string turned_down_above(double level) {
-    return ": above a level of " + digits(level) + " all of it is turned down";
+    return ": above a level of " + significant_digits(level, 3) + " all of it is turned down";
 }
 
 std::vector<std::string> warnings_of(const CalibratedDrive& driven, const Calibration& limits) {
     std::vector<std::string> warnings;
     if (driven.peak > 1.0) {
-        warnings.push_back("takes " + digits(driven.peak) +
+        warnings.push_back("takes " + significant_digits(driven.peak, 3) +
                            " times the full scale of the actuator; it will be turned down");
     }
     if (limits.excursion_limit_mm > 0.0 && driven.excursion_mm > limits.excursion_limit_mm) {
-        warnings.push_back("moves " + digits(driven.excursion_mm) + " mm, farther than the " +
-                           digits(limits.excursion_limit_mm) + " mm the actuator has" +
-                           turned_down_above(limits.excursion_limit_mm / driven.excursion_mm));
+        warnings.push_back(
+            "moves " + significant_digits(driven.excursion_mm, 3) + " mm, farther than the " +
+            significant_digits(limits.excursion_limit_mm, 3) + " mm the actuator has" +
+            turned_down_above(limits.excursion_limit_mm / driven.excursion_mm));
     }
     if (limits.rms_limit > 0.0 && driven.rms > limits.rms_limit) {
-        warnings.push_back("drives it with " + digits(driven.rms) +
+        warnings.push_back("drives it with " + significant_digits(driven.rms, 3) +
                            " of full scale for a second, over and over, more than its " +
-                           digits(limits.rms_limit) +
+                           significant_digits(limits.rms_limit, 3) +
                            turned_down_above(limits.rms_limit / driven.rms));
     }
     if (driven.over_measured > 1.0) {
-        warnings.push_back("drives it " + digits(driven.over_measured) +
+        warnings.push_back("drives it " + significant_digits(driven.over_measured, 3) +
                            " times as strongly as it was measured" +
                            turned_down_above(1.0 / driven.over_measured));
     }
@@ -365,7 +360,8 @@ CalibratedDrive calibrated_drive(const Waveform& waveform, const Calibration& ca
     driven.warnings = warnings_of(driven, calibration);
     const double length_s = static_cast<double>(waveform.samples_g.size()) / waveform.rate_hz;
     if (!loop && length_s > driven.drive.longest_s) {
-        driven.warnings.push_back("ends after " + digits(driven.drive.longest_s) + " s");
+        driven.warnings.push_back("ends after " + significant_digits(driven.drive.longest_s, 3) +
+                                  " s");
     }
     return driven;
 }

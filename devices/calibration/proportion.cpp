@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <span>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -36,16 +37,10 @@ const MeasuredTone& strongest_of(Levels levels) {
     return *best;
 }
 
-std::string three_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 std::string from_to(double low, double high) {
-    return three_digits(low) == three_digits(high)
-               ? three_digits(low)
-               : three_digits(low) + " to " + three_digits(high);
+    return significant_digits(low, 3) == significant_digits(high, 3)
+               ? significant_digits(low, 3)
+               : significant_digits(low, 3) + " to " + significant_digits(high, 3);
 }
 
 struct Extent {
@@ -61,9 +56,9 @@ struct Extent {
 };
 
 std::string at_frequencies(const Extent& hz) {
-    if (hz.count == 1) return "at " + three_digits(hz.low) + " Hz ";
-    return "at " + std::to_string(hz.count) + " frequencies from " + three_digits(hz.low) + " to " +
-           three_digits(hz.high) + " Hz ";
+    if (hz.count == 1) return "at " + significant_digits(hz.low, 3) + " Hz ";
+    return "at " + std::to_string(hz.count) + " frequencies from " + significant_digits(hz.low, 3) +
+           " to " + significant_digits(hz.high, 3) + " Hz ";
 }
 
 MeasuredPoint measured_point(std::vector<MeasuredTone> clear) {
@@ -93,7 +88,8 @@ MeasuredPoint measured_point(std::vector<MeasuredTone> clear) {
 
 std::string words_on_out(const std::vector<double>& all_hz, const std::string& limit) {
     std::string where;
-    for (const double f_hz : all_hz) where += (where.empty() ? "" : ", ") + three_digits(f_hz);
+    for (const double f_hz : all_hz)
+        where += (where.empty() ? "" : ", ") + significant_digits(f_hz, 3);
     return "left out " + where +
            " Hz: what was measured there is out of proportion to the drive by more than " + limit +
            ", already at the lowest levels; nothing is sent around there: turn the amplifier down "
@@ -153,7 +149,7 @@ std::vector<std::string> words_on_proportion(const std::vector<MeasuredPoint>& m
         remarks.push_back(at_frequencies(raised_hz) +
                           "even the weakest drive is out of proportion: strengths were worked "
                           "out, and may be too high by " +
-                          three_digits(kSpareDb + 20.0 * std::log10(most_raised)) +
+                          significant_digits(kSpareDb + 20.0 * std::log10(most_raised), 3) +
                           " dB, so that patterns are too weak there");
     }
     if (lowered_hz.count > 0) {
