@@ -83,15 +83,20 @@ std::size_t frames_before_zero(JsonObject& effect, HjifReading& hjif) {
     return 0;  // late, all of them
 }
 
+double next_ticks(JsonObject& frame, std::size_t& before_zero) {
+    const double written = number_field(frame, "relative_position", 0.0, kTicks);
+    if (before_zero == 0) return written;
+    --before_zero;
+    return 0.0;
+}
+
 Keyframes keyframes_of(JsonObject& effect, double start_s, HjifReading& hjif) {
     Keyframes frames;
     frames.end_s = start_s;
-    const std::size_t before_zero = frames_before_zero(effect, hjif);
-    std::size_t place = 0;
+    std::size_t before_zero = frames_before_zero(effect, hjif);
     Json unknown;
     read_objects(effect, "keyframes", 0, kMostVoicePoints, unknown, [&](JsonObject& one, Json&) {
-        const double written = number_field(one, "relative_position", 0.0, kTicks);
-        const double ticks = place++ < before_zero ? 0.0 : written;
+        const double ticks = next_ticks(one, before_zero);
         const double time_s = start_s + ticks / hjif.ticks_per_s;
         if (time_s < frames.end_s) {
             refuse(*one.reading, place_of(one, "relative_position"),
@@ -119,12 +124,10 @@ double fundamental(const std::string& signal) {
 }
 
 void add_transients(JsonObject& effect, double start_s, Band& band, HjifReading& hjif) {
-    const std::size_t before_zero = frames_before_zero(effect, hjif);
-    std::size_t place = 0;
+    std::size_t before_zero = frames_before_zero(effect, hjif);
     Json unknown;
     read_objects(effect, "keyframes", 0, kMostVoicePoints, unknown, [&](JsonObject& one, Json&) {
-        const double written = number_field(one, "relative_position", 0.0, kTicks);
-        const double ticks = place++ < before_zero ? 0.0 : written;
+        const double ticks = next_ticks(one, before_zero);
         const double share = number_field(one, "amplitude_modulation", 1.0, kHjifAmplitude);
         if (field(one, "frequency_modulation") == nullptr) {
             remark_once(hjif.remarks, "transients without frequency get the middle of their band");
