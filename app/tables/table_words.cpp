@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -24,12 +25,14 @@ std::string shape_of(const TableHead& head) {
 
 std::string sign_of(const std::optional<char>& sign) { return sign ? std::string(1, *sign) : ""; }
 
-template <class Number>
-void take_choice(const json& from, const char* name, int most, Number& to) {
+// None: no such number is there.
+template <class Choice>
+std::optional<Choice> choice_in(const json& from, const char* name, Choice last) {
     const auto at = from.find(name);
-    if (at == from.end() || !at->is_number_integer()) return;
+    if (at == from.end() || !at->is_number_integer()) return std::nullopt;
     const auto number = at->get<std::int64_t>();
-    if (number >= 0 && number <= most) to = static_cast<Number>(number);
+    if (number < 0 || number > static_cast<std::int64_t>(last)) return std::nullopt;
+    return static_cast<Choice>(number);
 }
 
 void take_text(const json& from, const char* name, std::string& to) {
@@ -69,18 +72,12 @@ TableWords words_in(std::string_view text) {
     TableWords words;
     const json whole = json::parse(text, nullptr, false);
     if (!whole.is_object()) return words;
-    take_choice(whole, "kind", static_cast<int>(TableKind::recording), words.kind);
-    take_choice(whole, "scale", static_cast<int>(RatingScale::similarity), words.scale);
+    words.kind = choice_in(whole, "kind", TableKind::recording).value_or(words.kind);
+    words.scale = choice_in(whole, "scale", RatingScale::similarity).value_or(words.scale);
     take_sign(whole, "separator", ",;\t ", words.written.separator);
     take_sign(whole, "decimal", ".,", words.written.decimal);
-    if (whole.contains("time_unit")) {
-        words.time_unit.emplace();
-        take_choice(whole, "time_unit", static_cast<int>(TimeUnit::ns), *words.time_unit);
-    }
-    if (whole.contains("unit")) {
-        words.unit.emplace();
-        take_choice(whole, "unit", static_cast<int>(AccelerationUnit::volt), *words.unit);
-    }
+    words.time_unit = choice_in(whole, "time_unit", TimeUnit::ns);
+    words.unit = choice_in(whole, "unit", AccelerationUnit::volt);
     const auto at = whole.find("columns");
     if (at == whole.end() || !at->is_object()) return words;
     take_text(*at, "a", words.answers.a);
