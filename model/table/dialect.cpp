@@ -42,9 +42,6 @@ std::string_view line_at(std::string_view text, std::size_t from) {
     return trimmed(text.substr(from, text.find('\n', from) - from));
 }
 
-// Blank lines count to what follows them, as readers pass over them.
-bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
-
 struct Beginning {
     std::size_t lines = 0;  // that are no rows
     std::size_t bytes = 0;
@@ -59,10 +56,10 @@ Beginning beginning_of(std::string_view text) {
         const std::size_t end = text.find('\n', at);
         const bool is_mark =
             line.size() == 5 && lower_case(std::string(line.substr(0, 4))) == "sep=";
-        if (!line.empty() && !is_comment(line) && !is_mark) break;
+        if (!line.empty() && !is_table_comment(line) && !is_mark) break;
         at = end == text.npos ? text.size() : end + 1;
         ++lines;
-        if (line.empty()) continue;
+        if (line.empty()) continue;  // it counts to what follows, as readers pass over it
         if (is_mark) found.separator = line[4];
         found.lines = lines;
         found.bytes = at;
@@ -158,6 +155,10 @@ Sign sign_of(std::string_view cell) {
 }
 
 }  // namespace
+
+bool is_table_comment(std::string_view line) {
+    return line.starts_with('#') || line.starts_with('%');
+}
 
 TableText table_text(std::string bytes) {
     TableText table;

@@ -48,6 +48,9 @@ struct TableHints {
     bool operator==(const TableHints&) const = default;
 };
 
+// Whether a trimmed line is a comment, which begins with # or %.
+bool is_table_comment(std::string_view line);
+
 // The dialect of a text's first lines, which is taken for that of the whole.
 TableDialect dialect_of(std::string_view text, const TableHints& hints = {});
 

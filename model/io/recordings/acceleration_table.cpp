@@ -85,17 +85,12 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
-bool is_comment(std::string_view line) {
-    line = trimmed(line);
-    return line.starts_with('#') || line.starts_with('%');
-}
-
 // Blank lines and comments are passed over.
 CsvRecord next_row(CsvReader& reader) {
     while (!reader.rest.empty()) {
         std::string_view rest = reader.rest;
         const std::string_view line = take_line(rest);
-        if (!trimmed(line).empty() && !is_comment(line)) break;
+        if (!trimmed(line).empty() && !is_table_comment(trimmed(line))) break;
         reader.rest = rest;
         ++reader.line;
     }
@@ -150,11 +145,11 @@ std::optional<Layout> layout_of(std::string_view text, const TableHints& hints) 
     std::size_t heading_line = 0;
     for (std::size_t number = 1; !text.empty() && number <= kMostLines; ++number) {
         const std::string_view line = trimmed(take_line(text));
-        if (is_comment(line)) {
+        if (is_table_comment(trimmed(line))) {
             comment = line;
             if (const auto rate = rate_in_comment(line)) rate_hz = rate;
         }
-        if (line.empty() || is_comment(line)) continue;
+        if (line.empty() || is_table_comment(trimmed(line))) continue;
         for (const char separator : {';', '\t', ',', ' '}) {
             if (separator != hints.separator.value_or(separator)) continue;
             if (separator != ' ' && line.find(separator) == line.npos) continue;
