@@ -18,7 +18,7 @@ namespace {
 
 using RowsByName = std::unordered_map<std::string_view, std::size_t>;
 
-void add_drawn(CandidateRow& row, const Pattern& pattern) {
+DrawnNumbers drawn_numbers(const Pattern& pattern) {
     constexpr int kLooks = 200;
     const double step_s = pattern.duration_s / kLooks;
     double peak_g = 0.0;
@@ -39,12 +39,20 @@ void add_drawn(CandidateRow& row, const Pattern& pattern) {
     for (const Transient& one : pattern.transients) {
         add(one.amplitude_g, one.frequency_hz, one.duration_s);
     }
-    row.peak_g = peak_g;
-    if (strength > 0.0) row.mean_hz = turns / strength;
-    row.ticks = pattern.transients.size();
+    DrawnNumbers numbers{pattern, peak_g, {}};
+    if (strength > 0.0) numbers.mean_hz = turns / strength;
+    return numbers;
 }
 
-CandidateRow row_of(const Vibration& vibration, std::size_t place) {
+// Taken from those of the rows before, where the pattern is still the same.
+DrawnNumbers drawn_of(const std::string& name, const Pattern& pattern, DrawnByName& before) {
+    const auto known = before.find(name);
+    if (known != before.end() && known->second.of == pattern) return std::move(known->second);
+    return drawn_numbers(pattern);
+}
+
+CandidateRow row_of(const Vibration& vibration, std::size_t place, DrawnByName& before,
+                    DrawnByName& drawn) {
     CandidateRow row;
     row.place = place;
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
@@ -62,7 +70,12 @@ CandidateRow row_of(const Vibration& vibration, std::size_t place) {
     row.modulation_hz = value_of(*pattern, PatternParameter::modulation);
     row.rhythm = pattern->rhythm.text;
     row.duration_s = pattern->duration_s;
-    if (is_drawn(*pattern)) add_drawn(row, *pattern);
+    if (!is_drawn(*pattern)) return row;
+    const DrawnNumbers numbers = drawn_of(vibration.name, *pattern, before);
+    row.peak_g = numbers.peak_g;
+    row.mean_hz = numbers.mean_hz;
+    row.ticks = pattern->transients.size();
+    drawn.emplace(vibration.name, numbers);
     return row;
 }
 
@@ -155,10 +168,11 @@ const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const Sho
     for (std::size_t k = 0; map && k < map->request.set->vibrations.size(); ++k) {
         in_map.emplace(map->request.set->vibrations[k].name, k);
     }
+    DrawnByName before = std::exchange(state.drawn, {});
     state.rows.clear();
     for (const std::size_t place : listed_indices(work)) {
         const Vibration& vibration = work.document.set.vibrations[place];
-        CandidateRow row = row_of(vibration, place);
+        CandidateRow row = row_of(vibration, place, before, state.drawn);
         add_nearest(row, state.nearest, in_map, vibration.name);
         row.picked = selection.picked.contains(vibration.name);
         state.rows.push_back(std::move(row));

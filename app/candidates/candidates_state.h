@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "app/map/live_map.h"
+#include "model/pattern/pattern.h"
 
 namespace tact {
 
@@ -50,6 +52,15 @@ struct CandidateRow {
     bool picked = false;
 };
 
+// What curves and transients of one pattern come to.
+struct DrawnNumbers {
+    Pattern of;
+    double peak_g = 0.0;
+    std::optional<double> mean_hz;  // by strength
+};
+
+using DrawnByName = std::map<std::string, DrawnNumbers>;
+
 // What rows are of.
 struct CandidatesAsked {
     std::uint64_t revision = 0;
@@ -69,6 +80,7 @@ struct CandidatesState {
     NearestOnes nearest;
     std::optional<CandidatesAsked> asked;
     std::vector<CandidateRow> rows;
+    DrawnByName drawn;  // of the rows
 };
 
 }  // namespace tact
