@@ -43,6 +43,17 @@ struct Listing {
 };
 
 // Any name will do. What has an effect's name and is no effect is told.
+bool may_hold_effects(const FileAccess& access, const fs::path& path, const std::string& head) {
+    return is_effect_name(path.string()) || !head_of_effects(head, access.size(path)).empty();
+}
+
+// What is wrong with a file that holds none, as the end of a sentence; or empty.
+std::string no_effects_fault(const fs::path& path, const std::string& head) {
+    const std::string stranger = known_stranger(path, head);
+    if (!stranger.empty()) return stranger;
+    return is_effect_name(path.string()) ? "expected an effect, got none" : "";
+}
+
 void sort_out(Listing& listing, const fs::path& path) {
     const std::string head = listing.access.head(path);
     // What is in it is not looked for: it may hold another without end.
@@ -52,14 +63,11 @@ void sort_out(Listing& listing, const fs::path& path) {
         return;
     }
     const bool wanted = std::ranges::count(listing.kinds, recording_kind(path, head)) > 0;
-    const auto may_hold_effects = [&] {
-        return is_effect_name(path.string()) ||
-               !head_of_effects(head, listing.access.size(path)).empty();
-    };
     if (wanted) listing.recordings.insert(path);
     if (is_set_name(path)) {
         listing.sets.push_back(path.string());
-    } else if (wanted || (listing.effects && !is_sidecar(path) && may_hold_effects())) {
+    } else if (wanted || (listing.effects && !is_sidecar(path) &&
+                          may_hold_effects(listing.access, path, head))) {
         listing.files.push_back(path);
     } else if (!is_sidecar(path)) {
         ++listing.others;
@@ -152,15 +160,11 @@ std::string gather_effects(Gathered& all, const fs::path& file, const fs::path& 
     const FileAccess& access = listing.access;
     auto effects = effects_from(file, listing.options, all.remarks, second, access);
     if (!effects) return effects.error().message;
-    const std::string stranger =
-        effects->empty() ? known_stranger(file, access.head(file)) : std::string();
-    if (effects->empty() && stranger.empty() && !is_effect_name(file.string())) {
+    if (effects->empty()) {
+        const std::string fault = no_effects_fault(file, access.head(file));
+        if (!fault.empty()) return file.string() + ": " + fault;
         ++all.others;
         return {};
-    }
-    if (effects->empty()) {
-        return file.string() + ": " +
-               (stranger.empty() ? "expected an effect, got none" : stranger);
     }
     for (Vibration& effect : *effects) {
         if (const auto fault = room_fault(all, 0); !fault.empty()) {
@@ -343,6 +347,27 @@ Expected<Vibration> vibration_from(const fs::path& path, std::vector<FileRemark>
     measurement.waveform = std::make_shared<const Waveform>(std::move(recording->waveform));
     vibration.source = std::move(measurement);
     return vibration;
+}
+
+Expected<std::vector<Vibration>> vibrations_in(const fs::path& path, const LoadOptions& options,
+                                               std::vector<FileRemark>& remarks,
+                                               const fs::path& second) {
+    const FileAccess access = files_on_disk();
+    const std::string head = access.head(path);
+    std::vector<Vibration> vibrations;
+    if (recording_kind(path, head) != RecordingKind::none) {
+        auto one = with_enough_memory(path.string(),
+                                      [&] { return vibration_from(path, remarks, access); });
+        if (!one) return one.error();
+        vibrations.push_back(*std::move(one));
+        return vibrations;
+    }
+    if (!may_hold_effects(access, path, head)) return vibrations;
+    auto effects = effects_from(path, options, remarks, second, access);
+    if (!effects || !effects->empty()) return effects;
+    if (const auto fault = no_effects_fault(path, head); !fault.empty())
+        return Error{path.string() + ": " + fault};
+    return vibrations;
 }
 
 std::vector<NamedFiles> with_pairs(std::span<const fs::path> files) {

@@ -57,6 +57,12 @@ Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
                                               const std::filesystem::path& second = {},
                                               const FileAccess& access = files_on_disk());
 
+// The same of whatever a file is: a recording, effects; none of what is neither.
+Expected<std::vector<Vibration>> vibrations_in(const std::filesystem::path& path,
+                                               const LoadOptions& options,
+                                               std::vector<FileRemark>& remarks,
+                                               const std::filesystem::path& second = {});
+
 // Files in their order; of an AHAP pair both at the place of the first one.
 struct NamedFiles {
     std::filesystem::path path;

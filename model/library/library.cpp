@@ -1,0 +1,72 @@
+#include "model/library/library.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/signal/spectrum.h"
+
+namespace tact {
+
+namespace {
+
+// Thousandths are finer than anything that can be seen or drawn.
+double in_thousandths(double share) { return std::round(1e3 * share) / 1e3; }
+
+StrengthShape shape_of(const std::vector<double>& samples_g) {
+    StrengthShape shape{};
+    const std::size_t count = samples_g.size();
+    for (std::size_t part = 0; part < kShapeParts; ++part) {
+        const std::size_t from = part * count / kShapeParts;
+        const std::size_t to = (part + 1) * count / kShapeParts;
+        double squares = 0.0;
+        for (std::size_t k = from; k < to; ++k) squares += samples_g[k] * samples_g[k];
+        if (to > from) shape[part] = std::sqrt(squares / static_cast<double>(to - from));
+    }
+    const double largest = std::ranges::max(shape);
+    for (double& strength : shape) {
+        strength = largest > 0.0 ? in_thousandths(strength / largest) : 0.0;
+    }
+    return shape;
+}
+
+std::optional<double> mean_hz_of(const Waveform& waveform) {
+    if (waveform.samples_g.empty()) return std::nullopt;
+    const Spectrum spectrum =
+        amplitude_spectrum(without_mean(waveform.samples_g), waveform.rate_hz);
+    double power = 0.0;
+    double turns = 0.0;
+    for (std::size_t k = 0; k < spectrum.amplitude_g.size(); ++k) {
+        const double square = spectrum.amplitude_g[k] * spectrum.amplitude_g[k];
+        power += square;
+        turns += square * frequency_hz(spectrum, k);
+    }
+    if (!(power > 0.0)) return std::nullopt;
+    return turns / power;
+}
+
+}  // namespace
+
+LibraryEntry entry_of(const Vibration& vibration) {
+    LibraryEntry entry;
+    entry.name = vibration.name;
+    entry.note = vibration.note;
+    entry.effect = vibration.effect;
+    if (const auto* measured = std::get_if<Measurement>(&vibration.source)) {
+        entry.recording = true;
+        entry.synthetic = measured->synthetic;
+    } else {
+        entry.ticks = std::get<Pattern>(vibration.source).transients.size();
+    }
+    const Waveform waveform = waveform_of(vibration);
+    entry.duration_s = duration_s(waveform);
+    entry.peak_g = peak_g(waveform);
+    entry.mean_hz = mean_hz_of(waveform);
+    entry.shape = shape_of(waveform.samples_g);
+    return entry;
+}
+
+const LibraryFile& file_of(const Library& library, const LibraryEntry& entry) {
+    return library.files[entry.file];
+}
+
+}  // namespace tact

@@ -1,0 +1,74 @@
+// A library: what a folder of effects, recordings and sets holds, in so few numbers that thousands
+// can be listed and searched without reading their files again.
+//
+// Left out  the vibrations themselves, which stay in their files (library_folder.h)
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+// Strength over time: root mean squares of equal parts of a vibration's own time, as shares of the
+// largest.
+inline constexpr std::size_t kShapeParts = 32;
+using StrengthShape = std::array<double, kShapeParts>;
+
+struct LibraryEntry {
+    std::string name;       // not unique: others may be called the same
+    std::size_t file = 0;   // in Library::files
+    std::size_t place = 0;  // among what its file holds
+    std::string note;       // description, tags, and where it comes from
+    EffectOrigin effect{};
+    bool recording = false;
+    bool synthetic = false;  // a measurement that was computed
+    double duration_s = 0.0;
+    double peak_g = 0.0;
+    std::optional<double> mean_hz;  // by power; none of silence
+    std::size_t ticks = 0;          // transients
+    StrengthShape shape{};
+
+    bool operator==(const LibraryEntry&) const = default;
+};
+
+// By which a changed file is known.
+struct FileStamp {
+    std::uint64_t bytes = 0;
+    std::int64_t modified_ns = 0;
+
+    bool operator==(const FileStamp&) const = default;
+};
+
+struct LibraryFile {
+    std::string path;    // from the library's folder
+    std::string beside;  // a second file that belongs to it: of an AHAP pair, of a WAV's scale
+    FileStamp stamp{};
+    FileStamp beside_stamp{};
+    std::string licence;   // as a file that lies with it or above states it; empty: none does
+    std::string left_out;  // why it could not be read, as "FILE: what was expected"; or empty
+
+    bool operator==(const LibraryFile&) const = default;
+};
+
+struct Library {
+    std::filesystem::path folder;
+    std::vector<LibraryFile> files;     // those without an entry are in it, too
+    std::vector<LibraryEntry> entries;  // by file, then by place
+    std::vector<std::string> remarks{};
+    std::size_t files_read = 0;  // the others are known from before
+};
+
+// What a list says of a vibration; file and place are the caller's.
+LibraryEntry entry_of(const Vibration& vibration);
+
+// Its file, as the list shows it.
+const LibraryFile& file_of(const Library& library, const LibraryEntry& entry);
+
+}  // namespace tact

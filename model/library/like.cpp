@@ -1,0 +1,126 @@
+#include "model/library/like.h"
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+#include "model/common/parallel.h"
+#include "model/export/exported_set.h"
+#include "model/io/set/loaded.h"
+#include "model/library/library_folder.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+// Reading and exporting take about this share of the time.
+constexpr double kReadingShare = 0.3;
+
+Waveform as_exported(const Vibration& vibration, const ExportTarget& target) {
+    PatternSet alone;
+    alone.vibrations.push_back(vibration);
+    Vibration back = vibration;
+    const ExportedPattern written = exported(vibration, with_full_scale(target, alone, 1));
+    std::visit([&back](const auto& source) { back.source = source; }, written.back);
+    return waveform_of(back);
+}
+
+// What is held against the wanted one, in the order of the question.
+struct Others {
+    std::vector<std::size_t> entry;
+    std::vector<Waveform> waveforms;
+};
+
+struct ReadOther {
+    std::optional<Waveform> waveform;
+    std::string fault;
+    bool is_held = true;
+};
+
+ReadOther read_other(const Library& library, std::size_t place, const LikeQuestion& question) {
+    const auto vibration = vibration_of(library, library.entries[place]);
+    if (!vibration) return {{}, vibration.error().message};
+    if (!question.target) return {waveform_of(*vibration), {}};
+    if (!is_held(*vibration, question.target->format)) return {{}, {}, false};
+    return {as_exported(*vibration, *question.target), {}};
+}
+
+// None when stopped.
+std::optional<Others> read_others(const Library& library, const LikeQuestion& question,
+                                  const std::vector<std::size_t>& places, LikeAnswer& answer,
+                                  const LikenessOptions& options) {
+    std::vector<ReadOther> all(places.size());
+    std::mutex counting;
+    std::size_t done = 0;
+    parallel_for(places.size(), options.threads, options.stop, [&](std::size_t k) {
+        all[k] = read_other(library, places[k], question);
+        const std::lock_guard lock(counting);
+        ++done;
+        if (options.progress) {
+            options.progress(kReadingShare * static_cast<double>(done) /
+                             static_cast<double>(places.size()));
+        }
+    });
+    if (options.stop.stop_requested()) return std::nullopt;
+    Others others;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (!all[k].is_held) answer.not_held.push_back(places[k]);
+        if (!all[k].fault.empty()) answer.unread.push_back(std::move(all[k].fault));
+        if (!all[k].waveform) continue;
+        others.entry.push_back(places[k]);
+        others.waveforms.push_back(*std::move(all[k].waveform));
+    }
+    return others;
+}
+
+}  // namespace
+
+Expected<LikeAnswer> most_alike(const Library& library, const LikeQuestion& question,
+                                const LikenessOptions& options) {
+    const Waveform wanted = waveform_of(question.wanted);
+    LikeAnswer answer;
+    std::vector<std::size_t> places;
+    double samples = 0.0;
+    for (const std::size_t place : question.among) {
+        const LibraryEntry& entry = library.entries[place];
+        if (!is_comparable(entry.duration_s, duration_s(wanted))) {
+            answer.too_long.push_back(place);
+            continue;
+        }
+        places.push_back(place);
+        samples += entry.duration_s * kModelRateHz;
+    }
+    if (samples > static_cast<double>(kMaxSetSamples)) {
+        return Error{"expected at most " + grouped_digits(kMaxSetSamples) +
+                     " samples to compare: narrow the library by words"};
+    }
+    auto others = read_others(library, question, places, answer, options);
+    if (!others) return Error{kLikeStopped};
+    if (question.target && is_held(question.wanted, question.target->format)) {
+        others->entry.push_back(library.entries.size());
+        others->waveforms.push_back(as_exported(question.wanted, *question.target));
+    }
+    LikenessOptions rest = options;
+    if (options.progress) {
+        rest.progress = [&options](double share) {
+            options.progress(kReadingShare + (1.0 - kReadingShare) * share);
+        };
+    }
+    const auto row = likeness_row(wanted, others->waveforms, question.model, rest);
+    if (!row) return Error{kLikeStopped};
+    answer.is_wanted_felt = row->is_wanted_felt;
+    for (std::size_t k = 0; k < others->entry.size(); ++k) {
+        const LikeHit hit{others->entry[k], row->pm[k], row->nc[k], row->oc[k], row->felt[k]};
+        if (hit.entry == library.entries.size()) {
+            answer.exported = hit;
+        } else {
+            answer.hits.push_back(hit);
+        }
+    }
+    std::ranges::stable_sort(answer.hits, {}, &LikeHit::pm);
+    return answer;
+}
+
+}  // namespace tact
