@@ -233,4 +233,39 @@ void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& ch
     sub.callback([&] { chosen = [&command] { return run(command); }; });
 }
 
+void add_library_command(CLI::App& app, LibraryCommand& command, Chosen& chosen) {
+    CLI::App& sub = *app.add_subcommand(
+        "library", "a folder of effects: list it, search it, find what feels like one of them");
+    sub.add_option("FOLDER", command.folder,
+                   "with effects, recordings and sets in it and in its folders; what is found is "
+                   "kept there, in .tactspace-library.json")
+        ->required();
+    sub.add_option("--search", command.words,
+                   "words that all of name, description, tags, path, format and licence have");
+    auto* shape = sub.add_option("--shape", command.shape,
+                                 "by strength over time: strengths at equal steps from beginning "
+                                 "to end, such as 0,1,0.2,0")
+                      ->delimiter(',')
+                      ->check(within(0.0, 1e6));
+    auto* like = sub.add_option("--like", command.like,
+                                "by how alike they feel, the nearest first: to the one effect or "
+                                "recording of a file, or to the one of a name in the library");
+    like->excludes(shape);
+    sub.add_option("--for", command.target,
+                   "what could take its place on another device: each as it comes back from "
+                   "FORMAT[:ACTUATOR], one of the formats of \"export\"")
+        ->needs(like);
+    sub.add_option("--model", command.model,
+                   "parameters of PM from this file; default: the trained ones")
+        ->needs(like);
+    sub.add_option("-n,--most", command.most, "how many are listed; default: all")
+        ->check(within(1.0, 1e6));
+    sub.add_option("--out", command.out, "set file for those that are listed");
+    sub.add_flag("--no-index", command.without_index,
+                 "all files are read, and nothing is kept in the folder");
+    add_threads(sub, command.threads);
+    sub.add_flag("--json", command.json, "JSON instead of text on standard output");
+    sub.callback([&] { chosen = [&command] { return run(command); }; });
+}
+
 }  // namespace tact

@@ -46,6 +46,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_import_command(app, commands.import, chosen);
     add_measure_command(app, commands.measure, chosen);
     add_from_sound_command(app, commands.from_sound, chosen);
+    add_library_command(app, commands.library, chosen);
     add_snapshot_command(app, commands.snapshot, chosen);
     add_lesson_command(app, commands.lesson, chosen);
     add_manual_command(app, commands.manual, chosen);

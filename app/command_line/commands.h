@@ -204,6 +204,21 @@ struct FromSoundCommand {
 };
 Expected<Done> run(const FromSoundCommand& command);
 
+struct LibraryCommand {
+    std::filesystem::path folder;
+    std::string words;            // that all have; empty: all
+    std::vector<double> shape;    // strengths at equal steps; empty: none is asked for
+    std::string like;             // a file with one vibration, or the name of an entry; or empty
+    std::string target;           // FORMAT[:ACTUATOR]: compared as they come back from it
+    std::filesystem::path model;  // a file of parameters; empty: the trained ones
+    std::size_t most = 0;         // entries that are listed; 0: all
+    std::filesystem::path out;    // a set file of those that are listed; empty: none
+    bool without_index = false;
+    int threads = 0;  // 0: all cores
+    bool json = false;
+};
+Expected<Done> run(const LibraryCommand& command);
+
 struct MeasureCommand {
     std::filesystem::path set;
     bool simulate = false;  // has to be said: nothing else is possible

@@ -84,6 +84,7 @@ void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& cho
 void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen);
 void add_measure_command(CLI::App& app, MeasureCommand& command, Chosen& chosen);
 void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& chosen);
+void add_library_command(CLI::App& app, LibraryCommand& command, Chosen& chosen);
 
 // people_options.cpp
 void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen);
@@ -114,6 +115,7 @@ struct Commands {
     ImportCommand import;
     MeasureCommand measure;
     FromSoundCommand from_sound;
+    LibraryCommand library;
     ManualCommand manual;
 };
 void add_commands(CLI::App& app, Commands& commands, Chosen& chosen);

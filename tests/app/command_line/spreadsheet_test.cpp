@@ -169,6 +169,7 @@ const Checks& checks() {
         {"calibrate", {}},
         {"generate", {}},
         {"from-sound", {}},
+        {"library", {}},
         {"import", {}},
         {"lesson", {}},
         {"manual", {}},
