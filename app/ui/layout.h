@@ -6,7 +6,7 @@
 namespace tact {
 
 // What the lower right pane shows.
-enum class BenchTab { matrix, candidates, subset, compare, shepard, why, model, device };
+enum class BenchTab { matrix, candidates, subset, compare, shepard, why, model, device, library };
 
 enum class Pane {
     patterns,

@@ -44,6 +44,7 @@ enum class Dialog {
 // What a chosen path is for.
 enum class ChooserPurpose {
     open_document,
+    open_library,
     add_to_set,
     save_document,
     load_tables,

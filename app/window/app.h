@@ -14,6 +14,7 @@
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
 #include "app/lesson/lesson.h"
+#include "app/library/library_state.h"
 #include "app/manual/manual_state.h"
 #include "app/map/map_state.h"
 #include "app/measured/import_state.h"
@@ -89,6 +90,7 @@ struct App {
     ImportState importing;
     TableState table;
     SoundsState sounds;
+    LibraryState library;
     StudyState studying;
     CalibrateState calibrating;
     LessonState lesson;

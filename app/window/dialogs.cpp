@@ -16,6 +16,7 @@
 #include "app/export/exports.h"
 #include "app/generate/generate_dialog.h"
 #include "app/lesson/lesson_edit.h"
+#include "app/library/library_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
@@ -118,6 +119,9 @@ void draw_chooser(App& app) {
     switch (app.ui.chooser_purpose) {
         case ChooserPurpose::open_document:
             return open_file(app, *chosen);
+        case ChooserPurpose::open_library:
+            app.layout.bench = BenchTab::library;
+            return show_library(app.ui, app.library, *chosen);
         case ChooserPurpose::add_to_set:
             return add_paths(app.ui, app.work, app.opening, {*chosen});
         case ChooserPurpose::save_document:

@@ -11,6 +11,7 @@
 #include "app/document/rating_files.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
+#include "app/library/library_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/opening/opening.h"
 #include "app/patterns/tapping.h"
@@ -66,6 +67,13 @@ constexpr auto
                      [](App& app) { add_dialog(app.ui, app.work); },
                      nullptr,
                      "import append effects ahap haptic folder"},
+                    {"File",
+                     "Open library...",
+                     {},
+                     always,
+                     [](App& app) { open_library_dialog(app.ui, app.work); },
+                     nullptr,
+                     "folder effects search tags like shape replace add"},
                     {"File",
                      "Files not read...",
                      {},

@@ -21,6 +21,7 @@
 #include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_keeping.h"
 #include "app/lesson/presenting.h"
+#include "app/library/library_follow.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/measured/import_state.h"
@@ -313,6 +314,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_import(app.ui, app.work, app.importing);
     follow_tables(app.ui, app.work, app.layout, app.table, app.importing);
     follow_sounds(app.ui, app.sounds);
+    follow_library(app.ui, app.work, app.library);
     follow_calibrate(app.ui, app.play, app.calibrating);
     follow_study(app.ui, app.work, app.play, app.studying);
     follow_training(app.ui, app.model_bench);
@@ -434,7 +436,8 @@ double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
         is_training(app.model_bench) || is_opening(app.opening) || is_placing(app.steps) ||
-        is_asking(app.maybes) || is_predicting_loss(app.exports.effects)) {
+        is_asking(app.maybes) || is_predicting_loss(app.exports.effects) ||
+        is_library_busy(app.library)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||

@@ -5,6 +5,7 @@
 #include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/lesson/lesson.h"
+#include "app/library/library_follow.h"
 #include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
 #include "app/measured/import_follow.h"
@@ -149,6 +150,7 @@ void begin_others_again(App& app) {
     app.importing.simulated.reset();
     begin_again(app.table, TableState{});
     begin_again(app.sounds, SoundsState{});
+    forget_alike(app.library);  // what was like a pattern of another document
     app.play.hovered_in_map.reset();
     app.play.felt_on_hover.clear();
     if (is_study_running(app.studying)) return;
@@ -254,6 +256,10 @@ void stop_jobs(App& app) {
     app.table.job.reset();
     app.table.reading_job.reset();
     app.sounds.job.reset();
+    app.library.reader.reset();
+    app.library.comparer.reset();
+    app.library.holder.reset();
+    app.library.adder.reset();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
     stop_maybes_jobs(app.maybes);

@@ -17,6 +17,7 @@
 #include "app/document/shown_side.h"
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/presenting.h"
+#include "app/library/library_panel.h"
 #include "app/map/map_follow.h"
 #include "app/map/map_rows.h"
 #include "app/map/matrix_panel.h"
@@ -164,6 +165,8 @@ PaneTitle bench_title(const App& app) {
                     "what an actuator makes of " +
                         (current_vibration(app.work) == nullptr ? "it" : current_name(app)),
                     {}};
+        case BenchTab::library:
+            return {"Library", "effects to choose from", {}};
     }
     return {};
 }
@@ -252,7 +255,8 @@ void draw_bench_tabs(App& app) {
                                       {BenchTab::shepard, "Shepard"},
                                       {BenchTab::why, "Why"},
                                       {BenchTab::model, "Model"},
-                                      {BenchTab::device, "Device"}}) {
+                                      {BenchTab::device, "Device"},
+                                      {BenchTab::library, "Library"}}) {
         if (is_offered(which)) offered.emplace_back(which, name);
     }
     // Where one row is too narrow, two of about as many: none hangs below by itself.
@@ -296,6 +300,8 @@ void draw_bench(App& app) {
             return draw_model_panel(app.ui, app.work, app.model_bench);
         case BenchTab::device:
             return draw_device_panel(app.ui, app.work, app.timeline, app.rendered, app.play);
+        case BenchTab::library:
+            return draw_library_panel(app.ui, app.work, app.library);
     }
 }
 

@@ -248,8 +248,8 @@ std::shared_ptr<StillView> still_view(const App& app) {
     App& still = view->app;
     const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
                  physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
-                 steps, pad, maybes, exports, generating, importing, table, sounds, studying,
-                 calibrating, lesson, palette, manual, of_document, aside] = app;
+                 steps, pad, maybes, exports, generating, importing, table, sounds, library,
+                 studying, calibrating, lesson, palette, manual, of_document, aside] = app;
     copy_looks(ui, still.ui);
     copy_work(work, still.work);
     copy_play(play, still.play);
@@ -266,6 +266,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     still.model_bench = model_bench;
     still.picking = picking;
     still.candidates = candidates;
+    still.library = library;
     still.of_document = of_document;
     // Dialogs lie over what is drawn; what is asked of the map is gone when the mouse is; a lesson
     // is the person's to leave; what is aside is not shown, and what is being read is not there

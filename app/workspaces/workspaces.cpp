@@ -56,7 +56,7 @@ void take(std::string_view what, double number, Layout& layout) {
             layout.*share.share = std::clamp(static_cast<float>(number), share.least, share.most);
         }
     }
-    if (what == "bench") layout.bench = choice(number, BenchTab::device);
+    if (what == "bench") layout.bench = choice(number, BenchTab::library);
     if (what == "physiology") layout.physiology = choice(number, Fold::closed);
     if (what == "arrangement") layout.arrangement = choice(number, Arrangement::physiology);
 }

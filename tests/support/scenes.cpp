@@ -11,6 +11,7 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/lesson/lesson.h"
+#include "app/library/library_follow.h"
 #include "app/sounds/sounds_follow.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -43,6 +44,25 @@ PatternSet twelve_with_long_names(double duration_s, const std::string& sign) {
     set.vibrations[2].locked = true;
     set.vibrations[4].dropped = true;
     return set;
+}
+
+// Beside a file that cannot be read.
+void show_library_of_twelve(Program& p, bool like) {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("tactspace-scene-library-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    (void)write_set_file(folder / "twelve.tactspace.json", twelve_with_long_names(0.2, ""));
+    std::ofstream(folder / "broken.ahap") << "{";
+    show_bench(p, BenchTab::library);
+    show_library(p.app.ui, p.app.library, folder);
+    wait_until(p, [&p] { return p.app.library.library != nullptr; });
+    if (like) {
+        p.app.library.target = "android-xml";
+        find_alike(p.app.ui, p.app.work, p.app.library, p.app.work.document.set.vibrations[5]);
+        wait_until(p, [&p] { return p.app.library.alike != nullptr; });
+    }
+    p.settle();
+    std::filesystem::remove_all(folder);
 }
 
 void add_arrangements(std::vector<Scene>& all) {
@@ -187,6 +207,9 @@ void add_bench(std::vector<Scene>& all) {
                    },
                    true});
     all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
+    all.push_back({"library, none", [](Program& p) { show_bench(p, BenchTab::library); }});
+    all.push_back({"library", [](Program& p) { show_library_of_twelve(p, false); }});
+    all.push_back({"library, like a pattern", [](Program& p) { show_library_of_twelve(p, true); }});
     all.push_back({"why", show_why});
     all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
     all.push_back({"training", [](Program& p) { show_model(p, ModelView::training); }});
