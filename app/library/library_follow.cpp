@@ -193,7 +193,7 @@ void open_library_dialog(Ui& ui, const Workspace& work) {
 
 void show_library(Ui& ui, LibraryState& state, const fs::path& folder) {
     std::error_code none;
-    state.folder = fs::is_directory(folder, none) ? folder : folder.parent_path();
+    state.folder = fs::is_regular_file(folder, none) ? folder.parent_path() : folder;
     read_library_again(ui, state);
 }
 

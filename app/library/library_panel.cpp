@@ -44,6 +44,32 @@ void draw_shape(const Theme& theme, const Rect& area, const StrengthShape& shape
 
 std::string number_words(double value) { return significant_digits(value, 3); }
 
+// What the mouse has drawn since the last frame, without gaps where it was fast.
+void take_stroke(LibraryState& state, const Rect& box, bool begins) {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const ImVec2 moved = begins ? ImVec2{} : ImGui::GetIO().MouseDelta;
+    const auto part_at = [&box](float x) {
+        const float share = std::clamp((x - box.min.x) / box.width(), 0.0F, 0.9999F);
+        return static_cast<std::size_t>(share * static_cast<float>(kShapeParts));
+    };
+    const auto strength_at = [&box](float y) {
+        return std::clamp(static_cast<double>((box.max.y - y) / box.height()), 0.0, 1.0);
+    };
+    if (state.drawn.empty()) state.drawn.assign(kShapeParts, 0.0);
+    const std::size_t from = part_at(at.x - moved.x);
+    const std::size_t to = part_at(at.x);
+    const double first = strength_at(at.y - moved.y);
+    const double last = strength_at(at.y);
+    const std::size_t steps = from < to ? to - from : from - to;
+    for (std::size_t k = 0; k <= steps; ++k) {
+        const double share = steps == 0 ? 1.0 : static_cast<double>(k) / static_cast<double>(steps);
+        state.drawn[from < to ? from + k : from - k] = std::lerp(first, last, share);
+    }
+    forget_alike(state);
+    state.by = LibraryColumn::match;
+    state.descending = false;
+}
+
 // Where a shape is drawn by hand: over its whole width once, then where it is drawn again.
 void draw_shape_box(Ui& ui, LibraryState& state, const Rect& box) {
     const Theme& theme = ui.theme;
@@ -52,32 +78,7 @@ void draw_shape_box(Ui& ui, LibraryState& state, const Rect& box) {
     ImGui::InvisibleButton("shape", box.size());
     note_item(ui.rects, "library:shape", state.drawn.empty() ? "" : "drawn");
     draw_tooltip(ui, "Draw strength over time, and what is like it comes first.");
-    if (ImGui::IsItemActive()) {
-        const ImVec2 at = ImGui::GetIO().MousePos;
-        const ImVec2 before{at.x - ImGui::GetIO().MouseDelta.x, at.y - ImGui::GetIO().MouseDelta.y};
-        if (state.drawn.empty()) state.drawn.assign(kShapeParts, 0.0);
-        const auto part_at = [&box](float x) {
-            const float share = std::clamp((x - box.min.x) / box.width(), 0.0F, 0.9999F);
-            return static_cast<std::size_t>(share * static_cast<float>(kShapeParts));
-        };
-        const auto strength_at = [&box](float y) {
-            return std::clamp(static_cast<double>((box.max.y - y) / box.height()), 0.0, 1.0);
-        };
-        const bool begins = ImGui::IsItemActivated();
-        const std::size_t from = part_at(begins ? at.x : before.x);
-        const std::size_t to = part_at(at.x);
-        const double first = strength_at(begins ? at.y : before.y);
-        const double last = strength_at(at.y);
-        const std::size_t steps = from < to ? to - from : from - to;
-        for (std::size_t k = 0; k <= steps; ++k) {
-            const double share =
-                steps == 0 ? 1.0 : static_cast<double>(k) / static_cast<double>(steps);
-            state.drawn[from < to ? from + k : from - k] = std::lerp(first, last, share);
-        }
-        forget_alike(state);
-        state.by = LibraryColumn::match;
-        state.descending = false;
-    }
+    if (ImGui::IsItemActive()) take_stroke(state, box, ImGui::IsItemActivated());
     list.AddRectFilled(box.min, box.max, theme.field, theme.rounding_px);
     if (state.drawn.empty()) {
         const std::string words = "draw a shape";
@@ -350,6 +351,7 @@ void choose(LibraryState& state, std::size_t place) {
 // In the order of the list.
 std::vector<std::size_t> chosen_entries(const LibraryState& state) {
     std::vector<std::size_t> entries;
+    if (state.chosen.empty()) return entries;
     for (const LibraryRow& row : state.rows) {
         if (state.chosen.contains(row.entry)) entries.push_back(row.entry);
     }

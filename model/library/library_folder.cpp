@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/common/parallel.h"
+#include "model/io/effects/read_effects.h"
 #include "model/io/folders/folder_files.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
@@ -37,10 +38,17 @@ FileStamp stamp_of(const fs::path& path) {
     return stamp;
 }
 
+// "LICENSE", "COPYING.LESSER", "licence-mit.txt"; no effect that is called so.
 bool is_licence(const fs::path& path) {
     const std::string name = lower_case(path.filename().string());
-    return name.starts_with("license") || name.starts_with("licence") ||
-           name.starts_with("copying");
+    for (const std::string_view word : {"license", "licence", "copying"}) {
+        if (!name.starts_with(word)) continue;
+        const bool is_whole = name.size() == word.size();
+        if (!is_whole && name[word.size()] != '.' && name[word.size()] != '-') continue;
+        const std::string ending = extension_of(path);
+        return ending != ".wav" && ending != ".json" && ending != ".xml" && !is_effect_name(name);
+    }
+    return false;
 }
 
 // The first line of a licence's text, which is its name in all that are usual.
@@ -195,6 +203,47 @@ Library index_of(const fs::path& folder, std::vector<std::string>& remarks) {
     return {};
 }
 
+// What is as it was keeps its entries; gives the places of all others.
+std::vector<std::size_t> take_known(std::vector<Looked>& all, KnownFiles known) {
+    std::vector<std::size_t> fresh;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto was = known.find(all[k].file.path);
+        if (was == known.end() || !is_as_it_was(all[k].file, was->second.file)) {
+            fresh.push_back(k);
+            continue;
+        }
+        all[k].file.left_out = was->second.file.left_out;
+        all[k].entries = std::move(was->second.entries);
+    }
+    return fresh;
+}
+
+// False when stopped.
+bool look_into_all(std::vector<Looked>& all, const std::vector<NamedFiles>& files,
+                   const std::vector<std::size_t>& fresh, const LibraryOptions& options) {
+    std::mutex counting;
+    std::size_t done = 0;
+    parallel_for(fresh.size(), options.threads, options.stop, [&](std::size_t k) {
+        look_into(all[fresh[k]], files[fresh[k]], options.stop);
+        const std::lock_guard lock(counting);
+        ++done;
+        if (options.progress) {
+            options.progress(static_cast<double>(done) / static_cast<double>(fresh.size()));
+        }
+    });
+    return !options.stop.stop_requested();
+}
+
+void keep(Library& library, const std::string& text_before) {
+    const std::string text = print_library(library);
+    if (text == text_before) return;
+    const auto written = write_atomically(library.folder / kLibraryFile, text);
+    if (!written) {
+        library.remarks.push_back(written.error().message +
+                                  ": this library will be read again each time");
+    }
+}
+
 }  // namespace
 
 Expected<Library> open_library(const fs::path& folder, const LibraryOptions& options) {
@@ -211,37 +260,15 @@ Expected<Library> open_library(const fs::path& folder, const LibraryOptions& opt
     Library library;
     library.folder = folder;
     library.remarks = std::move(found->left_out);
-    const Licences licences = licences_among(found->files);
     Library before;
     if (!options.anew) before = index_of(folder, library.remarks);
     const std::string text_before = options.keep ? print_library(before) : "";
-    KnownFiles known = known_files(std::move(before));
+    const Licences licences = licences_among(found->files);
     const std::vector<NamedFiles> files = files_to_look_at(std::move(found->files));
-
-    std::vector<Looked> all(files.size());
-    std::vector<std::size_t> fresh;
-    for (std::size_t k = 0; k < files.size(); ++k) {
-        all[k].file = file_now(files[k], folder, licences);
-        const auto was = known.find(all[k].file.path);
-        if (was == known.end() || !is_as_it_was(all[k].file, was->second.file)) {
-            fresh.push_back(k);
-            continue;
-        }
-        all[k].file.left_out = was->second.file.left_out;
-        all[k].entries = std::move(was->second.entries);
-    }
-    std::mutex counting;
-    std::size_t done = 0;
-    const bool finished =
-        parallel_for(fresh.size(), options.threads, options.stop, [&](std::size_t k) {
-            look_into(all[fresh[k]], files[fresh[k]], options.stop);
-            const std::lock_guard lock(counting);
-            ++done;
-            if (options.progress) {
-                options.progress(static_cast<double>(done) / static_cast<double>(fresh.size()));
-            }
-        });
-    if (!finished || options.stop.stop_requested()) return Error{kReadingCancelled};
+    std::vector<Looked> all;
+    for (const NamedFiles& one : files) all.push_back({file_now(one, folder, licences), {}});
+    const auto fresh = take_known(all, known_files(std::move(before)));
+    if (!look_into_all(all, files, fresh, options)) return Error{kReadingCancelled};
     library.files_read = fresh.size();
     for (Looked& one : all) {
         for (LibraryEntry& entry : one.entries) {
@@ -250,14 +277,7 @@ Expected<Library> open_library(const fs::path& folder, const LibraryOptions& opt
         }
         library.files.push_back(std::move(one.file));
     }
-    if (!options.keep) return library;
-    const std::string text = print_library(library);
-    if (text == text_before) return library;
-    const auto written = write_atomically(folder / kLibraryFile, text);
-    if (!written) {
-        library.remarks.push_back(written.error().message +
-                                  ": this library will be read again each time");
-    }
+    if (options.keep) keep(library, text_before);
     return library;
 }
 

@@ -23,6 +23,7 @@
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
 #include "tests/support/scene_steps.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tact {
 
@@ -48,13 +49,11 @@ PatternSet twelve_with_long_names(double duration_s, const std::string& sign) {
 
 // Beside a file that cannot be read.
 void show_library_of_twelve(Program& p, bool like) {
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("tactspace-scene-library-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    (void)write_set_file(folder / "twelve.tactspace.json", twelve_with_long_names(0.2, ""));
-    std::ofstream(folder / "broken.ahap") << "{";
+    const TemporaryFolder folder;
+    (void)write_set_file(folder.path / "twelve.tactspace.json", twelve_with_long_names(0.2, ""));
+    folder.write("broken.ahap", "{");
     show_bench(p, BenchTab::library);
-    show_library(p.app.ui, p.app.library, folder);
+    show_library(p.app.ui, p.app.library, folder.path);
     wait_until(p, [&p] { return p.app.library.library != nullptr; });
     if (like) {
         p.app.library.target = "android-xml";
@@ -62,7 +61,6 @@ void show_library_of_twelve(Program& p, bool like) {
         wait_until(p, [&p] { return p.app.library.alike != nullptr; });
     }
     p.settle();
-    std::filesystem::remove_all(folder);
 }
 
 void add_arrangements(std::vector<Scene>& all) {

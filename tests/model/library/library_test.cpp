@@ -111,6 +111,24 @@ TEST_CASE("library: all formats of all folders, with what they say of themselves
     CHECK(refused == std::vector<std::string>{"broken.ahap"});
 }
 
+TEST_CASE(
+    "library: an effect that is called like a licence is an effect, and two licences say nothing") {
+    const TemporaryFolder folder;
+    for (const char* name : {"license.xml", "license_plate.xml", "licensed.xml"})
+        folder.write(name, android(100, 100));
+    folder.write("COPYING", "GPL");
+    folder.write("LICENSE-MIT", "MIT");
+    const auto library = open_library(folder.path);
+    REQUIRE(library);
+    CHECK(search(*library, "") == std::vector<std::string>{"license", "license_plate", "licensed"});
+    CHECK(search(*library, "gpl").empty());
+    CHECK(search(*library, "mit").empty());
+    fs::remove(folder.path / "COPYING");
+    const auto again = open_library(folder.path);
+    REQUIRE(again);
+    CHECK(search(*again, "mit").size() == 3);
+}
+
 TEST_CASE("library: every word has to be somewhere, in either case") {
     const Shelf shelf;
     const Library library = shelf.open();
