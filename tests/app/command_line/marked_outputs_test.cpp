@@ -317,6 +317,15 @@ const Checks& checks() {
              Bench::ran({"measure", b.plain, "--simulate", "--out", b.at("twins.tactspace.json")});
              CHECK(contains(bytes_of(b.at("twins.tactspace.json")), "\"synthetic\": true"));
          }},
+        {"library",
+         [](const Bench& b) {
+             const std::string shelf = (b.folder.path / "shelf").string();
+             fs::create_directories(shelf);
+             Bench::ran({"measure", b.plain, "--simulate", "--out", shelf + "/t.tactspace.json"});
+             b.check_says({"library", shelf});
+             b.check_says({"library", shelf, "--like", "v1", "--json"});
+             b.check_says({"library", shelf, "--like", "v1", "--out", b.at("l.tactspace.json")});
+         }},
         {"snapshot",
          [](const Bench& b) {
              for (const char* view : {"space", "matrix", "window", "physiology"}) {
