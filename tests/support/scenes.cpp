@@ -54,7 +54,11 @@ void show_library_of_twelve(Program& p, bool like) {
     folder.write("broken.ahap", "{");
     show_bench(p, BenchTab::library);
     show_library(p.app.ui, p.app.library, folder.path);
-    wait_until(p, [&p] { return p.app.library.library != nullptr; });
+    // The scene before may have left another one.
+    wait_until(p, [&] {
+        const ShownLibrary& shown = p.app.library.library;
+        return shown && shown->folder == folder.path && !is_library_busy(p.app.library);
+    });
     if (like) {
         p.app.library.target = "android-xml";
         find_alike(p.app.ui, p.app.work, p.app.library, p.app.work.document.set.vibrations[5]);
