@@ -234,11 +234,15 @@ void follow_library(Ui& ui, Workspace& work, LibraryState& state) {
     }
     if (state.comparer) {
         auto alike = state.comparer->latest();
-        if (alike && alike != state.alike && alike->request.library == state.library) {
+        const bool is_new =
+            alike && alike != state.alike && alike->request.library == state.library;
+        if (is_new && !alike->fault.empty()) {
+            complain(ui, alike->fault);
+            forget_alike(state);
+        } else if (is_new) {
             state.alike = std::move(alike);
             state.by = LibraryColumn::match;
             state.descending = false;
-            if (!state.alike->fault.empty()) complain(ui, state.alike->fault);
         }
     }
     if (state.adder) {

@@ -186,8 +186,16 @@ void draw_search_lines(Ui& ui, const Workspace& work, LibraryState& state) {
     ImGui::SetCursorScreenPos(after);
 }
 
+// Whether the answer is of a pattern, or by a model, that is another one by now.
+bool is_outdated(const PatternSet& set, const AlikeRequest& request) {
+    if (request.question.model != set.model) return true;
+    if (request.entry) return false;
+    const auto place = place_named(set, request.wanted);
+    return place && !(set.vibrations[*place].source == request.question.wanted.source);
+}
+
 // What the order of the list is, and a way back; what is under way.
-void draw_order_line(Ui& ui, LibraryState& state) {
+void draw_order_line(Ui& ui, const Workspace& work, LibraryState& state) {
     if (state.comparer && state.comparer->busy()) {
         if (draw_progress(ui, {"Comparing", state.comparer->progress(), "comparing"})) {
             state.comparer->cancel();
@@ -200,6 +208,7 @@ void draw_order_line(Ui& ui, LibraryState& state) {
         const AlikeRequest& request = state.alike->request;
         words = "like " + shown_text(request.wanted);
         if (!answer.is_wanted_felt) words += " (not felt: by rhythm alone)";
+        if (is_outdated(work.document.set, request)) words += ", before it was changed";
         if (request.question.target) words += ", " + words_on(*request.question.target);
         if (answer.exported) {
             const auto nearer = std::ranges::count_if(
@@ -501,7 +510,7 @@ void draw_library_panel(Ui& ui, Workspace& work, LibraryState& state) {
         return;
     }
     if (!ui.as_picture) draw_search_lines(ui, work, state);
-    draw_order_line(ui, state);
+    draw_order_line(ui, work, state);
     draw_list(ui, work, state);
 }
 

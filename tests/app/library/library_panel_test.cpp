@@ -117,6 +117,13 @@ TEST_CASE("library: the nearest to the current pattern comes first, and Clear ta
     CHECK(shelf.listed().front() == "high");
     CHECK(program.at("library:order").value.find("like p1") == 0);
 
+    edit_current_pattern(shelf.app().work, tone(240.0, 0.1));
+    program.settle();
+    CHECK(program.at("library:order").value.find("before it was changed") != std::string::npos);
+    edit_current_pattern(shelf.app().work, tone(250.0, 0.1));
+    program.settle();
+    CHECK(program.at("library:order").value.find("before it was changed") == std::string::npos);
+
     program.click("library:target");
     program.click("library target:android-xml");
     wait_until(program, [&] { return shelf.app().library.alike->request.target == "android-xml"; });
@@ -145,6 +152,17 @@ TEST_CASE("library: more like a chosen one is asked of the library itself") {
     program.click("library:more like it");
     wait_until(program, [&] { return shelf.app().library.alike != nullptr; });
     CHECK(shelf.listed().front() == "rises");
+}
+
+TEST_CASE("library: what cannot be compared is said, and the list stays") {
+    Shelf shelf;
+    Program& program = shelf.program;
+    program.click("library row:rises");
+    std::filesystem::remove(shelf.folder.path / "tones.tactspace.json");
+    program.click("library:more like it");
+    wait_until(program, [&] { return shelf.app().ui.status.is_error; });
+    CHECK_FALSE(shelf.app().library.alike);
+    CHECK(shelf.listed().size() == 3);
 }
 
 TEST_CASE("library: a held row is felt as long as it is held") {
