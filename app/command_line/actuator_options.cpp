@@ -243,9 +243,8 @@ void add_library_command(CLI::App& app, LibraryCommand& command, Chosen& chosen)
     sub.add_option("--search", command.words,
                    "words that all of name, description, tags, path, format and licence have");
     auto* shape = sub.add_option("--shape", command.shape,
-                                 "by strength over time: strengths at equal steps from beginning "
-                                 "to end, such as 0,1,0.2,0")
-                      ->delimiter(',')
+                                 "by strength over time: two strengths or more at equal steps from "
+                                 "beginning to end, such as 0 1 0.2 0; to be given last")
                       ->check(within(0.0, 1e6));
     auto* like = sub.add_option("--like", command.like,
                                 "by how alike they feel, the nearest first: to the one effect or "

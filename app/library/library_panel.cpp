@@ -137,7 +137,9 @@ void draw_folder_line(Ui& ui, const Workspace& work, LibraryState& state) {
     flow_on(text_size(ui.theme.fonts.small, told).x, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);  // the folder's name may be of any length
     dim_text(ui, told);
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     note_item(ui.rects, "library:told", told);
     if (refused == 0) return;

@@ -209,7 +209,11 @@ void add_bench(std::vector<Scene>& all) {
                    },
                    true});
     all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
-    all.push_back({"library, none", [](Program& p) { show_bench(p, BenchTab::library); }});
+    all.push_back({"library, none", [](Program& p) {
+                       p.app.library = LibraryState{};
+                       show_bench(p, BenchTab::library);
+                       p.settle();
+                   }});
     all.push_back({"library", [](Program& p) { show_library_of_twelve(p, false); }});
     all.push_back({"library, like a pattern", [](Program& p) { show_library_of_twelve(p, true); }});
     all.push_back({"why", show_why});

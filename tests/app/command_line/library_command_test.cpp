@@ -100,7 +100,7 @@ TEST_CASE("library: words and shapes") {
     const Shelf shelf;
     CHECK(names(shelf.ask({"--search", "MIT soft"})) == std::vector<std::string>{"short"});
     CHECK(names(shelf.ask({"--search", "nothing has this"})).empty());
-    const auto answer = shelf.ask({"--shape", "1,1"});
+    const auto answer = shelf.ask({"--shape", "1", "1"});
     CHECK(answer.at("entries").size() == 3);
     CHECK(answer.at("entries")[0].at("shape_off") <= answer.at("entries")[2].at("shape_off"));
 }
@@ -119,7 +119,7 @@ TEST_CASE("library: what is wrong is one sentence, and nothing is written") {
     refused({shelf.path("nowhere")}, "expected a folder");
     refused({library, "--like", "nobody"}, "expected a file, or a name in the library");
     refused({library, "--like", library}, "expected a file with one effect or recording, got 3");
-    refused({library, "--shape", "0,0"}, "expected two strengths or more");
+    refused({library, "--shape", "0", "0"}, "expected two strengths or more");
     refused({library, "--for", "android-xml"}, "--like");
     refused({library, "--like", "long", "--for", "nothing"}, "--for: ");
     refused({library, "--search", "nothing has this", "--out", shelf.path("a.tactspace.json")},
