@@ -165,7 +165,7 @@ void draw_search_lines(Ui& ui, const Workspace& work, LibraryState& state) {
     const Rect box{{corner.x + left_px + ui.theme.gap_px, corner.y},
                    {corner.x + room, corner.y + 2.0F * line + gap}};
     ImGui::SetNextItemWidth(left_px);
-    ImGui::InputTextWithHint("##words", "words: a name, a tag, a format, a licence", &state.words);
+    ImGui::InputTextWithHint("##words", "a name, a tag, a format", &state.words);
     note_item(ui.rects, "library:words", state.words);
     const Vibration* current = current_vibration(work);
     const std::string full = current == nullptr ? "Like a pattern" : "Like " + current->name;
