@@ -65,11 +65,7 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     const std::string told = std::to_string(listed) + " of " +
                              std::to_string(work.document.set.vibrations.size()) + ", " +
                              std::to_string(selected_indices(work).size()) + " selected";
-    flow_on(text_size(ui.theme.fonts.small, told).x, ui.theme.gap_px);
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, told);
-    ImGui::PopFont();
+    dim_text_beside(ui, told);
     note_item(ui.rects, "candidates:count", told);
 }
 

@@ -294,6 +294,16 @@ void dim_text(const Ui& ui, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+void dim_text_beside(const Ui& ui, const std::string& text) {
+    flow_on(text_size(ui.theme.fonts.small, text).x, ui.theme.gap_px);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
 void wrapped_text(const std::string& text) {
     // The window may scale the font, of which the lines are measured unscaled.
     const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;

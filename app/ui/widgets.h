@@ -139,6 +139,9 @@ bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const st
 // Text in the theme's dim colour.
 void dim_text(const Ui& ui, const std::string& text);
 
+// The same in small letters, at the end of a line of fields where it has room, else below.
+void dim_text_beside(const Ui& ui, const std::string& text);
+
 // Text with its lines broken at spaces alone (wrapped() in viz/drawing/marks.h), where ImGui breaks
 // numbers at their points, too.
 void wrapped_text(const std::string& text);
