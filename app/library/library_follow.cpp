@@ -198,7 +198,7 @@ void show_library(Ui& ui, LibraryState& state, const fs::path& folder) {
 }
 
 void read_library_again(Ui& ui, LibraryState& state) {
-    submit(state.reader, ui, read_whole, LibraryRequest{state.folder, ++state.readings});
+    submit(state.reader, ui, read_whole, LibraryRequest{state.folder});
 }
 
 void find_alike(const Ui& ui, const Workspace& work, LibraryState& state, const Vibration& wanted) {

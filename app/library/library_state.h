@@ -21,7 +21,6 @@ using ShownLibrary = std::shared_ptr<const Library>;
 
 struct LibraryRequest {
     std::filesystem::path folder;
-    std::uint64_t reading = 0;  // how often it was asked for: files may have changed since
 };
 
 // What feels like a pattern, of the whole library.
@@ -74,7 +73,6 @@ struct LibraryRow {
 
 struct LibraryState {
     std::filesystem::path folder;  // empty: none was opened
-    std::uint64_t readings = 0;
     ShownLibrary library;
     std::string words;          // that are searched for
     std::vector<double> drawn;  // strengths by hand, kShapeParts of them; empty: none

@@ -65,6 +65,14 @@ LibraryEntry entry_of(const Vibration& vibration) {
     return entry;
 }
 
+std::vector<std::string> reasons_left_out(const Library& library) {
+    std::vector<std::string> reasons;
+    for (const LibraryFile& file : library.files) {
+        if (!file.left_out.empty()) reasons.push_back(file.left_out);
+    }
+    return reasons;
+}
+
 const LibraryFile& file_of(const Library& library, const LibraryEntry& entry) {
     return library.files[entry.file];
 }

@@ -68,6 +68,9 @@ struct Library {
 // What a list says of a vibration; file and place are the caller's.
 LibraryEntry entry_of(const Vibration& vibration);
 
+// Why files could not be read, one each.
+std::vector<std::string> reasons_left_out(const Library& library);
+
 // Its file, as the list shows it.
 const LibraryFile& file_of(const Library& library, const LibraryEntry& entry);
 

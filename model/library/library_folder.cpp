@@ -191,14 +191,19 @@ void look_into(Looked& looked, const NamedFiles& files, std::stop_token stop) {
     }
 }
 
-// The index as it was; empty where there is none, with a remark where it is damaged.
-Library index_of(const fs::path& folder, std::vector<std::string>& remarks) {
+// What was kept of the folder, with its text; a damaged index counts as none, with a remark.
+struct KeptIndex {
+    Library library;
+    std::string text;
+};
+
+KeptIndex kept_index(const fs::path& folder, std::vector<std::string>& remarks) {
     const fs::path path = folder / kLibraryFile;
     std::error_code none;
     if (!fs::exists(path, none)) return {};
     const auto text = read_text_file(path, kMostIndexBytes);
     auto library = text ? parse_library(*text, folder) : Expected<Library>(text.error());
-    if (library) return *std::move(library);
+    if (library) return {*std::move(library), *text};
     remarks.push_back(library.error().message + ": all files were read again");
     return {};
 }
@@ -260,14 +265,13 @@ Expected<Library> open_library(const fs::path& folder, const LibraryOptions& opt
     Library library;
     library.folder = folder;
     library.remarks = std::move(found->left_out);
-    Library before;
-    if (!options.anew) before = index_of(folder, library.remarks);
-    const std::string text_before = options.keep ? print_library(before) : "";
+    KeptIndex before;
+    if (!options.read_all) before = kept_index(folder, library.remarks);
     const Licences licences = licences_among(found->files);
     const std::vector<NamedFiles> files = files_to_look_at(std::move(found->files));
     std::vector<Looked> all;
     for (const NamedFiles& one : files) all.push_back({file_now(one, folder, licences), {}});
-    const auto fresh = take_known(all, known_files(std::move(before)));
+    const auto fresh = take_known(all, known_files(std::move(before.library)));
     if (!look_into_all(all, files, fresh, options)) return Error{kReadingCancelled};
     library.files_read = fresh.size();
     for (Looked& one : all) {
@@ -277,7 +281,7 @@ Expected<Library> open_library(const fs::path& folder, const LibraryOptions& opt
         }
         library.files.push_back(std::move(one.file));
     }
-    if (options.keep) keep(library, text_before);
+    if (options.keep) keep(library, before.text);
     return library;
 }
 

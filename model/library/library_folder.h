@@ -27,9 +27,9 @@ inline constexpr std::size_t kMostLibraryFiles = 20'000;
 inline constexpr const char* kLibraryFile = ".tactspace-library.json";
 
 struct LibraryOptions {
-    int threads = 0;    // 0: all cores
-    bool anew = false;  // nothing is taken from the index
-    bool keep = true;   // the index is written, where anything is new
+    int threads = 0;        // 0: all cores
+    bool read_all = false;  // nothing is taken from the index
+    bool keep = true;       // the index is written, where anything is new
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from any thread
 };
@@ -38,7 +38,8 @@ struct LibraryOptions {
 Expected<Library> open_library(const std::filesystem::path& folder,
                                const LibraryOptions& options = {});
 
-// The vibration of an entry, from its file as it is now; an Error where that has gone or changed.
+// The vibration of an entry, read from its file as it is now; an Error where the file is gone or
+// holds another one.
 Expected<Vibration> vibration_of(const Library& library, const LibraryEntry& entry);
 
 // The index as text, and back; an Error where it is damaged or of another version.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
 #include "model/common/parallel.h"
@@ -76,6 +75,12 @@ std::optional<Others> read_others(const Library& library, const LikeQuestion& qu
 }
 
 }  // namespace
+
+std::size_t nearer_than_exported(const LikeAnswer& answer) {
+    if (!answer.exported) return 0;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        answer.hits, [&](const LikeHit& hit) { return hit.pm < answer.exported->pm; }));
+}
 
 Expected<LikeAnswer> most_alike(const Library& library, const LikeQuestion& question,
                                 const LikenessOptions& options) {

@@ -45,6 +45,9 @@ struct LikeAnswer {
     std::vector<std::string> unread;    // why, each as "FILE: what was expected"
 };
 
+// How many are nearer than what comes back of the wanted one itself; 0 where nothing does.
+std::size_t nearer_than_exported(const LikeAnswer& answer);
+
 inline constexpr const char* kLikeStopped = "stopped before all were compared";
 
 Expected<LikeAnswer> most_alike(const Library& library, const LikeQuestion& question,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
@@ -44,7 +43,7 @@ struct LibraryAnswer {
     std::size_t found = 0;  // before the limit
 };
 
-// Of a name, in the library: the one that is called so, as long as there is one.
+// The entry of this name; an Error unless there is exactly one.
 Expected<Vibration> vibration_named(const Library& library, const std::string& name) {
     std::vector<const LibraryEntry*> named;
     for (const LibraryEntry& entry : library.entries) {
@@ -155,13 +154,11 @@ std::string table_of(const LibraryAnswer& answer) {
 std::vector<std::string> words_on(const LibraryAnswer& answer) {
     std::vector<std::string> words;
     const Library& library = answer.library;
-    std::size_t refused = 0;
-    for (const LibraryFile& file : library.files) refused += file.left_out.empty() ? 0 : 1;
     words.push_back(counted(answer.listed.size(), "entry", "entries") + " of " +
                     counted(answer.found, "that was found", "that were found") + ", " +
                     counted(library.entries.size(), "entry", "entries") + " in the library. " +
                     counted(library.files_read, "file", "files") + " read now, " +
-                    counted(refused, "file", "files") + " not readable");
+                    counted(reasons_left_out(library).size(), "file", "files") + " not readable");
     if (answer.wanted.empty()) return words;
     const LikeAnswer& like = answer.like;
     const std::size_t compared = like.hits.size() + (like.exported ? 1 : 0);
@@ -174,12 +171,9 @@ std::vector<std::string> words_on(const LibraryAnswer& answer) {
                         " is felt by no receptor: what is like it is so by rhythm alone");
     }
     if (like.exported) {
-        const auto nearer = std::ranges::count_if(
-            like.hits, [&](const LikeHit& hit) { return hit.pm < like.exported->pm; });
         words.push_back(shown_text(answer.wanted) + " itself " + words_on(*answer.target) +
                         ": PM " + significant_digits(like.exported->pm, 5) + ", and " +
-                        counted(static_cast<std::size_t>(nearer), "entry is", "entries are") +
-                        " nearer");
+                        counted(nearer_than_exported(like), "entry is", "entries are") + " nearer");
     }
     if (!like.too_long.empty()) {
         words.push_back(counted(like.too_long.size(), "entry is", "entries are") +
@@ -220,10 +214,7 @@ nlohmann::json json_of(const LibraryAnswer& answer) {
         if (one.shape_off) json["shape_off"] = *one.shape_off;
         entries.push_back(std::move(json));
     }
-    nlohmann::json left_out = nlohmann::json::array();
-    for (const LibraryFile& file : library.files) {
-        if (!file.left_out.empty()) left_out.push_back(file.left_out);
-    }
+    nlohmann::json left_out = reasons_left_out(library);
     for (const std::string& unread : answer.like.unread) left_out.push_back(unread);
     nlohmann::json json = {{"library", path_json(library.folder)},
                            {"entries_in_library", library.entries.size()},
@@ -264,16 +255,15 @@ Expected<Done> run(const LibraryCommand& command) {
         if (const auto writable = writable_result(command.out); !writable) return writable;
     }
     auto library = open_library(command.folder, {.threads = command.threads,
-                                                 .anew = command.without_index,
+                                                 .read_all = command.without_index,
                                                  .keep = !command.without_index,
                                                  .stop = interrupt.token(),
                                                  .progress = progress_line("reading")});
     if (!library) return library.error();
     for (const std::string& remark : library->remarks)
         std::cerr << "tactspace: " << shown_text(remark) << "\n";
-    for (const LibraryFile& file : library->files) {
-        if (!file.left_out.empty()) std::cerr << "tactspace: " << shown_text(file.left_out) << "\n";
-    }
+    for (const std::string& reason : reasons_left_out(*library))
+        std::cerr << "tactspace: " << shown_text(reason) << "\n";
     LibraryAnswer answer{*std::move(library)};
     const std::vector<std::size_t> among = found_by_words(answer.library, command.words);
     if (!command.like.empty()) {

@@ -160,7 +160,7 @@ TEST_CASE("library: what is kept gives the same, and only what changed is read")
     CHECK(search(changed, "") ==
           std::vector<std::string>{"heartbeat", "of a set", "buzz", "new", "ring"});
     CHECK(named(changed, "buzz").duration_s == doctest::Approx(0.25));
-    CHECK(shelf.open({.anew = true}).entries == changed.entries);
+    CHECK(shelf.open({.read_all = true}).entries == changed.entries);
 
     // A licence counts although the file itself is as it was.
     shelf.folder.write("phone/LICENSE.txt", "BSD");
