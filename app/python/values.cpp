@@ -10,6 +10,7 @@
 #include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
 #include "model/signal/resample.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 
@@ -321,7 +322,9 @@ py::dict python_of(const RatingStudy& study) {
     return result;
 }
 
-py::object python_of(const Json& document) { return json_module().attr("loads")(document.dump()); }
+py::object python_of(const Json& document) {
+    return json_module().attr("loads")(text_of_json(document));
+}
 
 py::array_t<double> array_of(std::span<const double> numbers) {
     return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());

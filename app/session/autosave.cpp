@@ -10,6 +10,7 @@
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 namespace {
@@ -32,7 +33,7 @@ void erase_file(const fs::path& path) {
 std::string text_of(const Kept& kept) {
     json all = {{"format", 1}, {"path", path_json(kept.path)}, {"set", kept.set_text}};
     if (kept.file_mark) all["file_mark"] = *kept.file_mark;
-    return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+    return text_of_json(all, 1) + "\n";
 }
 
 std::optional<Kept> read_kept(const fs::path& file) {

@@ -7,6 +7,7 @@
 #include "app/session/path_json.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 namespace {
@@ -26,7 +27,7 @@ std::string text_of(const LessonDraft& draft) {
                       {"path", path_json(draft.path)},
                       {"step", draft.step},
                       {"lesson", print_lesson(draft.lesson, {})}};
-    return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+    return text_of_json(all, 1) + "\n";
 }
 
 std::optional<KeptLesson> read_kept_lesson(const fs::path& file) {

@@ -13,6 +13,7 @@
 #include "app/session/lesson_draft.h"
 #include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 namespace {
@@ -232,10 +233,8 @@ Session open_session(const fs::path& folder) {
 
 Expected<Done> write_session(const Session& session) {
     if (session.folder.empty() || !session.is_first) return Done{};
-    // All that may be no UTF-8 is encoded: this is of names alone that nobody has thought of.
-    const auto replace = json::error_handler_t::replace;
     return write_atomically(settings_file(session.folder),
-                            settings_of(session).dump(2, ' ', false, replace) + "\n", kPrivateFile);
+                            text_of_json(settings_of(session), 2) + "\n", kPrivateFile);
 }
 
 Expected<Done> close_session(Session& session) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -65,7 +66,7 @@ std::string text_of(const TableWords& words) {
                   {"columns", columns}};
     if (words.time_unit) whole["time_unit"] = static_cast<int>(*words.time_unit);
     if (words.unit) whole["unit"] = static_cast<int>(*words.unit);
-    return whole.dump(-1, ' ', false, json::error_handler_t::replace);
+    return text_of_json(whole);
 }
 
 TableWords words_in(std::string_view text) {

@@ -110,7 +110,7 @@ std::string print_calibration(const Calibration& calibration) {
         if (point.between) json["points"].back()["between"] = true;
         if (point.unknown) json["points"].back()["unknown"] = true;
     }
-    return json.dump(2) + "\n";
+    return text_of_json(json, 2) + "\n";
 }
 
 Expected<Done> write_calibration(const std::filesystem::path& path,

@@ -107,7 +107,7 @@ std::string print_library(const Library& library) {
     }
     const Json whole = {{"format", kFormat}, {"version", kIndexVersion}, {"files", files}};
     // A line for each file, so that two indexes can be compared line by line.
-    std::string text = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = text_of_json(whole);
     for (std::size_t at = 0; (at = text.find(",{\"path\"", at)) != text.npos; at += 2) {
         text.insert(at + 1, "\n");
     }

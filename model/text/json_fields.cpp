@@ -15,6 +15,11 @@ namespace tact {
 
 namespace {
 
+template <class Document>
+std::string printed(const Document& document, int indent) {
+    return document.dump(indent, ' ', false, Document::error_handler_t::replace);
+}
+
 std::string at_offset(const std::string& file, std::string_view text, std::size_t offset) {
     const TextPosition position = position_of(text, offset);
     return file + ", line " + std::to_string(position.line) + ", column " +
@@ -92,7 +97,7 @@ std::string syntax_fault(const std::string& words) {
 std::string described(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "an array of " + std::to_string(value.size());
-    return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return shortened(text_of_json(value));
 }
 
 std::string described(Range range, const char* kind) {
@@ -140,6 +145,14 @@ void refuse_unknown(const JsonObject& object, const std::string& key) {
 }
 
 }  // namespace
+
+std::string text_of_json(const Json& document, int indent) { return printed(document, indent); }
+
+std::string text_of_json(const nlohmann::json& document, int indent) {
+    return printed(document, indent);
+}
+
+Json kept_json(std::string_view text) { return Json::parse(text, nullptr, false); }
 
 Expected<Json> parse_json(std::string_view text, const std::string& file) {
     const std::optional<std::string> decoded = utf8_of_utf16(text);

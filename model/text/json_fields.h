@@ -34,6 +34,14 @@ inline constexpr std::size_t kMaxJsonMemory = 900'000'000;
 // An Error names the line and the column: "set.json, line 3, column 7: ...".
 Expected<Json> parse_json(std::string_view text, const std::string& file);
 
+// `indent` spaces a level; default: all on one line. Bytes that are not UTF-8 (of a file's or a
+// device's name) become U+FFFD, so that whatever can be named can be printed.
+std::string text_of_json(const Json& document, int indent = -1);
+std::string text_of_json(const nlohmann::json& document, int indent = -1);
+
+// The document of a text that text_of_json made; a discarded value if it is not JSON.
+Json kept_json(std::string_view text);
+
 // What becomes of keys that nobody asked for.
 enum class UnknownKeys {
     passed_over,  // another program's

@@ -12,6 +12,7 @@
 #include "devices/calibration/calibration_run.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -61,7 +62,7 @@ std::string json_of(const CalibrationResult& result) {
                                  {"standard_error", one.standard_error},
                                  {"accepted", one.accepted}});
     }
-    return json.dump() + "\n";
+    return text_of_json(json) + "\n";
 }
 
 Expected<Done> write_signal(const CalibrateCommand& command, const CalibrationPlan& plan) {

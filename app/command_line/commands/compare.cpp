@@ -12,6 +12,7 @@
 #include "app/command_line/people/people_words.h"
 #include "app/command_line/rated_sets.h"
 #include "model/study/agreement.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -169,7 +170,7 @@ std::string json_text(const std::vector<SetAgreement>& sets, Bookkeeping books) 
     for (std::size_t m = 0; sets.size() > 1 && m < metrics; ++m) {
         all.push_back(json_of(mean_of(sets, m, books), key_of(sets.front(), m), books));
     }
-    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return text_of_json(all) + "\n";
 }
 
 std::string text_of(const CompareCommand& command, const std::vector<SetAgreement>& sets,

@@ -8,6 +8,7 @@
 #include "app/command_line/interrupt.h"
 #include "app/command_line/text_table.h"
 #include "devices/device_list.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -77,7 +78,7 @@ Expected<Done> run(const DevicesCommand& command) {
     if (command.json) {
         nlohmann::json list = nlohmann::json::array();
         for (const DeviceInfo& device : devices) list.push_back(json_of(device));
-        std::cout << list.dump() << "\n";
+        std::cout << text_of_json(list) << "\n";
     } else if (devices.empty()) {
         std::cout << "There is no device to play on. " << advice_without_devices() << "\n";
     } else {

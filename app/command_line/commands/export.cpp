@@ -18,6 +18,7 @@
 #include "app/session/path_json.h"
 #include "model/export/export_loss.h"
 #include "model/subset/set_subset.h"
+#include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
@@ -170,7 +171,7 @@ void print_json(const Exported& exported, const PatternSet& part,
         answer["loss"] = json_of(*exported.loss);
         add_labels(answer["loss"], {.mark = mark_of(part)});
     }
-    std::cout << answer.dump() << "\n";
+    std::cout << text_of_json(answer) << "\n";
 }
 
 // Before the work, which may take a while.

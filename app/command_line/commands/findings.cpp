@@ -12,6 +12,7 @@
 #include "app/compare/check_morse.h"
 #include "app/compare/model_variants.h"
 #include "model/evaluation/metric_comparison.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -220,7 +221,7 @@ Expected<Done> write_all(const FindingsCommand& command, const Found& found) {
         if (!written) return written;
     }
     return write_result({}, [&](std::ostream& stream) {
-        stream << (command.json ? json_of(found).dump() + "\n" : text_of(found));
+        stream << (command.json ? text_of_json(json_of(found)) + "\n" : text_of(found));
     });
 }
 

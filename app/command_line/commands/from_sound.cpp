@@ -8,6 +8,7 @@
 #include "app/session/path_json.h"
 #include "model/io/set/set_file.h"
 #include "model/sound/from_sound.h"
+#include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
@@ -92,7 +93,7 @@ Expected<Done> run(const FromSoundCommand& command) {
         }
         nlohmann::json list = nlohmann::json::array();
         for (const MadeOfSound& one : all) list.push_back(json_of(one, options.actuator.name));
-        stream << list.dump() << "\n";
+        stream << text_of_json(list) << "\n";
     });
 }
 

@@ -11,6 +11,7 @@
 #include "model/io/set/set_file.h"
 #include "model/io/set/spec_file.h"
 #include "model/set/set_candidates.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -76,7 +77,7 @@ Expected<Done> run(const GenerateCommand& command) {
                   << estimate_text(expected_map_s(made->set)) << "\n";
     }
     return write_result({}, [&](std::ostream& stream) {
-        stream << (command.json ? json_of(*made).dump() + "\n" : text_of(*made));
+        stream << (command.json ? text_of_json(json_of(*made)) + "\n" : text_of(*made));
     });
 }
 

@@ -16,6 +16,7 @@
 #include "model/library/library_folder.h"
 #include "model/library/library_search.h"
 #include "model/library/like.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
@@ -285,8 +286,7 @@ Expected<Done> run(const LibraryCommand& command) {
     }
     return write_result({}, [&](std::ostream& stream) {
         if (command.json) {
-            stream << json_of(answer).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
-                   << "\n";
+            stream << text_of_json(json_of(answer)) << "\n";
             return;
         }
         stream << text_of(labels_of(answer)) << table_of(answer);

@@ -11,6 +11,7 @@
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
+#include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
@@ -121,7 +122,7 @@ Expected<Done> finish(PatternSet set, const fs::path& out, const std::vector<Imp
         }
         nlohmann::json list = nlohmann::json::array();
         for (const Imported& one : all) list.push_back(json_of(one, synthetic));
-        stream << list.dump() << "\n";
+        stream << text_of_json(list) << "\n";
     });
 }
 

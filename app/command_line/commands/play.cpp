@@ -18,6 +18,7 @@
 #include "devices/device/ledger.h"
 #include "devices/device/protection.h"
 #include "devices/device_list.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -233,11 +234,10 @@ Expected<Done> run(const PlayCommand& command) {
         play_in_turn(**device, places->size(), prepare, command, interrupt.token());
     if (!reports) return reports.error();
     if (command.common.json) {
-        std::cout << nlohmann::json{{"device", chosen->info.id},
-                                    {"channel", chosen->choice.channel},
-                                    {"level", command.level},
-                                    {"played", *reports}}
-                         .dump()
+        std::cout << text_of_json(nlohmann::json{{"device", chosen->info.id},
+                                                 {"channel", chosen->choice.channel},
+                                                 {"level", command.level},
+                                                 {"played", *reports}})
                   << "\n";
     }
     return Done{};

@@ -16,6 +16,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 
@@ -120,7 +121,7 @@ Expected<Done> run(const RenderCommand& command) {
                        {.by = *by, .mark = {.synthetic_patterns = has_synthetic_patterns(*set)}});
             answer["patterns"] = report.patterns;
         }
-        std::cout << answer.dump() << "\n";
+        std::cout << text_of_json(answer) << "\n";
     }
     return Done{};
 }

@@ -14,6 +14,7 @@
 #include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
@@ -214,7 +215,7 @@ Expected<Done> run(const ReportCommand& command) {
         if (command.common.json) {
             nlohmann::json json = json_of(*answer, sets->meant, names);
             add_labels(json, sets->labels);
-            stream << json.dump() << "\n";
+            stream << text_of_json(json) << "\n";
         } else {
             stream << text_of(sets->labels) << text_of(*answer, shown_texts(names));
         }

@@ -11,6 +11,7 @@
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_waveforms.h"
 #include "model/subset/separation.h"
+#include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 
 namespace tact {
@@ -172,7 +173,7 @@ Expected<Done> run(const SeparateCommand& command) {
     if (!result) return result.error();
     const std::vector<std::string> names = names_of(sets->meant);
     return write_result(command.out, [&](std::ostream& stream) {
-        stream << (command.common.json ? json_of(*result, names).dump() + "\n"
+        stream << (command.common.json ? text_of_json(json_of(*result, names)) + "\n"
                                        : text_of(*result, shown_texts(names)));
     });
 }

@@ -16,6 +16,7 @@
 #include "model/map/alienation.h"
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -238,7 +239,7 @@ Expected<Done> run(const SpaceCommand& command) {
     print_remarks(space, alignment);
     const Expected<Done> written = write_result(command.out, [&](std::ostream& stream) {
         if (command.common.json) {
-            stream << json_of(*of, !command.matrix.empty(), space, alignment).dump() << "\n";
+            stream << text_of_json(json_of(*of, !command.matrix.empty(), space, alignment)) << "\n";
         } else {
             write_coordinates_csv(stream, labels, space.points, corner_of(*of, alignment));
         }

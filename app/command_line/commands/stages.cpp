@@ -10,6 +10,7 @@
 #include "app/session/folders.h"
 #include "app/session/path_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -40,7 +41,7 @@ Expected<Done> run(const StagesCommand& command) {
     if (command.common.json) {
         nlohmann::json json{{"pattern", command.pattern}, {"files", listed}};
         if (labels.mark.synthetic_model) json["synthetic_model"] = true;
-        std::cout << json.dump() << "\n";
+        std::cout << text_of_json(json) << "\n";
     }
     return Done{};
 }

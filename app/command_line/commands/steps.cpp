@@ -14,6 +14,7 @@
 #include "app/rendering/labels.h"
 #include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -120,7 +121,7 @@ Expected<Done> run(const StepsCommand& command) {
     const Expected<Done> written = write_set_file(command.out, answer->written);
     if (!written) return written;
     return write_result({}, [&](std::ostream& stream) {
-        stream << (command.common.json ? json_of(*answer).dump() + "\n" : text_of(*answer));
+        stream << (command.common.json ? text_of_json(json_of(*answer)) + "\n" : text_of(*answer));
     });
 }
 

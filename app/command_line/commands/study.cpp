@@ -24,6 +24,7 @@
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 #include "model/study/synthetic_study.h"
+#include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
@@ -303,7 +304,7 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
     if (command.common.json) {
         nlohmann::json json = json_of(results, effects);
         if (weights) json["individual_weights"] = json_of(*weights);
-        text = json.dump() + "\n";
+        text = text_of_json(json) + "\n";
     } else {
         text = text_of(results, effects) + (weights ? "\n" + text_of(*weights) : "");
     }

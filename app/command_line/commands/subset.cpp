@@ -23,6 +23,7 @@
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
@@ -382,7 +383,7 @@ Expected<Done> run(const SubsetCommand& command) {
             add_labels(json, source->labels);
             if (!command.ratings.empty()) json["synthetic"] = source->labels.mark.synthetic;
             if (!matrix_mark.empty()) json["mark"] = matrix_mark;
-            stream << json.dump() << "\n";
+            stream << text_of_json(json) << "\n";
         } else {
             if (!matrix_mark.empty()) stream << matrix_mark << "\n";
             stream << text_of(source->labels) << text_of(*result, shown_texts(names));

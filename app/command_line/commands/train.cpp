@@ -15,6 +15,7 @@
 #include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/training/training.h"
 
@@ -227,7 +228,7 @@ std::string json_text(const Training& training, const TrainCommand& command,
         if (command.leave_out != table.option) continue;
         all[std::string("without_") + table.what] = json_of(table.rows);
     }
-    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return text_of_json(all) + "\n";
 }
 
 std::string text_of(const Training& training, const TrainCommand& command,

@@ -151,7 +151,7 @@ std::string print_actuator(const ActuatorMap& map) {
         {"fade_out", map.fade_out},
         {"ducking", map.ducking},
         {"sensation_db", map.sensation_db}};
-    return fields.dump(2) + "\n";
+    return text_of_json(fields, 2) + "\n";
 }
 
 }  // namespace tact

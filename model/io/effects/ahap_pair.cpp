@@ -36,7 +36,7 @@ std::optional<EffectsRead> joined_pair(const EffectsRead& continuous,
     if (!silent || !named || first.project != second.project) return std::nullopt;
     EffectsRead pair = continuous;
     Effect& effect = pair.effects.front();
-    effect.name.resize(effect.name.size() - ending.size());
+    effect.name.erase(effect.name.size() - ending.size());
     std::vector<Transient>& all = effect.pattern.transients;
     add_bursts(all, second.pattern.transients);
     if (all.size() > limits::kMaxTransients) return std::nullopt;

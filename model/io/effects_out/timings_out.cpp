@@ -16,6 +16,7 @@
 
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -154,8 +155,8 @@ WrittenEffect write_android_timings(const Pattern& pattern, const EffectTarget& 
     WrittenEffect written;
     const SteppedAmplitudes steps = android_steps(pattern, target.map, written);
     written.text =
-        Json{{"timings", steps.timings_ms}, {"amplitudes", steps.amplitudes}, {"repeat", -1}}
-            .dump() +
+        text_of_json(
+            Json{{"timings", steps.timings_ms}, {"amplitudes", steps.amplitudes}, {"repeat", -1}}) +
         "\n";
     return written;
 }
@@ -164,15 +165,14 @@ WrittenEffect write_hla(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     const SteppedAmplitudes steps = android_steps(pattern, target.map, written);
     const int total_ms = std::accumulate(steps.timings_ms.begin(), steps.timings_ms.end(), 0);
-    written.text = Json{{"ProjectName", "tactspace"},
-                        {"TrackName", valid_utf8(target.name)},
-                        {"Duration", total_ms},
-                        {"Timings", steps.timings_ms},
-                        {"Amplitudes", steps.amplitudes},
-                        {"Repeat", -1},
-                        {"RequiredAudioFiles", Json::array()},
-                        {"Audios", Json::array()}}
-                       .dump() +
+    written.text = text_of_json(Json{{"ProjectName", "tactspace"},
+                                     {"TrackName", valid_utf8(target.name)},
+                                     {"Duration", total_ms},
+                                     {"Timings", steps.timings_ms},
+                                     {"Amplitudes", steps.amplitudes},
+                                     {"Repeat", -1},
+                                     {"RequiredAudioFiles", Json::array()},
+                                     {"Audios", Json::array()}}) +
                    "\n";
     return written;
 }

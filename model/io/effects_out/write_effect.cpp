@@ -7,6 +7,7 @@
 
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects_out/writers.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -78,7 +79,7 @@ WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
     return {};
 }
 
-std::string printed(const Json& document) { return document.dump(2) + "\n"; }
+std::string printed(const Json& document) { return text_of_json(document, 2) + "\n"; }
 
 std::string identifier(const std::string& name) {
     std::string result;

@@ -17,9 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const Json& document) {
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string text_of(const Json& document) { return text_of_json(document, 2) + "\n"; }
 
 std::string bundled_path(const std::string& name) { return "sets/" + name + ".tactspace.json"; }
 
@@ -44,7 +42,7 @@ void read_set(JsonObject& object, Lesson& lesson, const fs::path& folder) {
         refuse(reading, "/set", "the name of a set that comes with the program", *value);
         return;
     }
-    const std::string own = value->is_object() ? value->dump() : std::string();
+    const std::string own = value->is_object() ? text_of_json(*value) : std::string();
     const std::string name = reading.file + ": /set";
     auto set = value->is_object() ? parse_set(own, name, folder)
                                   : parse_set(asset(bundled_path(lesson.set_name)), name, {});
@@ -75,7 +73,7 @@ Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& fol
         lesson.steps.push_back(step_of(step, lesson.set, is_draft));
     }
     const Json unknown = unknown_fields(object);
-    if (!unknown.empty()) lesson.unknown_json = unknown.dump();
+    if (!unknown.empty()) lesson.unknown_json = text_of_json(unknown);
     return lesson;
 }
 
@@ -115,7 +113,7 @@ std::string print_lesson(const Lesson& lesson, const fs::path& folder) {
     document["steps"] = Json::array();
     for (const LessonStep& step : lesson.steps) document["steps"].push_back(json_of(step));
     if (!lesson.unknown_json.empty()) {
-        restore_unknown(document, Json::parse(lesson.unknown_json, nullptr, false));
+        restore_unknown(document, kept_json(lesson.unknown_json));
     }
     return text_of(document);
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/lesson/lesson_numbers.h"
+#include "model/text/json_fields.h"
 
 namespace tact {
 
@@ -107,7 +108,7 @@ LessonCamera camera_of(JsonObject& object) {
 // What belonged to a question or a camera that the step has no more is gone with it.
 void restore(Json& fields, const std::string& unknown_json) {
     if (unknown_json.empty()) return;
-    Json unknown = Json::parse(unknown_json, nullptr, false);
+    Json unknown = kept_json(unknown_json);
     for (const char* part : {"camera", "question"}) {
         if (!fields.contains(part) && unknown.is_object()) unknown.erase(part);
     }
@@ -160,7 +161,7 @@ LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft) {
         note_unknown(unknown, "question", unknown_fields(question));
     }
     unknown.update(unknown_fields(object));
-    if (!unknown.empty()) step.unknown_json = unknown.dump();
+    if (!unknown.empty()) step.unknown_json = text_of_json(unknown);
     return step;
 }
 

@@ -75,7 +75,7 @@ std::string print_exclusions(const std::vector<Exclusion>& exclusions) {
         document["excluded"].push_back(
             {{"participant", one.participant}, {"because", one.because}, {"at", one.at}});
     }
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of_json(document, 2) + "\n";
 }
 
 Expected<std::vector<Exclusion>> read_exclusions(const fs::path& folder) {

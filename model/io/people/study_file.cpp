@@ -11,6 +11,7 @@
 #include "model/io/people/study_lines.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 #include "model/text/natural_order.h"
 #include "model/text/utf8.h"
 
@@ -75,8 +76,7 @@ struct AnswerCount {
     // one answer that a copy has doubled; without a number it may be a second repetition.
     std::string take_line(const Json& fields, std::size_t line) {
         if (!is_numbered(fields)) return {};
-        const auto [known, is_new] =
-            line_of.emplace(fields.dump(-1, ' ', false, Json::error_handler_t::replace), line);
+        const auto [known, is_new] = line_of.emplace(text_of_json(fields), line);
         if (is_new) return {};
         return "expected each answer once, got that of line " + std::to_string(known->second) +
                " again";

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/io/set/study_json.h"
+#include "model/text/json_fields.h"
 #include "model/text/unique_names.h"
 
 namespace tact {
@@ -234,9 +235,7 @@ SortingAnswer sorting_answer_of(JsonObject& object, const StudyHeader& header) {
 }
 
 // Names of persons' making, such as of a device, may be no text.
-std::string as_line(const Json& fields) {
-    return fields.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string as_line(const Json& fields) { return text_of_json(fields); }
 
 }  // namespace
 

@@ -361,7 +361,7 @@ Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& option
     sound.reset();  // completes the header
     if (options.encoding == WaveEncoding::float32) extend_format(memory.bytes);
     const Json sidecar = {{"scale_g", options.scale_g}, {"of", fingerprint_text(memory.bytes)}};
-    return WaveText{std::move(memory.bytes), sidecar.dump() + "\n"};
+    return WaveText{std::move(memory.bytes), text_of_json(sidecar) + "\n"};
 }
 
 Expected<Done> write_wave_file(const fs::path& path, const Waveform& waveform,

@@ -8,6 +8,7 @@
 #include "model/common/fingerprint.h"
 #include "model/io/set/model_json.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utc_time.h"
 
@@ -204,7 +205,7 @@ Expected<ModelFile> parse_model(std::string_view text, const std::string& file) 
 std::string print_model(const ModelFile& file) {
     Json document = {{kFormatKey, kModelFormat}, {"model", json_of(file.model)}};
     if (file.training) document["training"] = json_of(*file.training);
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of_json(document, 2) + "\n";
 }
 
 Expected<ModelFile> read_model_file(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include "model/io/set/waveform_folder.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -16,9 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const Json& document) {
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string text_of(const Json& document) { return text_of_json(document, 2) + "\n"; }
 
 // Where a file of the set lies. The folder's links are followed, so that ".." in a relative path
 // means the same to us as to the system; the file's own link stays.

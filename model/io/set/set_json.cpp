@@ -6,6 +6,7 @@
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/percent_code.h"
 #include "model/text/unique_names.h"
@@ -22,11 +23,11 @@ constexpr std::size_t kMaxRatings = 100'000;
 
 // Text of unknown fields as a value of the set keeps them: empty where there are none.
 std::string kept_text(const Json& unknown) {
-    return unknown.empty() ? std::string() : unknown.dump();
+    return unknown.empty() ? std::string() : text_of_json(unknown);
 }
 
 void restore_text(Json& document, const std::string& unknown_json) {
-    const Json unknown = Json::parse(unknown_json, nullptr, false);
+    const Json unknown = kept_json(unknown_json);
     if (unknown.is_object()) restore_unknown(document, unknown);
 }
 
@@ -238,7 +239,7 @@ Json json_of(const Measurement& measurement, const fs::path& folder) {
 
 // What was noted of points by position has nowhere to go once a curve is gone.
 void restore_unknown_of(Json& fields, const Vibration& vibration) {
-    Json unknown = Json::parse(vibration.unknown_json, nullptr, false);
+    Json unknown = kept_json(vibration.unknown_json);
     if (!unknown.is_object()) return;
     for (const char* key : kDrawnKeys) {
         const bool is_gone = !fields.contains(key);

@@ -6,6 +6,7 @@
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/json_fields.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -26,7 +27,7 @@ Expected<Loaded> generator_alone(const std::filesystem::path& path, const Json& 
     if (durations != nullptr && durations->size() == 1) set.duration_s = durations->front();
     set.name = valid_utf8(path.stem().string());
     set.generator = std::move(space);
-    if (!unknown.empty()) set.unknown_json = Json{{"generator", unknown}}.dump();
+    if (!unknown.empty()) set.unknown_json = text_of_json(Json{{"generator", unknown}});
     return loaded;
 }
 
@@ -44,7 +45,7 @@ void add_places(const Json& value, const std::string& place, std::vector<std::st
 }
 
 void remark_unknown(const std::filesystem::path& path, Loaded& loaded) {
-    const Json unknown = Json::parse(loaded.set.unknown_json, nullptr, false);
+    const Json unknown = kept_json(loaded.set.unknown_json);
     if (!unknown.is_object() || !unknown.contains("generator")) return;
     std::vector<std::string> places;
     add_places(unknown["generator"], "", places);
