@@ -38,6 +38,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_report_command(app, commands.report, chosen);
     add_separate_command(app, commands.separate, chosen);
     add_steps_command(app, commands.steps, chosen);
+    add_edit_command(app, commands.edit, chosen);
     add_compare_command(app, commands.compare, chosen);
     add_train_command(app, commands.train, chosen);
     add_findings_command(app, commands.findings, chosen);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "devices/calibration/calibration.h"
+#include "model/algebra/set_edits.h"
 #include "model/common/expected.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/measured_twin.h"
@@ -296,6 +297,15 @@ struct StepsCommand {
     std::filesystem::path out;  // a set file
 };
 Expected<Done> run(const StepsCommand& command);
+
+struct EditCommand {
+    CommonOptions common;
+    std::vector<std::string> patterns;  // by name; empty: all that are not locked
+    std::vector<NamedEdit> edits;       // in the order in which they were given
+    std::string as;  // the result is a new pattern of this name; empty: it takes the place
+    std::filesystem::path out;  // a set file
+};
+Expected<Done> run(const EditCommand& command);
 
 struct FindingsCommand {
     int threads = 0;

@@ -74,6 +74,7 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen);
 void add_render_command(CLI::App& app, RenderCommand& command, Chosen& chosen);
 void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen);
 void add_generate_command(CLI::App& app, GenerateCommand& command, Chosen& chosen);
+void add_edit_command(CLI::App& app, EditCommand& command, Chosen& chosen);
 void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chosen);
 void add_manual_command(CLI::App& app, ManualCommand& command, Chosen& chosen);
 
@@ -107,6 +108,7 @@ struct Commands {
     ReportCommand report;
     SeparateCommand separate;
     StepsCommand steps;
+    EditCommand edit;
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;

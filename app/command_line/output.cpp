@@ -220,18 +220,6 @@ Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options) 
                  ", expected at least two to compare"};
 }
 
-Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
-    if (set.vibrations.empty()) return Error{"the set is empty, expected at least one pattern"};
-    if (const auto place = place_named(set, name)) return *place;
-    std::string known;
-    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
-        constexpr std::size_t kNamed = 12;
-        if (k < kNamed) known += (k == 0 ? "" : ", ") + set.vibrations[k].name;
-        if (k == kNamed) known += ", ...";
-    }
-    return Error{"there is no pattern \"" + name + "\", expected one of " + known};
-}
-
 Expected<NamedPair> pair_of(const PatternSet& set, const std::string& option,
                             const std::string& text) {
     for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {

@@ -12,6 +12,7 @@
 #include "app/pictures/pictures.h"
 #include "app/rendering/labels.h"
 #include "devices/calibration/rendering.h"
+#include "model/set/named_place.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -34,9 +35,6 @@ Expected<std::optional<ExportTarget>> exported_as(const CommonOptions& options);
 
 // An Error unless the set has at least two patterns: fewer make no matrix and no map.
 Expected<Done> need_a_pair(const PatternSet& set, const CommonOptions& options);
-
-// Where the pattern of a name stands. An Error names some that there are.
-Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
 // "A,B": two different patterns, at the comma that parts two names, as a name may have one of its
 // own. `option` begins what an Error says.

@@ -1,6 +1,11 @@
 // Patterns: their stages, waveforms, pictures, and candidates for more of them.
 #include "app/command_line/options.h"
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
 #include "app/physiology/stages.h"
 #include "app/pictures/frame_sequence.h"
 #include "model/io/effects/actuator_map.h"
@@ -55,7 +60,78 @@ void add_moment_options(CLI::App& snapshot, SnapshotCommand& command) {
     snapshot.footer(kFilmHelp);
 }
 
+constexpr const char* kEditFooter =
+    "Edits are applied in the order in which they are given, each as often as it is given:\n"
+    "  tactspace edit SET --pattern buzz --stretch 1.2 --reverse --join tick --out F\n"
+    "A rhythm stays a rhythm where its notes lie on the grid of the result; elsewhere they are\n"
+    "drawn as an amplitude curve.";
+
+// The values of an edit that is given several times.
+struct GivenEdits {
+    std::array<std::vector<double>, kEditKindCount> numbers;
+    std::array<std::vector<std::string>, kEditKindCount> others;
+    std::array<const CLI::Option*, kEditKindCount> options;
+};
+
+void add_edit_option(CLI::App& sub, GivenEdits& given, std::size_t k) {
+    const EditTraits& about = traits(static_cast<EditKind>(k));
+    const std::string option = std::string("--") + about.key;
+    const std::string unit = about.unit;
+    const std::string help = (unit.empty() || unit == "times" ? "" : unit + ": ") + about.help;
+    if (about.needs == EditNeeds::nothing) {
+        given.options[k] = sub.add_flag(option, help);
+    } else if (about.needs == EditNeeds::pattern) {
+        given.options[k] = sub.add_option(option, given.others[k], help)->allow_extra_args(false);
+    } else {
+        given.options[k] = sub.add_option(option, given.numbers[k], help)
+                               ->check(within(about.range))
+                               ->allow_extra_args(false);
+    }
+}
+
+// In the order of the command line, which the lists of values do not have.
+std::vector<NamedEdit> in_order(const CLI::App& sub, const GivenEdits& given) {
+    std::vector<NamedEdit> edits;
+    std::array<std::size_t, kEditKindCount> taken{};
+    for (const CLI::Option* option : sub.parse_order()) {
+        const auto* at = std::ranges::find(given.options, option);
+        if (at == given.options.end()) continue;
+        const auto k = static_cast<std::size_t>(at - given.options.begin());
+        NamedEdit edit{static_cast<EditKind>(k)};
+        if (taken[k] < given.numbers[k].size()) edit.number = given.numbers[k][taken[k]];
+        if (taken[k] < given.others[k].size()) edit.other = given.others[k][taken[k]];
+        ++taken[k];
+        edits.push_back(std::move(edit));
+    }
+    return edits;
+}
+
 }  // namespace
+
+void add_edit_command(CLI::App& app, EditCommand& command, Chosen& chosen) {
+    CLI::App& sub = add_command(
+        app, "edit", "patterns made of patterns: stretched, reversed, repeated, joined, faded",
+        command, chosen);
+    sub.add_option("--pattern", command.patterns,
+                   "name of a pattern to edit; repeatable; default: all that are not locked")
+        ->allow_extra_args(false);
+    const auto given = std::make_shared<GivenEdits>();
+    for (std::size_t k = 0; k < kEditKindCount; ++k) add_edit_option(sub, *given, k);
+    sub.add_option("--as", command.as,
+                   "the result is a new pattern of this name, right behind the one --pattern; "
+                   "default: it takes its place");
+    sub.add_option("--out", command.out, "a set file for all patterns of the set")->required();
+    sub.footer(kEditFooter);
+    sub.callback([&command, &chosen, &sub, given] {
+        command.edits = in_order(sub, *given);
+        if (command.edits.empty()) throw CLI::RequiredError("an edit, such as --reverse");
+        if (!command.as.empty() && command.patterns.size() != 1) {
+            throw CLI::ValidationError("--as: expected one --pattern, got " +
+                                       std::to_string(command.patterns.size()));
+        }
+        chosen = [&command] { return run(command); };
+    });
+}
 
 void add_stages_command(CLI::App& app, StagesCommand& command, Chosen& chosen) {
     CLI::App& stages =

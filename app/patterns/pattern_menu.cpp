@@ -120,6 +120,10 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
          : count < 3           ? "needs three patterns: a map"
                                : nullptr);
     asks("Steps to...", "", PatternDeed::steps, no_numbers);
+    asks("Transform...", "Ctrl+T", PatternDeed::transform,
+         no_numbers != nullptr ? no_numbers
+         : vibration.locked    ? "is locked"
+                               : nullptr);
     draw_divider(ui.theme);
     draw_look_menu(ui, work, index);
     draw_divider(ui.theme);

@@ -10,7 +10,7 @@
 namespace tact {
 
 // What the frame does with the current pattern, since more is needed for it than is known here.
-enum class PatternDeed { none, play, rename, similar, vary, steps };
+enum class PatternDeed { none, play, rename, similar, vary, steps, transform };
 
 // Within a popup that is open. The pattern is selected first, unless it is one of those selected:
 // what follows is for all of them. They are changed once the frame's lists are drawn. `play_key`

@@ -169,6 +169,24 @@ rate_hz  100 to 1e7 Hz
 
 Returns an array (N,) in g, N = round(duration_s rate_hz).)";
 
+inline constexpr const char* kEdit =
+    R"(edit(pattern, edits, model=None)
+--
+
+A pattern made of patterns, as the command edit makes it.
+
+pattern  dict as render() takes it
+edits    in their order, each a text or a tuple of one with what it needs: "reverse", "trim",
+         ("stretch", times), ("stretch-notes", times), ("stretch-curves", times), ("repeat", n),
+         ("join", pattern), ("mix", pattern), ("fade-in", s), ("fade-out", s), ("normalise", g),
+         ("felt", dB above threshold), ("quantise", s), ("quantise-bpm", BPM),
+         ("transpose", times), ("thin", %)
+model    as in predict(), for the thresholds that "felt" goes by
+
+Returns a dict for render(). A rhythm stays a rhythm where its notes lie on the grid of the result;
+elsewhere they are drawn as an amplitude curve. What cannot be is a ValueError that begins with the
+edit.)";
+
 inline constexpr const char* kReadSet =
     R"(read_set(path)
 --

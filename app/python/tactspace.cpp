@@ -17,7 +17,9 @@
 #include "app/python/functions.h"
 #include "app/python/help.h"
 #include "app/python/values.h"
+#include "model/algebra/algebra.h"
 #include "model/evaluation/metric_matrix.h"
+#include "model/io/set/set_json.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
@@ -169,6 +171,53 @@ py::array render_pattern(const py::dict& pattern, double rate_hz) {
         beside_python([&](const std::stop_token&) { return render(drawn, rate_hz); }).samples_g);
 }
 
+// "reverse", or with what it needs: ("stretch", 1.2), ("join", {...}).
+Edit edit_of(const py::handle& given) {
+    const bool is_key = py::isinstance<py::str>(given);
+    const py::tuple words =
+        is_key ? py::make_tuple(given) : py::tuple(py::reinterpret_borrow<py::object>(given));
+    const auto kind = words.empty() ? std::nullopt : edit_kind(words[0].cast<std::string>());
+    if (!kind) {
+        std::string keys;
+        for (std::size_t k = 0; k < kEditKindCount; ++k) {
+            keys += std::string(k == 0 ? "" : ", ") + traits(static_cast<EditKind>(k)).key;
+        }
+        throw py::value_error("edits: expected one of " + keys + ", got " +
+                              py::repr(given).cast<std::string>());
+    }
+    const EditTraits& about = traits(*kind);
+    const auto refuse = [&](const char* expected) {
+        throw py::value_error(std::string(about.key) + ": expected " + expected + ", got " +
+                              py::repr(given).cast<std::string>());
+    };
+    const bool is_pair = words.size() == 2;
+    if (about.needs == EditNeeds::nothing) {
+        if (words.size() != 1) refuse("nothing with it");
+    } else if (about.needs == EditNeeds::pattern) {
+        if (!is_pair || !py::isinstance<py::dict>(words[1])) refuse("a pattern with it");
+    } else if (!is_pair || PyNumber_Check(words[1].ptr()) == 0) {
+        refuse("a number with it");
+    }
+    Edit edit{*kind};
+    if (about.needs == EditNeeds::pattern) {
+        edit.other = pattern_of(words[1].cast<py::dict>());
+    } else if (is_pair) {
+        edit.number = words[1].cast<double>();
+    }
+    return edit;
+}
+
+py::object edit_pattern(const py::dict& pattern, const py::sequence& edits,
+                        const py::object& model) {
+    const PerceptualModelParams params = model_of(model);
+    const Pattern before = pattern_of(pattern);
+    std::vector<Edit> all;
+    for (const py::handle given : edits) all.push_back(edit_of(given));
+    const Pattern after = value_of(beside_python(
+        [&](const std::stop_token&) { return edited(before, all, params.coding.tables); }));
+    return python_of(json_of(after, Pattern().duration_s));
+}
+
 PYBIND11_MODULE(tactspace, module) {
     py::options plain;
     plain.disable_function_signatures();  // help.h has them, as inspect.signature() reads them
@@ -195,6 +244,7 @@ PYBIND11_MODULE(tactspace, module) {
                "step"_a = 0.1, "leave_out"_a = "", "rate_hz"_a = kModelRateHz, "threads"_a = 0,
                "model"_a = none);
     module.def("render", render_pattern, help::kRender, "pattern"_a, "rate_hz"_a = kModelRateHz);
+    module.def("edit", edit_pattern, help::kEdit, "pattern"_a, "edits"_a, "model"_a = none);
     module.def("read_set", read_set, help::kReadSet, "path"_a);
     module.def("read_ratings", read_ratings_file, help::kReadRatings, "path"_a, "names"_a = none,
                "scale"_a = "guess");

@@ -35,6 +35,7 @@ enum class Dialog {
     simulate_measurement,
     steps,
     tap_rhythm,
+    transform,
     pad,
     leave_out,
     save_workspace,

@@ -29,6 +29,7 @@
 #include "app/subset/subset_state.h"
 #include "app/tables/table_state.h"
 #include "app/timeline/timeline.h"
+#include "app/transform/transform_state.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
 #include "app/workspaces/workspaces.h"
@@ -60,6 +61,7 @@ struct DocumentRooms {
     SubsetState picking;
     CandidatesState candidates;
     StepsState steps;
+    TransformState transform;
     PadState pad;
     MaybesState maybes;
     GenerateState generating;
@@ -83,6 +85,7 @@ struct App {
     SubsetState picking;
     CandidatesState candidates;
     StepsState steps;
+    TransformState transform;
     PadState pad;
     MaybesState maybes;
     ExportState exports;

@@ -31,6 +31,7 @@
 #include "app/study/study_panels.h"
 #include "app/subset/subset_export.h"
 #include "app/tables/table_look.h"
+#include "app/transform/transform_dialog.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
@@ -219,6 +220,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::keys) draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
     if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
     if (app.ui.dialog == Dialog::pad) draw_pad_dialog(app.ui, app.work, app.pad);
+    if (app.ui.dialog == Dialog::transform) draw_transform_dialog(app.ui, app.work, app.transform);
     if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);

@@ -18,6 +18,7 @@
 #include "app/pictures/copying.h"
 #include "app/sounds/sounds_follow.h"
 #include "app/subset/subset_export.h"
+#include "app/transform/transform_follow.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/command_actions.h"
 #include "app/window/commands.h"
@@ -181,6 +182,9 @@ constexpr auto
                      [](App& app) { open_steps(app.ui, app.work, app.steps, {}, {}); },
                      nullptr,
                      "even morph between interpolate two path series"},
+                    {"Edit", "Transform...", ctrl('t'), has_selection,
+                     [](App& app) { open_transform(app.ui, app.work, app.transform); }, nullptr,
+                     "stretch reverse repeat join mix trim fade normalise quantise transpose thin"},
                     {"Edit", "Vary", plain('v'), has_neighbours,
                      [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
                      "neighbours variants alternatives others like it ghosts"},

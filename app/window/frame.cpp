@@ -39,6 +39,7 @@
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_state.h"
 #include "app/tables/table_look.h"
+#include "app/transform/transform_follow.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
@@ -210,6 +211,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
     follow(renaming, app.picking.reference_b);
     follow(renaming, app.steps.from);
     follow(renaming, app.steps.to);
+    follow(renaming, app.transform.other);
     each(app.pad.corners);
     follow(renaming, app.maybes.varied);
     follow(renaming, app.maybes.put.name);
@@ -398,6 +400,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_subset(app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
+    follow_transform(app.ui, app.work, app.transform);
     follow_gap(app.ui, app.work, app.maybes);
     follow_put(app.ui, app.work, app.shown_map, app.maybes);
     follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
@@ -436,8 +439,8 @@ double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
         is_training(app.model_bench) || is_opening(app.opening) || is_placing(app.steps) ||
-        is_asking(app.maybes) || is_predicting_loss(app.exports.effects) ||
-        is_library_busy(app.library)) {
+        is_transforming(app.transform) || is_asking(app.maybes) ||
+        is_predicting_loss(app.exports.effects) || is_library_busy(app.library)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||

@@ -97,6 +97,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::open_table:
         case Dialog::simulate_measurement:
         case Dialog::steps:
+        case Dialog::transform:
         case Dialog::tap_rhythm:
         case Dialog::pad:
         case Dialog::leave_out:
@@ -129,6 +130,7 @@ void begin_again(App& app) {
     begin_again(app.picking, anew(app.picking));
     begin_again(app.candidates, anew(app.candidates));
     begin_again(app.steps, StepsState{});
+    begin_again(app.transform, TransformState{});
     begin_again(app.pad, PadState{});
     begin_again(app.maybes, MaybesState{});
     begin_again(app.generating, GenerateState{});
@@ -189,6 +191,7 @@ void swap_with_aside(App& app) {
     std::swap(app.picking, aside.picking);
     std::swap(app.candidates, aside.candidates);
     std::swap(app.steps, aside.steps);
+    std::swap(app.transform, aside.transform);
     std::swap(app.pad, aside.pad);
     std::swap(app.maybes, aside.maybes);
     std::swap(app.generating, aside.generating);
@@ -264,6 +267,7 @@ void stop_jobs(App& app) {
     stop_training(app.model_bench);
     stop_maybes_jobs(app.maybes);
     app.steps.job.reset();
+    app.transform.job.reset();
     app.exports.effects.job.reset();
     app.comparing.findings_job.reset();
     app.rendered.job.reset();

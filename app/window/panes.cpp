@@ -36,6 +36,7 @@
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_marks.h"
 #include "app/subset/subset_panel.h"
+#include "app/transform/transform_follow.h"
 #include "app/ui/widgets.h"
 #include "app/window/columns.h"
 #include "app/window/command_actions.h"
@@ -131,6 +132,8 @@ void do_with_pattern(App& app, PatternDeed deed) {
             return select_similar(app.ui, app.work, app.shown_map, current);
         case PatternDeed::vary:
             return vary(app.ui, app.work, app.maybes);
+        case PatternDeed::transform:
+            return open_transform(app.ui, app.work, app.transform);
         case PatternDeed::steps:
             return open_steps(app.ui, app.work, app.steps, {}, {});
     }

@@ -1,6 +1,6 @@
 """Writes rumble.json: the bytes that game controllers are sent, from an independent encoder.
 
-Source   devices.md's tables, written for reading and without a look at the C++ code: HD rumble by
+Source   published descriptions of the packets, written for reading and without a look at the C++ code: HD rumble by
          arithmetic on the 32-bit word of one 7-bit sample (bits 2-8 FM high, 9-15 AM high, 16-22 FM
          low, 23-29 AM low, 30-31 = 1) instead of byte by byte, checksums by zlib.
 What     "hd_rumble": frames and their four bytes; "amplitudes": indices by search in the table of

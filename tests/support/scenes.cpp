@@ -281,6 +281,7 @@ void add_dialogs(std::vector<Scene>& all) {
          {"export vibrations", "Export vibrations..."},
          {"generate", "Generate candidates..."},
          {"steps", "Steps between..."},
+         {"transform", "Transform..."},
          {"tap a rhythm", "Tap a rhythm..."},
          {"simulate measurement", "Simulate measurement..."},
          {"import recordings", "Import recordings..."},

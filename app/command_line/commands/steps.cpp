@@ -22,11 +22,9 @@ namespace {
 
 Expected<std::size_t> pattern_named(const PatternSet& set, const char* option,
                                     const std::string& name) {
-    const Expected<std::size_t> place = place_of(set, name);
-    if (!place) return Error{option + (": " + place.error().message)};
-    if (std::holds_alternative<Pattern>(set.vibrations[*place].source)) return place;
-    return Error{std::string(option) +
-                 ": expected a pattern made of parameters, got the recording \"" + name + "\""};
+    const Expected<std::size_t> place = pattern_place_of(set, name);
+    return place ? place
+                 : Expected<std::size_t>(Error{std::string(option) + ": " + place.error().message});
 }
 
 std::string numbers_of(const Pattern& pattern) {

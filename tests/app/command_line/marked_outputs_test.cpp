@@ -282,6 +282,15 @@ const Checks& checks() {
              json.push_back("--json");
              b.check_says(json);
          }},
+        {"edit",
+         [](const Bench& b) {
+             const Words words{"edit",      b.modelled, "--pattern",      "v1",
+                               "--reverse", "--out",    b.at("edit.json")};
+             b.check_says(words);
+             Words json = words;
+             json.push_back("--json");
+             b.check_says(json);
+         }},
         {"compare",
          [](const Bench& b) {
              for (const Words& from : {Words{b.rated}, Words{b.plain, "--ratings", b.people},

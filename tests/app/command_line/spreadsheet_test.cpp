@@ -161,6 +161,7 @@ const Checks& checks() {
         {"subset", {}},
         {"separate", {}},
         {"steps", {}},
+        {"edit", {}},
         {"snapshot", {}},
         {"report", {}},
         {"measure", {}},

@@ -101,6 +101,28 @@ class SameBits(unittest.TestCase):
                 self.same(condensed(tactspace.predict(waves, metric)),
                           run_json("predict", folder, "--metric", metric)["condensed"])
 
+    def test_edits_are_those_of_the_program(self):
+        given = tactspace.read_set(twelve)
+        first, second = given["names"][:2]
+        edits = [("stretch", 1.2), "reverse", ("repeat", 2), ("join", given["patterns"][1]), ("fade-in", 0.05),
+                 ("felt", 25), "trim", ("transpose", 0.8)]
+        words = ["--stretch", 1.2, "--reverse", "--repeat", 2, "--join", second, "--fade-in", 0.05,
+                 "--felt", 25, "--trim", "--transpose", 0.8]
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder, "edited.tactspace.json")
+            run("edit", twelve, "--pattern", first, *words, "--out", out)
+            theirs = tactspace.read_set(out)
+        ours = tactspace.edit(given["patterns"][0], edits)
+        self.assertEqual(ours, theirs["patterns"][0])
+        self.same(tactspace.render(ours), theirs["waves"][0])
+        for wrong, why in ((["back"], "edits: expected one of stretch, "),
+                           ([("stretch",)], "stretch: expected a number with it"),
+                           ([("stretch", 0)], "stretch: expected a number from 0.01 to 100, got 0"),
+                           ([("join", 2)], "join: expected a pattern with it"),
+                           ([("reverse", 1)], "reverse: expected nothing with it")):
+            with self.assertRaisesRegex(ValueError, why):
+                tactspace.edit(given["patterns"][0], wrong)
+
     def test_the_model_of_a_set(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "other.tactspace.json")

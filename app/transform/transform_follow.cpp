@@ -1,0 +1,158 @@
+#include "app/transform/transform_follow.h"
+
+#include <utility>
+
+#include "app/document/editing.h"
+
+namespace tact {
+
+namespace {
+
+bool is_same(const TransformRequest& a, const TransformRequest& b) {
+    return a.document == b.document && a.revision == b.revision && a.places == b.places &&
+           a.edit == b.edit;
+}
+
+const Pattern* pattern_named(const PatternSet& set, const std::string& name) {
+    const auto place = place_named(set, name);
+    return place ? std::get_if<Pattern>(&set.vibrations[*place].source) : nullptr;
+}
+
+std::vector<std::size_t> editable_places(const Workspace& work) {
+    std::vector<std::size_t> places;
+    for (const std::size_t index : selected_indices(work)) {
+        if (editable_pattern(work.document.set.vibrations[index]) != nullptr) {
+            places.push_back(index);
+        }
+    }
+    return places;
+}
+
+std::optional<Transformed> transformed(const TransformTask& task, const std::stop_token& stop,
+                                       std::atomic<float>& progress) {
+    Transformed made{task.request, task.patterns, {}, 0, {}};
+    for (std::size_t k = 0; k < task.patterns.size(); ++k) {
+        if (stop.stop_requested()) return std::nullopt;
+        auto after = edited(task.patterns[k], std::span(&task.request.edit, 1), task.tables);
+        if (!after && made.left++ == 0) {
+            made.fault = "\"" + task.names[k] + "\", " + after.error().message;
+        }
+        made.after.push_back(after ? *std::move(after) : task.patterns[k]);
+        progress = static_cast<float>(k + 1) / static_cast<float>(task.patterns.size());
+    }
+    return made;
+}
+
+Edit edit_of(const Workspace& work, const TransformState& state) {
+    const EditTraits& about = traits(state.kind);
+    Edit edit{state.kind,
+              state.numbers[static_cast<std::size_t>(state.kind)].value_or(about.start)};
+    if (about.needs == EditNeeds::pattern) {
+        if (const Pattern* other = pattern_named(work.document.set, state.other)) {
+            edit.other = *other;
+        }
+    }
+    return edit;
+}
+
+std::optional<TransformRequest> transform_request(const Workspace& work,
+                                                  const TransformState& state) {
+    if (!transform_obstacle(work, state).empty()) return std::nullopt;
+    return TransformRequest{work.document_number, work.revision, editable_places(work),
+                            edit_of(work, state)};
+}
+
+TransformTask task_of(const Workspace& work, const TransformRequest& request) {
+    const PatternSet& set = work.document.set;
+    TransformTask task{request, {}, {}, set.model.coding.tables};
+    for (const std::size_t place : request.places) {
+        task.names.push_back(set.vibrations[place].name);
+        task.patterns.push_back(std::get<Pattern>(set.vibrations[place].source));
+    }
+    return task;
+}
+
+}  // namespace
+
+void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
+    const PatternSet& set = work.document.set;
+    const Vibration* current = current_vibration(work);
+    const auto is_other = [&](const std::string& name) {
+        return pattern_named(set, name) != nullptr && (current == nullptr || name != current->name);
+    };
+    if (is_other(work.selection.partner)) state.other = work.selection.partner;
+    for (const Vibration& vibration : set.vibrations) {
+        if (is_other(state.other)) break;
+        state.other = vibration.name;
+    }
+    if (!state.job) {
+        state.job = std::make_unique<LatestJob<TransformTask, Transformed>>(JobPolicy::supersede,
+                                                                            transformed, ui.wake);
+    }
+    ui.dialog = Dialog::transform;
+}
+
+std::string transform_obstacle(const Workspace& work, const TransformState& state) {
+    if (editable_places(work).empty()) {
+        return "Select a pattern made of parameters that is not locked.";
+    }
+    const bool needs_other = traits(state.kind).needs == EditNeeds::pattern;
+    if (needs_other && pattern_named(work.document.set, state.other) == nullptr) {
+        return "Choose another pattern made of parameters.";
+    }
+    return {};
+}
+
+std::string transformed_words(const Workspace& work) {
+    const std::size_t all = selected_indices(work).size();
+    const std::vector<std::size_t> places = editable_places(work);
+    if (places.empty()) return "nothing";
+    const std::size_t left = all - places.size();
+    std::string words = places.size() == 1 ? work.document.set.vibrations[places.front()].name
+                                           : std::to_string(places.size()) + " patterns";
+    if (left > 0) {
+        words += "; " + std::to_string(left) +
+                 (left == 1 ? " is locked or a recording" : " are locked or recordings") +
+                 " and stay" + (left == 1 ? "s" : "") + " as " + (left == 1 ? "it is" : "they are");
+    }
+    return words;
+}
+
+void follow_transform(const Ui& ui, const Workspace& work, TransformState& state) {
+    if (!state.job) return;
+    if (ui.dialog != Dialog::transform) {
+        if (state.job->busy()) state.job->cancel();
+        state.asked.reset();
+        return;
+    }
+    const auto wanted = transform_request(work, state);
+    if (wanted && state.asked && is_same(*wanted, *state.asked)) return;
+    if (wanted) state.job->submit(task_of(work, *wanted));
+    if (!wanted && state.asked) state.job->cancel();
+    state.asked = wanted;
+}
+
+bool is_transforming(const TransformState& state) { return state.job && state.job->busy(); }
+
+std::shared_ptr<const Transformed> current_transform(const Workspace& work,
+                                                     const TransformState& state) {
+    auto made = state.job ? state.job->latest() : nullptr;
+    if (!made) return nullptr;
+    const auto wanted = transform_request(work, state);
+    return wanted && is_same(*wanted, made->request) ? made : nullptr;
+}
+
+bool can_be_applied(const Transformed& made) { return made.left < made.after.size(); }
+
+void apply_transform(Ui& ui, Workspace& work, const TransformState& state,
+                     const Transformed& made) {
+    if (!can_be_applied(made)) return;
+    const std::string label = of_selection(work, traits(state.kind).label);
+    // edit_patterns() goes through the same patterns in the same order as the request did.
+    std::size_t next = 0;
+    edit_patterns(work, [&](Pattern& pattern) { pattern = made.after[next++]; });
+    commit_step(ui, work, label);
+    say(ui, label + ". Ctrl+Z takes it back.");
+}
+
+}  // namespace tact

@@ -1,0 +1,46 @@
+// What "Transform" is left at, and what its job has made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/owned_job.h"
+#include "model/algebra/algebra.h"
+
+namespace tact {
+
+struct TransformRequest {
+    std::uint64_t document = 0;
+    std::uint64_t revision = 0;
+    std::vector<std::size_t> places;  // of the selected ones that may be edited
+    Edit edit;
+};
+
+struct TransformTask {
+    TransformRequest request;
+    std::vector<std::string> names;
+    std::vector<Pattern> patterns;
+    PhysiologyTables tables;
+};
+
+struct Transformed {
+    TransformRequest request;
+    std::vector<Pattern> before;
+    std::vector<Pattern> after;  // as before where it cannot be edited
+    std::size_t left = 0;        // so many of them
+    std::string fault;           // of the first of these, as a sentence
+};
+
+struct TransformState {
+    EditKind kind = EditKind::stretch;
+    std::array<std::optional<double>, kEditKindCount> numbers;  // none: what is offered first
+    std::string other;  // name of the pattern that is joined or mixed
+
+    OwnedJob<TransformTask, Transformed> job;  // null until it is wanted
+    std::optional<TransformRequest> asked;
+};
+
+}  // namespace tact

@@ -1,0 +1,90 @@
+#include "model/algebra/set_edits.h"
+
+#include "model/set/named_place.h"
+
+namespace tact {
+
+namespace {
+
+Expected<std::vector<Edit>> resolved(const PatternSet& set, std::span<const NamedEdit> edits) {
+    std::vector<Edit> all;
+    for (const NamedEdit& named : edits) {
+        Edit edit{named.kind, named.number};
+        if (traits(named.kind).needs == EditNeeds::pattern) {
+            const Expected<std::size_t> place = pattern_place_of(set, named.other);
+            if (!place) {
+                return Error{std::string(traits(named.kind).key) + ": " + place.error().message};
+            }
+            edit.other = std::get<Pattern>(set.vibrations[*place].source);
+        }
+        all.push_back(std::move(edit));
+    }
+    return all;
+}
+
+Expected<Pattern> edited_pattern(const PatternSet& set, std::size_t place,
+                                 std::span<const NamedEdit> edits) {
+    const Expected<std::vector<Edit>> all = resolved(set, edits);
+    if (!all) return all.error();
+    const Vibration& vibration = set.vibrations[place];
+    Expected<Pattern> result =
+        edited(std::get<Pattern>(vibration.source), *all, set.model.coding.tables);
+    if (!result) return Error{"\"" + vibration.name + "\", " + result.error().message};
+    return result;
+}
+
+}  // namespace
+
+Expected<PatternSet> with_edits(const PatternSet& set, std::span<const std::string> names,
+                                std::span<const NamedEdit> edits) {
+    PatternSet changed = set;
+    for (const std::string& name : names) {
+        const Expected<std::size_t> place = pattern_place_of(set, name);
+        if (!place) return place.error();
+        Vibration& vibration = changed.vibrations[*place];
+        if (vibration.locked) return Error{"\"" + name + "\" is locked: unlock it to edit it"};
+        const Expected<Pattern> pattern = edited_pattern(set, *place, edits);
+        if (!pattern) return pattern.error();
+        vibration.source = *pattern;
+        vibration.generated = false;
+    }
+    return changed;
+}
+
+Expected<EditedSet> with_edits_of_all(const PatternSet& set, std::span<const NamedEdit> edits) {
+    EditedSet result{set, {}};
+    bool any = false;
+    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
+        Vibration& vibration = result.set.vibrations[k];
+        if (vibration.locked || !std::holds_alternative<Pattern>(vibration.source)) continue;
+        const Expected<Pattern> pattern = edited_pattern(set, k, edits);
+        if (!pattern) {
+            result.left.push_back(pattern.error().message);
+            continue;
+        }
+        any = true;
+        vibration.source = *pattern;
+        vibration.generated = false;
+    }
+    if (any) return result;
+    if (!result.left.empty()) return Error{result.left.front()};
+    return Error{"expected a pattern made of parameters that is not locked, got none"};
+}
+
+Expected<PatternSet> with_edited_copy(const PatternSet& set, const std::string& name,
+                                      std::span<const NamedEdit> edits, const std::string& as) {
+    const Expected<std::size_t> place = pattern_place_of(set, name);
+    if (!place) return place.error();
+    const Expected<Pattern> pattern = edited_pattern(set, *place, edits);
+    if (!pattern) return pattern.error();
+    PatternSet changed = set;
+    Vibration copy;
+    copy.name = unused_name(set, as);
+    copy.source = *pattern;
+    copy.note = set.vibrations[*place].note;
+    changed.vibrations.insert(changed.vibrations.begin() + static_cast<std::ptrdiff_t>(*place) + 1,
+                              std::move(copy));
+    return changed;
+}
+
+}  // namespace tact

@@ -1,0 +1,18 @@
+// Vibrations of a set by the name that a person gives.
+//
+// Output    a position, or a sentence that names some that there are
+#pragma once
+
+#include <string>
+
+#include "model/common/expected.h"
+#include "model/set/pattern_set.h"
+
+namespace tact {
+
+Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
+
+// The same of a pattern made of parameters: a recording is refused.
+Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string& name);
+
+}  // namespace tact
