@@ -8,7 +8,6 @@
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
-#include "viz/drawing/plot.h"
 
 namespace tact {
 
@@ -71,10 +70,6 @@ void draw_other(Ui& ui, const PatternSet& set, std::string& name) {
     note_item(ui.rects, "transform:other", name);
 }
 
-std::string counted(std::size_t count, const char* one) {
-    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
 std::string sentence_of(const char* help) {
     std::string words = std::string(help) + ".";
     if (words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
@@ -86,7 +81,8 @@ std::string outcome(const Transformed& made) {
     if (!can_be_applied(made)) return made.fault;
     if (made.after.size() > 1) {
         const std::size_t ready = made.after.size() - made.left;
-        std::string words = counted(ready, "pattern") + (ready == 1 ? " is ready" : " are ready");
+        std::string words =
+            counted(ready, "pattern", "patterns") + (ready == 1 ? " is ready" : " are ready");
         if (made.left > 0)
             words += ", " + std::to_string(made.left) + " cannot change: " + made.fault;
         return words + ".";
@@ -95,14 +91,15 @@ std::string outcome(const Transformed& made) {
     const Pattern& after = made.after.front();
     if (before == after) return "Nothing changes.";
     std::string words = before.duration_s == after.duration_s
-                            ? significant(after.duration_s, 6) + " s as before"
-                            : significant(before.duration_s, 6) + " s becomes " +
-                                  significant(after.duration_s, 6) + " s";
+                            ? significant_digits(after.duration_s, 6) + " s as before"
+                            : significant_digits(before.duration_s, 6) + " s becomes " +
+                                  significant_digits(after.duration_s, 6) + " s";
     const bool drawn = !before.rhythm.text.empty() && after.rhythm.text.empty();
     if (drawn) words += "; the notes become a curve";
     const std::size_t points = after.amplitude_curve.size() + after.frequency_curve.size();
-    if (points > 0) words += "; " + counted(points, "point");
-    if (!after.transients.empty()) words += ", " + counted(after.transients.size(), "tick");
+    if (points > 0) words += "; " + counted(points, "point", "points");
+    if (!after.transients.empty())
+        words += ", " + counted(after.transients.size(), "tick", "ticks");
     return words + ".";
 }
 
