@@ -15,7 +15,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

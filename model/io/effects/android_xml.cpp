@@ -6,9 +6,12 @@
 //           of the greatest level (dB) above threshold, 0 at its end.
 // Guessed   that greatest level, which is the device's (ActuatorMap::sensation_db), at any Hz; the
 //           Hz of waveform-effects; the device's own amplitude: the greatest.
-// Refused   what the platform's parser refuses; predefined effects, primitives and effects of
-//           vendors: their courses are the device's.
-// Left out  repetition: once; of a <vibration-select>, what is the device's own.
+// Assumed   courses of predefined effects and primitives (model/io/effects/android_courses.h).
+//           Primitives follow each other: delayMs is a pause behind the one before, or with
+//           delayType="relative_start_offset" the time since that one began; one that would
+//           overlap is left out, as the platform does.
+// Refused   what the platform's parser refuses; effects of vendors: their courses are the device's.
+// Left out  repetition: once; of a <vibration-select>, effects of vendors.
 
 #include <algorithm>
 #include <initializer_list>
@@ -18,7 +21,8 @@
 #include <string_view>
 
 #include "model/common/portable.h"
-#include "model/io/effects/formats.h"
+#include "model/io/effects/android_courses.h"
+#include "model/io/effects/effect.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
@@ -35,6 +39,7 @@ struct XmlReading {
     std::string fault;
     std::vector<std::string> remarks;
     Voice voice;                  // of the effect being read, so far
+    Sketch primitives;            // ... or what it is composed of
     bool is_the_devices = false;  // the fault is no fault of the file's
 };
 
@@ -224,15 +229,106 @@ void read_repeating(XmlReading& xml, const pugi::xml_node& node) {
     remark_repeats(xml);
 }
 
-bool is_the_devices(const pugi::xml_node& node) {
-    const std::string name = node.name();
-    return name == "predefined-effect" || name == "primitive-effect" || name == "vendor-effect";
-}
-
 void refuse_as_the_devices(XmlReading& xml, const pugi::xml_node& node) {
     xml.is_the_devices = xml.fault.empty();
     refuse_node(xml, node,
-                "expected an envelope or a waveform; this one's course is the device's own");
+                "expected an envelope, a waveform or a named effect; this one's course is the "
+                "device's own");
+}
+
+// Where the course ends.
+double add_bursts_of(XmlReading& xml, const AssumedCourse& course, double start_s, double scale) {
+    const ActuatorMap& map = xml.file.map;
+    std::vector<Transient> bursts;
+    double end_s = start_s;
+    for (const CoursePoint& point : course.points) {
+        const double at_s = start_s + point.time_s;
+        end_s = at_s + point.burst_s;
+        if (scale > 0.0) bursts.push_back(burst_at(map, point, at_s, scale));
+    }
+    add_bursts(xml.primitives.transients, bursts);
+    return end_s;
+}
+
+double add_lines_of(XmlReading& xml, const AssumedCourse& course, double start_s, double scale) {
+    AmplitudeCurve intensities;
+    AmplitudeCurve sharpnesses;
+    for (const CoursePoint& point : course.points) {
+        intensities.push_back({start_s + point.time_s, scale * point.intensity});
+        sharpnesses.push_back({start_s + point.time_s, point.sharpness});
+    }
+    Voice voice;
+    voice.start_s = start_s;
+    voice.end_s = start_s + course.points.back().time_s;
+    voice.amplitude = acceleration_curve(xml.file.map, intensities);
+    voice.frequency = frequency_curve(xml.file.map, sharpnesses);
+    xml.primitives.voices.push_back(voice);
+    return voice.end_s;
+}
+
+double add_course(XmlReading& xml, const AssumedCourse& course, double start_s, double scale) {
+    const double end_s = course.bursts ? add_bursts_of(xml, course, start_s, scale)
+                                       : add_lines_of(xml, course, start_s, scale);
+    xml.primitives.duration_s = std::max(xml.primitives.duration_s, end_s);
+    remark_once(xml.remarks,
+                std::string(course.name) + ": the course is assumed, every device has its own");
+    return end_s;
+}
+
+void read_predefined(XmlReading& xml, const pugi::xml_node& node) {
+    check_attributes(xml, node, {"name"});
+    const std::string name = node.attribute("name").value();
+    const AssumedCourse* course = course_named(courses::kPredefined, name);
+    if (course == nullptr) {
+        return refuse_node(
+            xml, node,
+            "name: expected click, double_click, heavy_click or tick, got " + in_quotes(name));
+    }
+    add_course(xml, *course, 0.0, 1.0);
+}
+
+// When a primitive begins, after one from `last_s` to `end_s`.
+double start_of(XmlReading& xml, const pugi::xml_node& node, double last_s, double end_s) {
+    const double delay_s = node.attribute("delayMs")
+                               ? attribute_number(xml, node, "delayMs", kEffectTimeMs) / 1e3
+                               : 0.0;
+    const std::string type = node.attribute("delayType").value();
+    if (type == "relative_start_offset") return last_s + delay_s;
+    if (node.attribute("delayType") && type != "pause") {
+        refuse_node(xml, node,
+                    "delayType: expected pause or relative_start_offset, got " + in_quotes(type));
+    }
+    return end_s + delay_s;
+}
+
+void read_primitives(XmlReading& xml, const pugi::xml_node& all) {
+    if (!has_only(xml, all, "primitive-effect")) return;
+    double start_s = 0.0;
+    double end_s = 0.0;
+    for (const pugi::xml_node& node : all.children()) {
+        check_attributes(xml, node, {"name", "scale", "delayMs", "delayType"});
+        const std::string name = node.attribute("name").value();
+        const AssumedCourse* course = course_named(courses::kPrimitives, name);
+        if (course == nullptr) {
+            refuse_node(xml, node,
+                        "name: expected click, low_tick, quick_fall, quick_rise, slow_rise, spin, "
+                        "thud or tick, got " +
+                            in_quotes(name));
+        }
+        const double scale =
+            node.attribute("scale") ? attribute_number(xml, node, "scale", kShare) : 1.0;
+        const double begin_s = start_of(xml, node, start_s, end_s);
+        if (const std::string fault = pay_points(xml.file, 8); !fault.empty()) {
+            refuse_node(xml, node, fault);
+        }
+        if (!xml.fault.empty()) return;
+        if (begin_s < end_s - 1e-9) {
+            remark_once(xml.remarks, name + ": overlaps the primitive before, is left out");
+            continue;
+        }
+        start_s = begin_s;
+        end_s = add_course(xml, *course, start_s, scale);
+    }
 }
 
 void read_one(XmlReading& xml, const pugi::xml_node& node) {
@@ -242,11 +338,15 @@ void read_one(XmlReading& xml, const pugi::xml_node& node) {
     if (name == "basic-envelope-effect") return read_basic_envelope(xml, node);
     if (name == "waveform-effect" && !nested) return read_waveform(xml, node);
     if (name == "repeating-effect" && !nested) return read_repeating(xml, node);
-    if (is_the_devices(node)) return refuse_as_the_devices(xml, node);
+    if (name == "predefined-effect" && !nested) return read_predefined(xml, node);
+    if (name == "primitive-effect" && !nested) return read_primitives(xml, node.parent());
+    if (name == "vendor-effect") return refuse_as_the_devices(xml, node);
     refuse_node(xml, node.parent(),
-                "expected waveform-envelope-effect, basic-envelope-effect, waveform-effect or "
-                "repeating-effect, got " +
-                    in_quotes(name));
+                std::string("expected waveform-envelope-effect") +
+                    (nested ? " or basic-envelope-effect"
+                            : ", basic-envelope-effect, waveform-effect, repeating-effect, "
+                              "predefined-effect or primitive-effect") +
+                    ", got " + in_quotes(name));
 }
 
 struct Vibration {
@@ -256,19 +356,20 @@ struct Vibration {
 
 Expected<Vibration> read_vibration(const pugi::xml_node& node, const std::string& name,
                                    const EffectFile& file) {
-    XmlReading xml{file, {}, {}, {}};
+    XmlReading xml{file, {}, {}, {}, {}};
     check_attributes(xml, node, {});
     const pugi::xml_node first = node.first_child();
     if (!first) refuse_node(xml, node, "expected an effect, got none");
-    const bool several = first != node.last_child();
-    if (several && is_the_devices(first)) refuse_as_the_devices(xml, first);
-    if (several) refuse_node(xml, node, "expected one effect, got several");
+    const bool composed = first.name() == std::string("primitive-effect");
+    if (first != node.last_child() && !composed) {
+        refuse_node(xml, node, "expected one effect, got several");
+    }
     if (xml.fault.empty()) read_one(xml, first);
     if (xml.is_the_devices) return Vibration{std::nullopt, xml.fault};
     if (!xml.fault.empty()) return Error{xml.fault};
-    Sketch sketch;
+    Sketch sketch = std::move(xml.primitives);
     sketch.unit_g = continuous_g(file.map, 1.0);
-    sketch.voices.push_back(std::move(xml.voice));
+    if (!xml.voice.frequency.empty()) sketch.voices.push_back(std::move(xml.voice));
     auto effect = finished(file, name, sketch, std::move(xml.remarks));
     if (!effect) return effect.error();
     return Vibration{*std::move(effect), {}};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
 #include "model/pattern/drawn_curve.h"
 #include "model/text/numbers.h"
 

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 
 namespace tact {
 

@@ -11,7 +11,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/pattern/traced.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/io/effects/relaxed_json.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "model/io/effects/formats.h"
+#include "model/io/effects/effect.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -1,6 +1,7 @@
-// Envelopes of Android 16: XML, and the builder's calls as Kotlin. What is flat between jumps and
-// at the frequency that readers take for effects without one is a waveform of whole ms instead: it
-// loses nothing there, where an envelope would have ramps.
+// Envelopes of Android 16: XML, and the builder's calls as Kotlin. What consists of primitives, as
+// it was read, is a composition of them instead. What is flat between jumps and at the frequency
+// that readers take for effects without one is a waveform of whole ms instead: it loses nothing
+// there, where an envelope would have ramps.
 //
 // Source    VibrationEffect.WaveformEnvelopeBuilder (API 36): points of amplitude, Hz and the ms to
 //           get there, from amplitude 0 on. Devices have at least 16 points of at least 20 ms each;
@@ -13,6 +14,7 @@
 #include <cstdint>
 
 #include "model/io/effects/effect.h"
+#include "model/io/effects_out/android_primitives.h"
 #include "model/io/effects_out/knots.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
@@ -106,10 +108,60 @@ std::string as_camel_case(const std::string& name) {
     return text;
 }
 
+// Pauses before each, whole ms.
+std::vector<std::int64_t> pauses_ms(const std::vector<PlayedPrimitive>& all) {
+    std::vector<std::int64_t> pauses;
+    double end_s = 0.0;
+    for (const PlayedPrimitive& one : all) {
+        pauses.push_back(std::llround(1e3 * (one.start_s - end_s)));
+        end_s = one.end_s;
+    }
+    return pauses;
+}
+
+std::string xml_of(const std::vector<PlayedPrimitive>& all) {
+    const std::vector<std::int64_t> pauses = pauses_ms(all);
+    std::string text = "<vibration-effect>\n";
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        text += "    <primitive-effect name=\"" + std::string(all[k].course->name) + "\"";
+        if (all[k].scale < 1.0) {
+            text += " scale=\"" + significant_digits(all[k].scale, 4) + "\"";
+        }
+        if (pauses[k] > 0) text += " delayMs=\"" + std::to_string(pauses[k]) + "\"";
+        text += "/>\n";
+    }
+    return text + "</vibration-effect>\n";
+}
+
+std::string kotlin_of(const std::vector<PlayedPrimitive>& all) {
+    const std::vector<std::int64_t> pauses = pauses_ms(all);
+    const std::string composition = "VibrationEffect.Composition.";
+    std::string text = "startComposition()\n";
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        std::string name(all[k].course->name);
+        for (char& letter : name) {
+            if (letter != '_') letter = static_cast<char>(letter - 'a' + 'A');
+        }
+        text += "    .addPrimitive(" + composition + "PRIMITIVE_" + name + ", " +
+                significant_digits(all[k].scale, 4) + "f, " + std::to_string(pauses[k]) + ")\n";
+    }
+    return text + "    .compose()\n";
+}
+
+void remark_primitives(WrittenEffect& written) {
+    written.remarks.push_back("written as primitives: every device plays its own course of them");
+    written.coarse.push_back("delays are in whole ms");
+}
+
 }  // namespace
 
 WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
+    if (const auto primitives = as_primitives(pattern, target.map)) {
+        remark_primitives(written);
+        written.text = xml_of(*primitives);
+        return written;
+    }
     const AndroidEnvelope envelope = android_envelope(pattern, target.map, written);
     if (!envelope.steps.amplitudes.empty()) {
         written.text = xml_of(envelope.steps);
@@ -128,9 +180,14 @@ WrittenEffect write_android_xml(const Pattern& pattern, const EffectTarget& targ
 
 WrittenEffect write_android_kotlin(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
-    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written);
     const std::string head = "import android.os.VibrationEffect\n\nval `" +
                              as_camel_case(target.name) + "`: VibrationEffect = VibrationEffect.";
+    if (const auto primitives = as_primitives(pattern, target.map)) {
+        remark_primitives(written);
+        written.text = head + kotlin_of(*primitives);
+        return written;
+    }
+    const AndroidEnvelope envelope = android_envelope(pattern, target.map, written);
     if (!envelope.steps.amplitudes.empty()) {
         written.text = head + "createWaveform(\n    longArrayOf(" +
                        list_of(envelope.steps.timings_ms) + "),\n    intArrayOf(" +

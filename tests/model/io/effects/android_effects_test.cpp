@@ -1,12 +1,27 @@
 // Numbers of small effects of Android, worked out by hand from its documentation.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/io/effects/read_effects.h"
 #include "tests/model/io/effects/effects_of.h"
 
 namespace android_effects_test {
 
 using namespace tact;
+
+namespace {
+
+double peak_of(const Pattern& pattern) {
+    double peak_g = 0.0;
+    for (const double sample_g : render(pattern).samples_g) {
+        peak_g = std::max(peak_g, std::abs(sample_g));
+    }
+    return peak_g;
+}
+
+}  // namespace
 
 TEST_CASE("Android: timings and amplitudes are steps of 255ths") {
     const Pattern pattern =
@@ -71,8 +86,26 @@ TEST_CASE("Android: what the platform's parser refuses is refused at its place")
             R"(<waveform-effect><repeating><waveform-entry durationMs="10" amplitude="1"/></repeating><waveform-entry durationMs="10" amplitude="1"/></waveform-effect>)") ==
         "a.x: /vibration-effect/waveform-effect: expected <waveform-entry> and one <repeating> at "
         "the end, got \"repeating\"");
-    CHECK(inside(R"(<predefined-effect name="click"/>)")
+    CHECK(inside("<vendor-effect>AA</vendor-effect>")
               .ends_with("this one's course is the device's own"));
+    CHECK(inside(R"(<predefined-effect name="texture_tick"/>)") ==
+          "a.x: /vibration-effect/predefined-effect: name: expected click, double_click, "
+          "heavy_click or tick, got \"texture_tick\"");
+    CHECK(inside(R"(<predefined-effect name="click" fallback="true"/>)") ==
+          "a.x: /vibration-effect/predefined-effect: expected no attribute \"fallback\"");
+    CHECK(inside(R"(<predefined-effect name="click"/><predefined-effect name="tick"/>)") ==
+          "a.x: /vibration-effect: expected one effect, got several");
+    CHECK(inside(R"(<primitive-effect name="pop"/>)") ==
+          "a.x: /vibration-effect/primitive-effect: name: expected click, low_tick, quick_fall, "
+          "quick_rise, slow_rise, spin, thud or tick, got \"pop\"");
+    CHECK(inside(R"(<primitive-effect name="click" scale="1.5"/>)") ==
+          "a.x: /vibration-effect/primitive-effect: scale: expected a number from 0 to 1, got "
+          "\"1.5\"");
+    CHECK(inside(R"(<primitive-effect name="click" delayMs="-1"/>)")
+              .starts_with("a.x: /vibration-effect/primitive-effect: delayMs: expected a number"));
+    CHECK(inside(R"(<primitive-effect name="click" delayType="later"/>)") ==
+          "a.x: /vibration-effect/primitive-effect: delayType: expected pause or "
+          "relative_start_offset, got \"later\"");
     CHECK(inside("") == "a.x: /vibration-effect: expected an effect, got none");
     CHECK(fault("<vibration-effect><waveform").starts_with("a.x, line 1, column "));
 }
@@ -96,6 +129,59 @@ TEST_CASE("Android: preamble, entries and repeating part are played once, one af
     CHECK(two.effects[0].pattern.duration_s == doctest::Approx(0.04));
     CHECK(envelope_g(two.effects[0].pattern, 0.03) == doctest::Approx(0.5));
     CHECK(two.effects[1].name == "a 2");
+}
+
+TEST_CASE("Android: primitives follow each other, scaled, after their delays") {
+    const auto composed = [](const std::string& inside) {
+        return only("<vibration-effect>" + inside + "</vibration-effect>");
+    };
+    const Effect rise = composed(R"(<primitive-effect name="slow_rise" scale="0.5" delayMs="100"/>
+      <primitive-effect name="quick_fall" delayMs="20"/>)");
+    CHECK(rise.pattern.duration_s == doctest::Approx(0.1 + 0.5 + 0.02 + 0.1));
+    CHECK(envelope_g(rise.pattern, 0.05) == 0.0);
+    CHECK(envelope_g(rise.pattern, 0.35) == doctest::Approx(0.25));
+    CHECK(envelope_g(rise.pattern, 0.599) == doctest::Approx(0.499).epsilon(0.01));
+    CHECK(envelope_g(rise.pattern, 0.61) == 0.0);
+    CHECK(envelope_g(rise.pattern, 0.67) == doctest::Approx(0.5));
+    CHECK(has_remark(rise, "slow_rise: the course is assumed"));
+    CHECK(has_remark(rise, "quick_fall: the course is assumed"));
+    // Of ticks: a pause begins where the one before has ended, an offset where it began.
+    const Effect ticks = composed(R"(<primitive-effect name="tick"/>
+      <primitive-effect name="tick" delayMs="50"/>
+      <primitive-effect name="click" delayMs="80" delayType="relative_start_offset"/>)");
+    REQUIRE(ticks.pattern.transients.size() == 3);
+    const auto& bursts = ticks.pattern.transients;
+    CHECK(bursts[0].time_s == 0.0);
+    CHECK(bursts[1].time_s == doctest::Approx(bursts[0].duration_s + 0.05));
+    CHECK(bursts[2].time_s == doctest::Approx(bursts[1].time_s + 0.08));
+    CHECK(bursts[2].amplitude_g == doctest::Approx(2.0 * bursts[0].amplitude_g).epsilon(0.1));
+    CHECK(bursts[0].frequency_hz == doctest::Approx(30.0 + 0.9 * 270.0));
+    CHECK(bursts[2].frequency_hz == doctest::Approx(30.0 + 0.6 * 270.0));
+    for (const char* name :
+         {"click", "tick", "low_tick", "thud", "spin", "quick_rise", "slow_rise", "quick_fall"}) {
+        CAPTURE(name);
+        const std::string node = std::string("<primitive-effect name=\"") + name + "\" ";
+        const Effect whole = composed(node + "/>");
+        const Effect half = composed(node + "scale=\"0.5\"/>");
+        CHECK(whole.pattern.duration_s > 0.01);
+        const double whole_g = peak_of(whole.pattern);
+        CHECK(whole_g > 0.1);
+        CHECK(peak_of(half.pattern) == doctest::Approx(0.5 * whole_g).epsilon(0.01));
+    }
+}
+
+TEST_CASE("Android: a predefined effect is one of four, alone, and assumed") {
+    const auto predefined = [](const std::string& name) {
+        return only("<vibration-effect><predefined-effect name=\"" + name +
+                    "\"/></vibration-effect>");
+    };
+    CHECK(predefined("click").pattern ==
+          only(R"(<vibration-effect><primitive-effect name="click"/></vibration-effect>)").pattern);
+    const auto& twice = predefined("double_click").pattern.transients;
+    REQUIRE(twice.size() == 2);
+    CHECK(twice[1].time_s == doctest::Approx(0.13));
+    CHECK(has_remark(predefined("heavy_click"), "heavy_click: the course is assumed"));
+    CHECK(peak_of(predefined("tick").pattern) < peak_of(predefined("click").pattern));
 }
 
 }  // namespace android_effects_test

@@ -26,6 +26,7 @@ const std::string kWaveform = "<waveform-effect>" + kEntry + "</waveform-effect>
 const std::string kPoint = R"(<control-point amplitude="1" frequencyHz="100" durationMs="20"/>)";
 const std::string kEnvelope = "<waveform-envelope-effect>" + kPoint + "</waveform-envelope-effect>";
 const std::string kPrimitive = R"(<primitive-effect name="click"/>)";
+const std::string kVendor = "<vendor-effect>AAAA</vendor-effect>";
 
 std::string vibration(const std::string& inside) {
     return "<vibration-effect>" + inside + "</vibration-effect>";
@@ -119,16 +120,25 @@ std::vector<Case> cases() {
          {}},
         {"x: primitives",
          vibration(kPrimitive + kPrimitive),
-         "this one's course is the device's own",
+         "",
+         {"click: the course is assumed, every device has its own"},
+         0.04},
+        {"x: a primitive beside another effect",
+         vibration(kPrimitive + kWaveform),
+         "expected <primitive-effect> alone, got \"waveform-effect\"",
          {}},
+        {"x: a primitive within another effect",
+         repeating(kEntry, kPrimitive),
+         "repeating: expected waveform-envelope-effect",
+         {}},
+        {"x: a vendor's effect", vibration(kVendor), "this one's course is the device's own", {}},
         {"x: some of several",
-         "<vibration-select>" + vibration(kPrimitive) + vibration(kWaveform) +
-             "</vibration-select>",
+         "<vibration-select>" + vibration(kVendor) + vibration(kWaveform) + "</vibration-select>",
          "",
          {"1 of its vibrations are left out: their courses are the device's own"},
          0.01},
         {"x: none of several",
-         "<vibration-select>" + vibration(kPrimitive) + "</vibration-select>",
+         "<vibration-select>" + vibration(kVendor) + "</vibration-select>",
          "this one's course is the device's own",
          {}},
         {"x: the old name",
