@@ -48,7 +48,7 @@ void draw_rhythm_cell(const Theme& theme, const CandidateRow& row, const Rect& c
     const float each =
         std::min(8.0F * theme.scale, cell.width() / static_cast<float>(row.rhythm->size()));
     if (each < 2.0F * theme.scale) {
-        const auto notes = static_cast<std::size_t>(std::ranges::count(*row.rhythm, 'x'));
+        const auto notes = onsets(*row.rhythm).size();
         return draw_text(list, font, {cell.min.x, y}, theme.dim_text,
                          counted(notes, "note", "notes"));
     }

@@ -234,7 +234,8 @@ void draw_rhythms(Ui& ui, GenerateState& generating) {
     }
     const auto typed = draw_entry(ui, generating, "rhythm", shown, 420.0F * ui.theme.scale);
     draw_tooltip(ui,
-                 "Rhythms with blanks between them: x note, = hold, - rest. \"steady\" is one "
+                 "Rhythms with blanks between them: x note, 1 to 9 a weaker one, = hold, - rest. "
+                 "\"steady\" is one "
                  "note throughout.");
     std::string fault;
     if (typed) {

@@ -3,11 +3,14 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
 #include "app/patterns/rhythm_list.h"
 #include "app/patterns/tapping.h"
+#include "model/pattern/rhythm_edit.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
@@ -20,7 +23,7 @@ std::string stepped(std::string text, std::size_t step) {
     const bool can_hold = step > 0 && text[step - 1] != '-';
     if (text[step] == '-') {
         text[step] = 'x';
-    } else if (text[step] == 'x' && can_hold) {
+    } else if (starts_note(text[step]) && can_hold) {
         text[step] = '=';
     } else {
         text[step] = '-';
@@ -44,6 +47,17 @@ void follow_note_drag(Workspace& work, PatternPanes& pattern_panes, std::size_t 
     edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
 }
 
+// While the mouse is held on the step that it pressed, up is stronger and down weaker.
+void follow_strength_drag(Workspace& work, NoteDrag& drag, float up_px, float ninth_px) {
+    const int by = static_cast<int>(std::lround(up_px / ninth_px));
+    if ((by == 0 && !drag.moved) || !starts_note(drag.before[drag.from])) return;
+    drag.moved = true;
+    std::string text = drag.before;
+    const double ninths = 9.0 * velocity_of(text[drag.from]) + by;
+    text[drag.from] = note_mark(std::clamp(ninths / 9.0, 1.0 / 9.0, 1.0));
+    edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
+}
+
 // A step as a button: a click changes its mark, a drag draws a note over the steps it passes.
 void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::string& text,
                std::size_t k, ImVec2 size, float left) {
@@ -55,8 +69,14 @@ void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::
     if (drag && drag->from == k && ImGui::IsItemActive() && ImGui::IsMouseDown(0)) {
         const float steps = (ImGui::GetIO().MousePos.x - left) / size.x;
         const float last = static_cast<float>(drag->before.size() - 1);
-        follow_note_drag(work, pattern_panes,
-                         static_cast<std::size_t>(std::clamp(steps, 0.0F, last)));
+        const auto under = static_cast<std::size_t>(std::clamp(steps, 0.0F, last));
+        if (under == k) {
+            const ImGuiIO& io = ImGui::GetIO();
+            follow_strength_drag(work, *drag, io.MouseClickedPos[0].y - io.MousePos.y,
+                                 5.0F * ui.theme.scale);
+        } else {
+            follow_note_drag(work, pattern_panes, under);
+        }
     }
     const bool drawn = drag && drag->from == k && drag->moved;
     if (drawn && ImGui::IsItemDeactivated()) {
@@ -68,15 +88,27 @@ void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::
     ImGui::PopID();
 }
 
+constexpr std::size_t kMostCells = 256;  // of more, none could be seen
+
 void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Rhythm& rhythm) {
     const Theme& theme = ui.theme;
     const std::size_t steps = rhythm.text.size();
+    if (steps > kMostCells) {
+        const std::string words =
+            grouped_digits(steps) + " steps: edit the text, or notes in the strip";
+        coloured_text(theme.dim_text, words);
+        note_item(ui.rects, "rhythm:long", words);
+        return;
+    }
     const float width = ImGui::GetContentRegionAvail().x;
     const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    float height = 1.0F;  // of the note that a step belongs to
     for (std::size_t k = 0; k < steps; ++k) {
         const char mark = rhythm.text[k];
+        if (mark == '-') height = 1.0F;
+        if (starts_note(mark)) height = static_cast<float>(velocity_of(mark));
         const ImVec2 min{corner.x + static_cast<float>(k) * cell, corner.y};
         const float gap = 1.5F * theme.scale;
         // A held step joins the one before it.
@@ -85,9 +117,12 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
         draw_step(ui, work, pattern_panes, rhythm.text, k, {cell, cell}, corner.x);
         ImU32 colour = mark == '-' ? theme.field : theme.accent;
         if (ImGui::IsItemHovered()) colour = mark == '-' ? theme.hover : theme.text;
-        list.AddRectFilled({left, min.y + gap}, {min.x + cell - gap, min.y + cell - gap}, colour,
-                           2.0F * theme.scale);
-        draw_tooltip(ui, "Click: note, hold, rest. Drag to the right: a note as long as the drag.");
+        const float bottom = min.y + cell - gap;
+        const float top = bottom - height * (cell - 2.0F * gap);
+        list.AddRectFilled({left, top}, {min.x + cell - gap, bottom}, colour, 2.0F * theme.scale);
+        draw_tooltip(ui,
+                     "Click: note, hold, rest. Drag to the right: a note as long as the drag. Drag "
+                     "up or down: a stronger or a weaker note.");
     }
     ImGui::SetCursorScreenPos({corner.x, corner.y + cell});
     ImGui::Dummy({width, 2.0F * theme.scale});
@@ -161,6 +196,30 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
+// What of the rhythm lies behind the pattern's end, and a press to have all of it.
+void draw_overrun(Ui& ui, Workspace& work, const Pattern& pattern) {
+    const double whole_s = length_s(pattern.rhythm);
+    if (whole_s <= pattern.duration_s * (1.0 + 1e-9)) return;
+    const double played = std::ceil(pattern.duration_s / pattern.rhythm.unit_s - 1e-9);
+    const std::string words = "Plays " + significant_digits(played, 6) + " of " +
+                              std::to_string(pattern.rhythm.text.size()) + " steps";
+    const double to_s = std::min(whole_s, limits::kDurationS.high);
+    const std::string lengthen = "Lengthen to " + significant_digits(to_s, 4) + " s";
+    draw_label(ui, "", ImGui::CalcTextSize(words.c_str()).x);
+    coloured_text(ui.theme.warning, words);
+    note_item(ui.rects, "rhythm:overrun", words);
+    flow_on(ImGui::CalcTextSize(lengthen.c_str()).x, 2.0F * ui.theme.gap_px);
+    const bool pressed = link(ui, "lengthen", lengthen);
+    note_item(ui.rects, "link:lengthen", lengthen);
+    draw_field_tooltip(ui, "The pattern lasts as long as its rhythm");
+    if (!pressed) return;
+    edit_patterns(work, [](Pattern& p) {
+        const double end_s = std::min(length_s(p.rhythm), limits::kDurationS.high);
+        if (end_s > p.duration_s) p = with_duration(std::move(p), end_s);
+    });
+    commit_step(ui, work, "Lengthen " + of_selection(work, "duration"));
+}
+
 }  // namespace
 
 void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
@@ -173,7 +232,9 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     const char* long_hint = "one note throughout; x=-x note, hold, rest";
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
-    draw_tooltip(ui, "x note, = hold, - rest; the text repeats. Empty: one note throughout.");
+    draw_tooltip(ui,
+                 "x note, 1 to 9 a weaker one, = hold, - rest; the text repeats. Empty: one note "
+                 "throughout.");
     note_item(ui.rects, "rhythm", pattern.rhythm.text);
     const bool is_typing = ImGui::IsItemActive();
     state.rhythm_typed_for = is_typing ? name : std::string();
@@ -185,9 +246,12 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
         // Up to where the text was a rhythm it was taken.
         commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
         if (!fault.empty()) {
+            const std::string& kept = pattern.rhythm.text;
+            const bool is_long = kept.size() > 64;
             complain(ui, "Rhythm: " + fault + "; the pattern keeps " +
-                             (pattern.rhythm.text.empty() ? "one note throughout"
-                                                          : "\"" + pattern.rhythm.text + "\""));
+                             (kept.empty() ? "one note throughout"
+                              : is_long    ? "the one before"
+                                           : "\"" + kept + "\""));
         }
     }
     if (is_typing && !fault.empty()) {
@@ -211,6 +275,20 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
          .help = "Length of one x, = or -. The text repeats to fill the duration."},
         "rhythm step", [](const Pattern& p) { return 1000.0 * p.rhythm.unit_s; },
         [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
+    const Range& unit = traits(PatternParameter::rhythm_unit).range;
+    edit_number(
+        ui, work,
+        {.id = "tempo_bpm",
+         .label = "Tempo",
+         .format = "%.4g BPM",
+         .slider = {30.0, 300.0},
+         .typed = {tempo_bpm(unit.high), tempo_bpm(unit.low)},
+         .step = 1.0,
+         .snap = 1.0,
+         .help = "Beats a minute where four steps are a beat: the length of a step once more."},
+        "tempo", [](const Pattern& p) { return tempo_bpm(p.rhythm.unit_s); },
+        [](Pattern& p, double value) { p.rhythm.unit_s = unit_at_tempo(value); });
+    draw_overrun(ui, work, pattern);
 }
 
 }  // namespace tact

@@ -191,9 +191,14 @@ void draw_rhythm_cells(const Theme& theme, const Rect& area, const std::string& 
     const float cell = area.width() / static_cast<float>(std::max<std::size_t>(text.size(), 1));
     const float gap = std::min(1.0F * theme.scale, cell / 4.0F);
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    float height = area.height();  // of the note that a step belongs to
     for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '-') height = area.height();
+        if (starts_note(text[k])) {
+            height = static_cast<float>(velocity_of(text[k])) * area.height();
+        }
         const float left = area.min.x + static_cast<float>(k) * cell;
-        list.AddRectFilled({text[k] == '=' ? left - gap : left + gap, area.min.y},
+        list.AddRectFilled({text[k] == '=' ? left - gap : left + gap, area.max.y - height},
                            {left + cell - gap, area.max.y},
                            text[k] == '-' ? theme.field : theme.series, 1.5F * theme.scale);
     }
@@ -221,9 +226,10 @@ RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& p
     Pattern shown = pattern;
     if (action.hovered) shown.rhythm.text = *action.hovered;
     draw_envelope(ui, choice, shown);
-    dim_text(ui, shown.rhythm.text.empty()
-                     ? std::string("one note throughout")
-                     : shown.rhythm.text + "   " + rhythm_summary(shown.rhythm.text));
+    const std::string words = shown.rhythm.text.empty()
+                                  ? std::string("one note throughout")
+                                  : shown.rhythm.text + "   " + rhythm_summary(shown.rhythm.text);
+    dim_text(ui, shortened(ui.theme.fonts.regular, words, ImGui::GetContentRegionAvail().x));
     if (!all.empty() && !choice.texts.empty()) {
         action.all = link(ui, "all rhythms", all);
         note_item(ui.rects, "link:all rhythms");

@@ -10,6 +10,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 
@@ -86,7 +87,7 @@ void draw_words(Ui& ui, const TappingState& tapping, const TappedRhythm& tapped,
     std::string words = text;
     if (tapped.left_out > 0) {
         words += "; " + std::to_string(tapped.left_out) +
-                 " left out: two in one step, or behind step " + std::to_string(kMaxRhythmSteps);
+                 " left out: two in one step, or behind step " + grouped_digits(kMaxRhythmSteps);
     }
     if (tapped.length_s > least_s) {
         std::snprintf(text, sizeof text, ". The pattern becomes %.4g s long",

@@ -33,10 +33,13 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Rect& lane = scene.scale.amplitude.area;
     list.PushClipRect(lane.min, lane.max, true);
+    const std::vector<Note> all = notes(scene.pattern.rhythm, scene.pattern.duration_s);
     for (const auto& [index, area] : note_blocks(scene.pattern, scene.scale)) {
+        const float top = area.max.y - static_cast<float>(all[index].velocity) * area.height();
         const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
         const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
-        list.AddRectFilled(area.min, max, lit ? theme.text : theme.dim_text, 2.0F * theme.scale);
+        list.AddRectFilled({area.min.x, top}, max, lit ? theme.text : theme.dim_text,
+                           2.0F * theme.scale);
     }
     list.PopClipRect();
 }
@@ -152,7 +155,10 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
         case GripKind::note:
         case GripKind::note_end: {
             const Note note = notes(pattern.rhythm, pattern.duration_s)[grip.index];
-            return at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
+            const std::string times = at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
+            return note.velocity < 1.0
+                       ? times + ", strength " + significant(100.0 * note.velocity) + " %"
+                       : times;
         }
         case GripKind::end:
             return significant(pattern.duration_s) + " s";

@@ -5,6 +5,7 @@
 
 #include "model/algebra/algebra_parts.h"
 #include "model/pattern/drawn_fault.h"
+#include "model/pattern/rhythm_edit.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -12,8 +13,6 @@ namespace tact {
 namespace {
 
 using enum EditNeeds;
-
-constexpr double kStepsABeat = 4.0;  // sixteenths, where a beat is a quarter
 
 // clang-format off
 constexpr std::array<EditTraits, kEditKindCount> kEdits{{
@@ -64,7 +63,7 @@ Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTab
         case EditKind::quantise:
             return quantised(std::move(pattern), edit.number);
         case EditKind::quantise_bpm:
-            return quantised(std::move(pattern), 60.0 / edit.number / kStepsABeat);
+            return quantised(std::move(pattern), unit_at_tempo(edit.number));
         case EditKind::transpose:
             return transposed(std::move(pattern), edit.number);
         case EditKind::thin:

@@ -24,16 +24,17 @@ void draw_note(AmplitudeCurve& gate, const Pattern& pattern, Note note) {
         append_point(gate, gate.back().time_s, 0.0);
         append_point(gate, note.onset_s, 0.0);
     }
-    append_point(gate, note.onset_s, pattern.attack_s > 0.0 ? 0.0 : 1.0);
+    const double full = note.velocity;
+    append_point(gate, note.onset_s, pattern.attack_s > 0.0 ? 0.0 : full);
     if (ramps_s > note.length_s) {
         const double share = note.length_s / ramps_s;
-        append_point(gate, note.onset_s + share * pattern.attack_s, share);
+        append_point(gate, note.onset_s + share * pattern.attack_s, share * full);
     } else {
-        if (pattern.attack_s > 0.0) append_point(gate, note.onset_s + pattern.attack_s, 1.0);
+        if (pattern.attack_s > 0.0) append_point(gate, note.onset_s + pattern.attack_s, full);
         append_point(gate, std::max(note.onset_s + pattern.attack_s, end_s - pattern.release_s),
-                     1.0);
+                     full);
     }
-    append_point(gate, end_s, pattern.release_s > 0.0 ? 0.0 : 1.0);
+    append_point(gate, end_s, pattern.release_s > 0.0 ? 0.0 : full);
 }
 
 AmplitudeCurve gate_of(const Pattern& pattern) {

@@ -38,21 +38,21 @@ std::string on_grid(const Pattern& pattern, double grid_s) {
         const std::size_t first = std::min(nearest(note.onset_s), steps - 1);
         const std::size_t end = std::clamp(nearest(note.onset_s + note.length_s), first + 1, steps);
         text = with_note(std::move(text), first, end - 1);
+        text[first] = note_mark(note.velocity);
     }
     return text;
 }
 
-// As much of a text as the rest repeats.
+// As much of a text as the rest repeats: all but the longest beginning that is its end, too (Knuth,
+// Morris & Pratt 1977).
 std::string shortest_period(const std::string& text) {
-    std::size_t period = 1;
-    const auto repeats = [&] {
-        for (std::size_t step = period; step < text.size(); ++step) {
-            if (text[step] != text[step % period]) return false;
-        }
-        return true;
-    };
-    while (period < text.size() && period <= kMaxRhythmSteps && !repeats()) ++period;
-    return text.substr(0, period);
+    std::vector<std::size_t> border(text.size(), 0);
+    for (std::size_t step = 1; step < text.size(); ++step) {
+        std::size_t length = border[step - 1];
+        while (length > 0 && text[step] != text[length]) length = border[length - 1];
+        border[step] = text[step] == text[length] ? length + 1 : 0;
+    }
+    return text.substr(0, text.size() - border.back());
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ Expected<Pattern> quantised(Pattern pattern, double grid_s) {
             return Error{
                 "expected a grid of at least " +
                 shortest_digits(pattern.duration_s / static_cast<double>(kMaxRhythmSteps)) +
-                " s, as a rhythm has at most " + std::to_string(kMaxRhythmSteps) + " steps"};
+                " s, as a rhythm has at most " + grouped_digits(kMaxRhythmSteps) + " steps"};
         }
         pattern.rhythm = {std::move(text), grid_s};
     }

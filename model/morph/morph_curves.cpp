@@ -69,7 +69,7 @@ BentLine line_of(const Pattern& pattern, const NoteSide& side) {
         double gain = 1.0;
         if (pattern.attack_s > 0.0) gain = std::min(gain, (t_s - note.onset_s) / pattern.attack_s);
         if (pattern.release_s > 0.0) gain = std::min(gain, (end_s - t_s) / pattern.release_s);
-        return std::max(0.0, gain) * amplitude_factor(pattern, t_s);
+        return note.velocity * std::max(0.0, gain) * amplitude_factor(pattern, t_s);
     };
     return line;
 }

@@ -63,7 +63,7 @@ std::vector<double> rhythm_gate(const Pattern& pattern, double rate_hz, std::siz
         for (std::size_t n = begin; n < end; ++n) {
             const double since_onset_s = static_cast<double>(n - begin) / rate_hz;
             const double until_end_s = static_cast<double>(end - n) / rate_hz;
-            gate[n] = ramp_gain(pattern, since_onset_s, until_end_s);
+            gate[n] = note.velocity * ramp_gain(pattern, since_onset_s, until_end_s);
         }
     }
     return gate;
@@ -159,7 +159,8 @@ double envelope_g(const Pattern& pattern, double t_s) {
     const auto note = note_at(pattern.rhythm, pattern.duration_s, t_s);
     if (!note) return 0.0;
     const double since_onset_s = t_s - note->onset_s;
-    return pattern.amplitude_g * ramp_gain(pattern, since_onset_s, note->length_s - since_onset_s) *
+    return pattern.amplitude_g * note->velocity *
+           ramp_gain(pattern, since_onset_s, note->length_s - since_onset_s) *
            amplitude_factor(pattern, t_s);
 }
 

@@ -6,18 +6,26 @@
 #include <numbers>
 
 #include "model/common/portable.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
+char note_mark(double velocity) {
+    const double ninths = std::round(9.0 * velocity);
+    return ninths >= 9.0 ? 'x' : static_cast<char>('0' + static_cast<int>(std::max(ninths, 1.0)));
+}
+
 std::string rhythm_fault(std::string_view text) {
     if (text.size() > kMaxRhythmSteps) {
-        return "it has " + std::to_string(text.size()) + " steps, expected at most " +
-               std::to_string(kMaxRhythmSteps);
+        return "it has " + grouped_digits(text.size()) + " steps, expected at most " +
+               grouped_digits(kMaxRhythmSteps);
     }
     for (std::size_t step = 0; step < text.size(); ++step) {
         const char mark = text[step];
         const std::string where = "step " + std::to_string(step + 1);
-        if (mark != 'x' && mark != '=' && mark != '-') return where + " is not one of x, = and -";
+        if (!starts_note(mark) && mark != '=' && mark != '-') {
+            return where + " is not one of x, 1 to 9, = and -";
+        }
         const bool holds_a_note = step > 0 && text[step - 1] != '-';
         if (mark == '=' && !holds_a_note) return where + " is =, which must follow x or =";
     }
@@ -35,7 +43,7 @@ std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
         if (onset_s >= duration_s) break;
         const char mark = rhythm.text[step % rhythm.text.size()];
         if (mark == '-') continue;
-        if (mark == 'x') result.push_back({onset_s, 0.0});
+        if (mark != '=') result.push_back({onset_s, 0.0, velocity_of(mark)});
         const double end_s = static_cast<double>(step + 1) * rhythm.unit_s;
         result.back().length_s = std::min(end_s, duration_s) - result.back().onset_s;
     }
@@ -58,13 +66,14 @@ std::optional<Note> note_at(const Rhythm& rhythm, double duration_s, double t_s)
     while (mark(first) == '=') --first;  // no text begins with =
     std::size_t end = step + 1;
     while (mark(end) == '=') ++end;
-    return Note{start_s(first), std::min(start_s(end), duration_s) - start_s(first)};
+    return Note{start_s(first), std::min(start_s(end), duration_s) - start_s(first),
+                velocity_of(mark(first))};
 }
 
 std::vector<std::size_t> onsets(std::string_view text) {
     std::vector<std::size_t> steps;
     for (std::size_t step = 0; step < text.size(); ++step) {
-        if (text[step] == 'x') steps.push_back(step);
+        if (starts_note(text[step])) steps.push_back(step);
     }
     return steps;
 }
@@ -85,7 +94,8 @@ double evenness(std::string_view text) {
 
 std::string with_note(std::string text, std::size_t first, std::size_t last) {
     assert(first <= last && last < text.size());
-    for (std::size_t step = first; step <= last; ++step) text[step] = step == first ? 'x' : '=';
+    if (!starts_note(text[first])) text[first] = 'x';
+    for (std::size_t step = first + 1; step <= last; ++step) text[step] = '=';
     // What held a note that is cut now would hold this one.
     for (std::size_t step = last + 1; step < text.size() && text[step] == '='; ++step) {
         text[step] = '-';

@@ -1,9 +1,10 @@
-// Rhythm as text on a grid: x starts a note, = holds it, - rests.
+// Rhythm as text on a grid: x starts a note, 1 to 9 a note of so many ninths of its strength, =
+// holds it, - rests.
 //
 // Source    the notation is ours. Evenness: the first Fourier coefficient of the onsets on a circle
 //           (Amiot 2009; Milne, Bulger & Herff 2017).
-// Valid     at most kMaxRhythmSteps characters; `=` only after `x` or `=`
-// Left out  dynamics within a rhythm: every note has the pattern's amplitude.
+// Valid     at most kMaxRhythmSteps characters; `=` not after `-`, nor first
+// Left out  a pitch of a single note.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@
 
 namespace tact {
 
-inline constexpr std::size_t kMaxRhythmSteps = 256;
+// So many that 10,000 notes have rests between them; as long as a text of a file may be.
+inline constexpr std::size_t kMaxRhythmSteps = 20'000;
 
 struct Rhythm {
     std::string text;  // empty: one note throughout
@@ -26,9 +28,17 @@ struct Rhythm {
 struct Note {
     double onset_s = 0.0;
     double length_s = 0.0;
+    double velocity = 1.0;  // factor of the pattern's amplitude, 1/9 to 1
 
     bool operator==(const Note&) const = default;
 };
+
+// Of the mark that a note starts with.
+inline bool starts_note(char mark) { return mark == 'x' || (mark >= '1' && mark <= '9'); }
+inline double velocity_of(char mark) { return mark == 'x' ? 1.0 : (mark - '0') / 9.0; }
+
+// The mark of the nearest velocity; of the whole one x.
+char note_mark(double velocity);
 
 // Empty where the text is a rhythm; else what is wrong with it, as the end of a sentence
 // ("step 3 is 'q', expected x, = or -").
@@ -48,8 +58,8 @@ std::vector<std::size_t> onsets(std::string_view text);
 // apart, as the text repeats; 0 of no notes. Lengths of notes do not matter.
 double evenness(std::string_view text);
 
-// The text with a note from step `first` held to step `last`. Of a note that it cuts, the beginning
-// stays. Asserts that first <= last < steps.
+// The text with a note from step `first` held to step `last`, with the strength of one that begins
+// there. Of a note that it cuts, the beginning stays. Asserts that first <= last < steps.
 std::string with_note(std::string text, std::size_t first, std::size_t last);
 
 }  // namespace tact

@@ -10,7 +10,7 @@ namespace tact {
 std::vector<NoteSteps> note_steps(std::string_view text) {
     std::vector<NoteSteps> all;
     for (std::size_t step = 0; step < text.size(); ++step) {
-        if (text[step] == 'x') all.push_back({step, step});
+        if (starts_note(text[step])) all.push_back({step, step});
         if (text[step] == '=') all.back().last = step;
     }
     return all;
@@ -36,9 +36,26 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
     const std::ptrdiff_t back = starts ? low - first : first - last;
     const std::ptrdiff_t ahead = ends ? end - 1 - last : last - first;
     const std::ptrdiff_t by = std::clamp(steps, back, ahead);
-    return with_note(without_note(std::move(text), k),
-                     static_cast<std::size_t>(first + (starts ? by : 0)),
+    const char mark = text[all[k].first];
+    const auto begin = static_cast<std::size_t>(first + (starts ? by : 0));
+    text = with_note(without_note(std::move(text), k), begin,
                      static_cast<std::size_t>(last + (ends ? by : 0)));
+    text[begin] = mark;
+    return text;
+}
+
+namespace {
+
+constexpr double kStepsABeat = 4.0;
+
+}  // namespace
+
+double tempo_bpm(double unit_s) { return 60.0 / (kStepsABeat * unit_s); }
+
+double unit_at_tempo(double bpm) { return 60.0 / (kStepsABeat * bpm); }
+
+double length_s(const Rhythm& rhythm) {
+    return static_cast<double>(rhythm.text.size()) * rhythm.unit_s;
 }
 
 Rhythm refined(const Rhythm& rhythm, std::size_t by) {

@@ -34,6 +34,13 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
 // The text with rests for its k-th note. Asserts that there is such a note.
 std::string without_note(std::string text, std::size_t k);
 
+// Quarter notes a minute where a step is a sixteenth, four a beat; and the step at a tempo.
+double tempo_bpm(double unit_s);
+double unit_at_tempo(double bpm);
+
+// How long the text lasts once; 0 s where it is empty.
+double length_s(const Rhythm& rhythm);
+
 // The same rhythm with every step as `by` of them; as it is where that would be more than a text
 // or shorter than a step may be.
 Rhythm refined(const Rhythm& rhythm, std::size_t by);

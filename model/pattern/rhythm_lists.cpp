@@ -99,7 +99,7 @@ std::string with_note_length(std::string text, std::size_t steps) {
     std::size_t since_onset = 0;
     bool in_note = false;
     for (char& mark : text) {
-        if (mark == 'x') {
+        if (starts_note(mark)) {
             in_note = true;
             since_onset = 0;
         } else if (in_note) {

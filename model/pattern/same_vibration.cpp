@@ -72,19 +72,26 @@ void add_modulation(std::vector<double>& numbers, const Modulation& modulation) 
     if (am) numbers.push_back(rounded(modulation.depth));
 }
 
-// First and last sample of every note. Without ramps, notes that touch are one.
+// First and last sample of every note, and its strength where that is not the whole one. Without
+// ramps, notes of one strength that touch are one.
 void add_notes(std::vector<double>& numbers, const Pattern& pattern) {
     const bool ramps = pattern.attack_s > 0.0 || pattern.release_s > 0.0;
-    const std::size_t before = numbers.size();
+    std::vector<Note> merged;
     for (const Note& note : notes(pattern.rhythm, pattern.duration_s)) {
         const auto at = [](double s) { return static_cast<double>(sample_count(s, kModelRateHz)); };
         const double begin = at(note.onset_s);
-        const double end = at(note.onset_s + note.length_s);
-        if (!ramps && numbers.size() > before && numbers.back() == begin) {
-            numbers.back() = end;
+        const double length = at(note.onset_s + note.length_s) - begin;
+        const bool touches = !merged.empty() && merged.back().velocity == note.velocity &&
+                             merged.back().onset_s + merged.back().length_s == begin;
+        if (!ramps && touches) {
+            merged.back().length_s += length;
         } else {
-            numbers.insert(numbers.end(), {begin, end});
+            merged.push_back({begin, length, note.velocity});
         }
+    }
+    for (const Note& note : merged) {
+        numbers.insert(numbers.end(), {note.onset_s, note.onset_s + note.length_s});
+        if (note.velocity < 1.0) numbers.insert(numbers.end(), {-6.0, note.velocity});
     }
 }
 

@@ -43,7 +43,10 @@ std::vector<const Vibration*> changed(const PatternSet& before, const PatternSet
 
 std::string rhythm_words(const Pattern& pattern) {
     if (pattern.rhythm.text.empty()) return "";
-    return pattern.rhythm.text + ", " + six_digits(pattern.rhythm.unit_s) + " s a step";
+    constexpr std::size_t kShown = 32;
+    const std::string& text = pattern.rhythm.text;
+    return text.substr(0, kShown) + (text.size() > kShown ? "..., " : ", ") +
+           six_digits(pattern.rhythm.unit_s) + " s a step";
 }
 
 std::string text_of(const std::vector<const Vibration*>& all) {

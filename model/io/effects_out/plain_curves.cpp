@@ -109,7 +109,7 @@ double gate_at(const Pattern& pattern, const std::vector<Note>& all, double t_s,
     double gain = 1.0;
     if (pattern.attack_s > 0.0) gain = std::min(gain, (t_s - note.onset_s) / pattern.attack_s);
     if (pattern.release_s > 0.0) gain = std::min(gain, (end_s - t_s) / pattern.release_s);
-    return std::clamp(gain, 0.0, 1.0);
+    return note.velocity * std::clamp(gain, 0.0, 1.0);
 }
 
 bool is_flat(const AmplitudeCurve& curve) {

@@ -30,7 +30,8 @@ std::string random_rhythm(std::mt19937& random, std::size_t steps) {
     for (std::size_t k = 0; k < steps; ++k) {
         const bool can_hold = !text.empty() && text.back() != '-';
         const std::size_t mark = random() % 3;
-        text += mark == 0 ? 'x' : mark == 1 && can_hold ? '=' : '-';
+        const char note = random() % 2 == 0 ? 'x' : static_cast<char>('1' + random() % 9);
+        text += mark == 0 ? note : mark == 1 && can_hold ? '=' : '-';
     }
     return text;
 }
@@ -353,7 +354,7 @@ TEST_CASE("algebra: quantised, notes lie on the grid, each as near as it may, an
     bar.rhythm = {"x-x-", 0.13};
     CHECK(made(bar, {EditKind::quantise_bpm, 120.0}).rhythm == Rhythm{"x-", 0.125});
     bar.duration_s = 50.0;
-    bar.rhythm.text = "x-x---x-x";
+    bar.rhythm = {"x-x---x-x", 0.13013};
     CHECK(one(bar, {EditKind::quantise, 0.001})
               .error()
               .message.starts_with("quantise: expected a grid of at least "));

@@ -1,5 +1,6 @@
 #include "model/pattern/rhythm.h"
 
+#include "model/pattern/pattern.h"
 #include "tests/support/golden.h"
 
 namespace rhythm_test {
@@ -25,10 +26,64 @@ TEST_CASE("rhythm: all rests are no notes") { CHECK(notes({"----", 0.1}, 1.0).em
 TEST_CASE("rhythm: text that is none is named with the step at fault") {
     CHECK(rhythm_fault("x=x---x-").empty());
     CHECK(rhythm_fault("").empty());
-    CHECK(rhythm_fault("xqx") == "step 2 is not one of x, = and -");
+    CHECK(rhythm_fault("xqx") == "step 2 is not one of x, 1 to 9, = and -");
     CHECK(rhythm_fault("=x") == "step 1 is =, which must follow x or =");
     CHECK(rhythm_fault("x-=") == "step 3 is =, which must follow x or =");
-    CHECK(rhythm_fault(std::string(257, 'x')).find("at most 256") != std::string::npos);
+    CHECK(rhythm_fault(std::string(20'000, 'x')).empty());
+    CHECK(rhythm_fault(std::string(20'001, 'x')) == "it has 20,001 steps, expected at most 20,000");
+}
+
+TEST_CASE("rhythm: a digit starts a note of so many ninths, and nothing else differs") {
+    CHECK(notes({"x=9-5=1", 0.1}, 0.7) == std::vector<Note>{{0.0, 0.2, 1.0},
+                                                            {0.2, 3 * 0.1 - 0.2, 1.0},
+                                                            {0.4, 6 * 0.1 - 0.4, 5.0 / 9.0},
+                                                            {6 * 0.1, 0.7 - 6 * 0.1, 1.0 / 9.0}});
+    CHECK(rhythm_fault("5=-1").empty());
+    CHECK(rhythm_fault("x0") == "step 2 is not one of x, 1 to 9, = and -");
+    CHECK(note_at({"3=x", 0.1}, 0.3, 0.15)->velocity == 3.0 / 9.0);
+    CHECK(onsets("3=x-9") == std::vector<std::size_t>{0, 2, 4});
+    CHECK(evenness("3--9--x-") == evenness("x--x--x-"));
+    CHECK(with_note("3---", 0, 2) == "3==-");
+    for (const char mark : std::string("12345678x")) CHECK(note_mark(velocity_of(mark)) == mark);
+    CHECK(note_mark(velocity_of('9')) == 'x');
+    CHECK(note_mark(0.0) == '1');
+    // A note is so much weaker, sample by sample, with its ramps; the whole strength is the same
+    // bits.
+    Pattern pattern;
+    pattern.attack_s = 0.02;
+    pattern.release_s = 0.01;
+    pattern.rhythm = {"x=-x=---", 0.125};
+    const std::vector<double> whole = render(pattern).samples_g;
+    pattern.rhythm.text = "9=-9=---";
+    CHECK(render(pattern).samples_g == whole);
+    pattern.rhythm.text = "4=-9=---";
+    const std::vector<double> weaker = render(pattern).samples_g;
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        const double factor = n < 3750 ? 4.0 / 9.0 : 1.0;
+        REQUIRE(std::abs(weaker[n] - factor * whole[n]) < 1e-15);
+    }
+    CHECK(envelope_g(pattern, 0.1) == doctest::Approx(4.0 / 9.0));
+}
+
+TEST_CASE("rhythm: notes of several strengths are the samples of an independent rendering") {
+    for (const golden::Json& row : golden::read("notes.json", "notes")) {
+        CAPTURE(row.at("rhythm").dump());
+        Pattern pattern;
+        pattern.carriers = {{150.0, 1.0, 0.0}, {220.0, 0.5, 0.0}};
+        pattern.rhythm = {row.at("rhythm"), row.at("unit_s")};
+        pattern.attack_s = row.at("attack_s");
+        pattern.release_s = row.at("release_s");
+        pattern.duration_s = row.at("duration_s");
+        const std::vector<double> samples = render(pattern).samples_g;
+        REQUIRE(samples.size() == row.at("samples").get<std::size_t>());
+        const std::vector<double> expected = row.at("every_61st");
+        double squares = 0.0;
+        for (const double sample : samples) squares += sample * sample;
+        CHECK(squares == doctest::Approx(row.at("squares").get<double>()).epsilon(1e-9));
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            CHECK(std::abs(samples[61 * k] - expected[k]) < 1e-9);
+        }
+    }
 }
 
 TEST_CASE("rhythm: evenness is that of the Fourier transform of its onsets") {

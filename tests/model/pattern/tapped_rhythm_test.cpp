@@ -72,9 +72,10 @@ TEST_CASE("tapped rhythm: another step quantises the same taps anew") {
 TEST_CASE("tapped rhythm: rests fill the pattern, but a text is never too long") {
     const std::vector<Tap> taps{{2.0, 0.1}, {2.4, 0.1}};
     CHECK(tapped_rhythm(taps, 0.1, 1.0).rhythm.text == "x---x-----");
-    CHECK(tapped_rhythm(taps, 0.1, 60.0).rhythm.text == "x---x");
+    CHECK(tapped_rhythm(taps, 0.1, 60.0).rhythm.text.size() == 600);
+    CHECK(tapped_rhythm(taps, 0.001, 60.0).rhythm.text.size() == 500);
     const std::vector<Tap> late{{0.0, 0.1}, {1.0, 40.0}, {60.0, 0.1}};
-    const TappedRhythm cut = tapped_rhythm(late, 0.1, 0.0);
+    const TappedRhythm cut = tapped_rhythm(late, 0.001, 0.0);
     CHECK(cut.rhythm.text.size() == kMaxRhythmSteps);
     CHECK(cut.left_out == 1);
     CHECK(rhythm_fault(cut.rhythm.text).empty());

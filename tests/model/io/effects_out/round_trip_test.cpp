@@ -36,6 +36,32 @@ TEST_CASE("round trip: .haptic holds curves, jumps and transients") {
     check_held(TargetFormat::haptic, {});
 }
 
+TEST_CASE("round trip: each of 210 and of 2,000 notes keeps its strength, and each gap is silent") {
+    for (const int count : {210, 2'000}) {
+        Pattern pattern;
+        pattern.rhythm.unit_s = 0.014;
+        for (int k = 0; k < count; ++k) {
+            pattern.rhythm.text += k % 10 == 0 ? 'x' : static_cast<char>('0' + k % 10);
+            pattern.rhythm.text += '-';
+        }
+        pattern.duration_s = count * 0.028;
+        for (const TargetFormat format : {TargetFormat::ahap, TargetFormat::haptic}) {
+            CAPTURE(traits(format).key);
+            const WrittenEffect written = write_effect(format, pattern, {"one", plain_map()});
+            const Pattern back = read_back(written.text).effects.front().pattern;
+            double most = 0.0;
+            for (int k = 0; k < count; ++k) {
+                const double note_s = (k + 0.25) * 0.028;
+                const double gap_s = (k + 0.75) * 0.028;
+                const double strength = envelope_g(pattern, note_s);
+                most = std::max(most, std::abs(envelope_g(back, note_s) / strength - 1.0));
+                most = std::max(most, envelope_g(back, gap_s));
+            }
+            CHECK(most < 0.01);
+        }
+    }
+}
+
 TEST_CASE("round trip: Pulsar's presets hold curves, jumps and transients") {
     check_held(TargetFormat::pulsar, {});
 }
