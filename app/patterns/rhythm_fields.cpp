@@ -262,6 +262,7 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     if (!pattern.rhythm.text.empty()) draw_rhythm_grid(ui, work, pattern_panes, pattern.rhythm);
     draw_rhythm_links(ui, work, pattern_panes, pattern);
     if (pattern.rhythm.text.empty()) return;
+    draw_overrun(ui, work, pattern);
     edit_number(
         ui, work,
         {.id = "unit_ms",
@@ -288,7 +289,6 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
          .help = "Beats a minute where four steps are a beat: the length of a step once more."},
         "tempo", [](const Pattern& p) { return tempo_bpm(p.rhythm.unit_s); },
         [](Pattern& p, double value) { p.rhythm.unit_s = unit_at_tempo(value); });
-    draw_overrun(ui, work, pattern);
 }
 
 }  // namespace tact
