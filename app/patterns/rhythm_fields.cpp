@@ -196,7 +196,7 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
-// What of the rhythm lies behind the pattern's end, and a press to have all of it.
+// Says how many steps lie behind the pattern's end, and lengthens the pattern at a press.
 void draw_overrun(Ui& ui, Workspace& work, const Pattern& pattern) {
     const double whole_s = length_s(pattern.rhythm);
     if (whole_s <= pattern.duration_s * (1.0 + 1e-9)) return;

@@ -1,4 +1,4 @@
-// What "Transform" is left at, and what its job has made.
+// State of the Transform dialog, and what its job has made.
 #pragma once
 
 #include <array>

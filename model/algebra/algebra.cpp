@@ -72,7 +72,7 @@ Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTab
     return Error{"expected an edit"};
 }
 
-// What a file would refuse of the result, as the end of a sentence; empty: it can be saved.
+// The first thing that a file would refuse of the result, as the end of a sentence; empty: none.
 std::string fault_of_result(const Pattern& pattern) {
     const auto outside = [](const char* what, Range range, double value, const char* unit) {
         if (range.contains(value)) return std::string();

@@ -50,7 +50,7 @@ inline constexpr std::size_t kEditKindCount = 16;
 
 enum class EditNeeds { nothing, number, whole_number, pattern };
 
-// What an edit is, said once: the command line, the window and Python go by it.
+// One description of an edit, which the command line, the window and Python go by.
 struct EditTraits {
     const char* key;    // "stretch-notes"; with two dashes it is the option
     const char* label;  // "Stretch the notes"

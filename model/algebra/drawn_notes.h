@@ -11,7 +11,7 @@ namespace tact {
 // Puts a point behind all others; of three at one time the first and the last stay.
 void append_point(AmplitudeCurve& curve, double time_s, double value);
 
-// What the curve has just before a time; value_at() gives what it has from there on.
+// The curve's value just before a time; value_at() gives its value from there on.
 double value_before(const AmplitudeCurve& curve, double t_s);
 
 // a(t) b(t) from 0 to the end; an empty curve is 1. Where both have a slope, 16 straight pieces.

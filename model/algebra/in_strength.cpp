@@ -43,8 +43,8 @@ std::string on_grid(const Pattern& pattern, double grid_s) {
     return text;
 }
 
-// As much of a text as the rest repeats: all but the longest beginning that is its end, too (Knuth,
-// Morris & Pratt 1977).
+// The shortest beginning of a text that the rest repeats: all but the longest beginning that is its
+// end, too (Knuth, Morris & Pratt 1977).
 std::string shortest_period(const std::string& text) {
     std::vector<std::size_t> border(text.size(), 0);
     for (std::size_t step = 1; step < text.size(); ++step) {

@@ -165,7 +165,7 @@ void erase_behind(std::vector<Transient>& transients, double end_s) {
     std::erase_if(transients, [&](const Transient& one) { return one.time_s >= end_s; });
 }
 
-// Of what sounds: its beginning and its end.
+// Beginning and end of what sounds.
 struct Sounding {
     double from_s = std::numeric_limits<double>::infinity();
     double to_s = 0.0;

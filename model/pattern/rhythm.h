@@ -15,7 +15,7 @@
 
 namespace tact {
 
-// So many that 10,000 notes have rests between them; as long as a text of a file may be.
+// Room for 10,000 notes with rests between them; a text of a file may be as long.
 inline constexpr std::size_t kMaxRhythmSteps = 20'000;
 
 struct Rhythm {
@@ -33,7 +33,7 @@ struct Note {
     bool operator==(const Note&) const = default;
 };
 
-// Of the mark that a note starts with.
+// Whether a mark starts a note, and how strong that note is.
 inline bool starts_note(char mark) { return mark == 'x' || (mark >= '1' && mark <= '9'); }
 inline double velocity_of(char mark) { return mark == 'x' ? 1.0 : (mark - '0') / 9.0; }
 
