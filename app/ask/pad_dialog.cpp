@@ -9,6 +9,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
+#include "model/set/named_place.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -23,11 +24,7 @@ constexpr const char* kMixName = "mix";
 std::vector<Pattern> corner_patterns(const PatternSet& set, const PadState& pad) {
     std::vector<Pattern> corners;
     for (const std::string& name : pad.corners) {
-        const auto place = place_named(set, name);
-        if (!place) continue;
-        if (const auto* pattern = std::get_if<Pattern>(&set.vibrations[*place].source)) {
-            corners.push_back(*pattern);
-        }
+        if (const Pattern* pattern = pattern_named(set, name)) corners.push_back(*pattern);
     }
     return corners;
 }

@@ -2,15 +2,11 @@
 
 #include "app/document/editing.h"
 #include "model/ask/steps_set.h"
+#include "model/set/named_place.h"
 
 namespace tact {
 
 namespace {
-
-const Pattern* pattern_named(const PatternSet& set, const std::string& name) {
-    const auto place = place_named(set, name);
-    return place ? std::get_if<Pattern>(&set.vibrations[*place].source) : nullptr;
-}
 
 std::optional<FoundSteps> found_steps(const StepsRequest& request, std::stop_token stop,
                                       std::atomic<float>& progress) {

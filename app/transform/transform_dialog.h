@@ -7,7 +7,7 @@
 
 namespace tact {
 
-// Enter applies the edit, Esc leaves the set as it is.
+// Enter applies the edit, Esc closes the dialog and changes nothing.
 void draw_transform_dialog(Ui& ui, Workspace& work, TransformState& state);
 
 }  // namespace tact

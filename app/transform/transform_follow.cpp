@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "model/set/named_place.h"
 
 namespace tact {
 
@@ -11,11 +12,6 @@ namespace {
 bool is_same(const TransformRequest& a, const TransformRequest& b) {
     return a.document == b.document && a.revision == b.revision && a.places == b.places &&
            a.edit == b.edit;
-}
-
-const Pattern* pattern_named(const PatternSet& set, const std::string& name) {
-    const auto place = place_named(set, name);
-    return place ? std::get_if<Pattern>(&set.vibrations[*place].source) : nullptr;
 }
 
 std::vector<std::size_t> editable_places(const Workspace& work) {

@@ -22,13 +22,13 @@ Expected<std::vector<Edit>> resolved(const PatternSet& set, std::span<const Name
     return all;
 }
 
+// The edits are resolved once for all patterns; what is wrong with them is said of the first.
 Expected<Pattern> edited_pattern(const PatternSet& set, std::size_t place,
-                                 std::span<const NamedEdit> edits) {
-    const Expected<std::vector<Edit>> all = resolved(set, edits);
-    if (!all) return all.error();
+                                 const Expected<std::vector<Edit>>& edits) {
+    if (!edits) return edits.error();
     const Vibration& vibration = set.vibrations[place];
     Expected<Pattern> result =
-        edited(std::get<Pattern>(vibration.source), *all, set.model.coding.tables);
+        edited(std::get<Pattern>(vibration.source), *edits, set.model.coding.tables);
     if (!result) return Error{"\"" + vibration.name + "\", " + result.error().message};
     return result;
 }
@@ -37,13 +37,14 @@ Expected<Pattern> edited_pattern(const PatternSet& set, std::size_t place,
 
 Expected<PatternSet> with_edits(const PatternSet& set, std::span<const std::string> names,
                                 std::span<const NamedEdit> edits) {
+    const Expected<std::vector<Edit>> all = resolved(set, edits);
     PatternSet changed = set;
     for (const std::string& name : names) {
         const Expected<std::size_t> place = pattern_place_of(set, name);
         if (!place) return place.error();
         Vibration& vibration = changed.vibrations[*place];
         if (vibration.locked) return Error{"\"" + name + "\" is locked: unlock it to edit it"};
-        const Expected<Pattern> pattern = edited_pattern(set, *place, edits);
+        const Expected<Pattern> pattern = edited_pattern(set, *place, all);
         if (!pattern) return pattern.error();
         vibration.source = *pattern;
         vibration.generated = false;
@@ -52,12 +53,13 @@ Expected<PatternSet> with_edits(const PatternSet& set, std::span<const std::stri
 }
 
 Expected<EditedSet> with_edits_of_all(const PatternSet& set, std::span<const NamedEdit> edits) {
+    const Expected<std::vector<Edit>> all = resolved(set, edits);
     EditedSet result{set, {}};
     bool any = false;
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
         Vibration& vibration = result.set.vibrations[k];
         if (vibration.locked || !std::holds_alternative<Pattern>(vibration.source)) continue;
-        const Expected<Pattern> pattern = edited_pattern(set, k, edits);
+        const Expected<Pattern> pattern = edited_pattern(set, k, all);
         if (!pattern) {
             result.left.push_back(pattern.error().message);
             continue;
@@ -75,7 +77,7 @@ Expected<PatternSet> with_edited_copy(const PatternSet& set, const std::string& 
                                       std::span<const NamedEdit> edits, const std::string& as) {
     const Expected<std::size_t> place = pattern_place_of(set, name);
     if (!place) return place.error();
-    const Expected<Pattern> pattern = edited_pattern(set, *place, edits);
+    const Expected<Pattern> pattern = edited_pattern(set, *place, resolved(set, edits));
     if (!pattern) return pattern.error();
     PatternSet changed = set;
     Vibration copy;

@@ -14,7 +14,7 @@
 
 namespace tact {
 
-// An edit as it is asked for: the other pattern by its name.
+// An edit that names the other pattern.
 struct NamedEdit {
     EditKind kind = EditKind::stretch;
     double number = 0.0;

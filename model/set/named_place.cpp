@@ -20,4 +20,9 @@ Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string&
     return Error{"expected a pattern made of parameters, got the recording \"" + name + "\""};
 }
 
+const Pattern* pattern_named(const PatternSet& set, const std::string& name) {
+    const auto place = place_named(set, name);
+    return place ? std::get_if<Pattern>(&set.vibrations[*place].source) : nullptr;
+}
+
 }  // namespace tact

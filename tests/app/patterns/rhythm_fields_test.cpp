@@ -59,7 +59,7 @@ TEST_CASE("rhythm: dragged up or down, a step's note is weaker or as strong as i
     CHECK(dragged("step:0", 300.0F) == "1-x=x---");
     for (int k = 0; k < 4; ++k) undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
-    // A click goes on through note, hold and rest.
+    // A click turns a weaker note into a rest, where it has nothing to hold.
     give_rhythm(program, "5-", 0.125);
     program.click("step:0");
     CHECK(shown(program).rhythm.text == "--");

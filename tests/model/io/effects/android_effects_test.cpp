@@ -145,7 +145,7 @@ TEST_CASE("Android: primitives follow each other, scaled, after their delays") {
     CHECK(envelope_g(rise.pattern, 0.67) == doctest::Approx(0.5));
     CHECK(has_remark(rise, "slow_rise: the course is assumed"));
     CHECK(has_remark(rise, "quick_fall: the course is assumed"));
-    // Of ticks: a pause begins where the one before has ended, an offset where it began.
+    // A pause begins where the tick before has ended, an offset where that began.
     const Effect ticks = composed(R"(<primitive-effect name="tick"/>
       <primitive-effect name="tick" delayMs="50"/>
       <primitive-effect name="click" delayMs="80" delayType="relative_start_offset"/>)");
