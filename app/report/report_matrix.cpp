@@ -67,7 +67,7 @@ std::string legend(double most) {
 std::string shade_styles() {
     std::string css;
     for (int k = 0; k < kShades; ++k) {
-        const ImU32 colour = viridis((k + 0.5) / kShades);
+        const ImU32 colour = closeness_colour((k + 0.5) / kShades);
         css += ".c" + std::to_string(k) + "{background-color:" + hex_text(colour) +
                ";color:" + hex_text(readable_on(colour)) + "}";
     }

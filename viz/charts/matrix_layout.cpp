@@ -32,7 +32,7 @@ ImVec2 widest_value_px(const Theme& theme, const MatrixScene& scene) {
     float widest = 1.0F;
     for (const double value : scene.condensed) {
         if (std::isnan(value)) continue;
-        widest = std::max(widest, text_size(theme.fonts.small, value_text(value, largest)).x);
+        widest = std::max(widest, text_size(theme.fonts.small, cell_text(scene, value, largest)).x);
     }
     return {widest + 0.5F * theme.gap_px,
             font_or_current(theme.fonts.small).FontSize + theme.scale};
@@ -40,8 +40,9 @@ ImVec2 widest_value_px(const Theme& theme, const MatrixScene& scene) {
 
 // A side is whole pixels where it is some; two objects need no poster, and a cell no strip.
 ImVec2 cell_size(const Theme& theme, ImVec2 room, std::size_t n) {
-    constexpr float kWidest = 2.8F;  // by its height
-    constexpr float kHighest = 1.4F;
+    const bool few = n <= kMostWithAllValues;
+    const float wide = few ? 2.8F : 1.0F;  // by its height
+    const float high = few ? 1.4F : 1.0F;
     const ImVec2 most{96.0F * theme.scale, 64.0F * theme.scale};
     const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
     const ImVec2 each{std::max(0.0F, room.x / objects), std::max(0.0F, room.y / objects)};
@@ -49,7 +50,7 @@ ImVec2 cell_size(const Theme& theme, ImVec2 room, std::size_t n) {
         const float fits = std::min(px, limit);
         return fits >= 4.0F ? std::min(std::floor(fits), most_px) : fits;
     };
-    return {side(each.x, kWidest * each.y, most.x), side(each.y, kHighest * each.x, most.y)};
+    return {side(each.x, wide * each.y, most.x), side(each.y, high * each.x, most.y)};
 }
 
 std::optional<std::size_t> index_at(float cell_px, std::size_t n, float offset_px) {
@@ -79,6 +80,11 @@ bool is_flat(const MatrixScene& scene) {
 std::string value_text(double value, double largest) {
     constexpr double kRounding = 1e-9;
     return std::abs(value) < kRounding * largest ? "0" : grouped(value);
+}
+
+std::string cell_text(const MatrixScene& scene, double value, double largest) {
+    if (scene.labels.size() <= kMostWithAllValues) return value_text(value, largest);
+    return std::abs(value) < 1e-9 * largest ? "0" : significant(value, 2);
 }
 
 MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixScene& scene) {

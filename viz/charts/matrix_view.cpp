@@ -46,7 +46,7 @@ double block_mean(const MatrixScene& scene, std::pair<std::size_t, std::size_t> 
     return known > 0 ? sum / known : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Bright or dark by value; the same quiet tone where all are equal.
+// Bright where alike; the same quiet tone where all are equal.
 struct Shades {
     const Theme& theme;
     double largest = 1.0;
@@ -54,7 +54,7 @@ struct Shades {
 
     ImU32 operator()(double value) const {
         if (std::isnan(value)) return theme.field;
-        return flat ? theme.hover : viridis(value / largest);
+        return flat ? theme.hover : closeness_colour(value / largest);
     }
 };
 
@@ -69,7 +69,7 @@ void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     const auto y = [&](std::size_t k) {
         return std::round(layout.cells.min.y + static_cast<float>(k) * side.y);
     };
-    const float seam = std::min(side.x, side.y) >= 12.0F * theme.scale ? theme.hairline_px : 0.0F;
+    const float seam = std::min(side.x, side.y) >= 8.0F * theme.scale ? theme.hairline_px : 0.0F;
     const auto cell = [&](std::size_t row, std::size_t column, ImU32 colour) {
         list.PrimReserve(6, 4);
         list.PrimRect({x(column), y(row)}, {x(column + 1) - seam, y(row + 1) - seam}, colour);
@@ -85,16 +85,23 @@ void draw_cells(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     }
 }
 
+bool is_selected(const MatrixScene& scene, std::size_t i) {
+    return std::ranges::binary_search(scene.selected, i);
+}
+
+// Of many patterns those of the selected ones: a hundred numbers are read by nobody.
 void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                  const MatrixScene& scene, const Shades& shades) {
     if (!layout.has_values) return;
     const ImFont* font = theme.fonts.small;
     const std::size_t n = scene.labels.size();
+    const bool few = n <= kMostWithAllValues;
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
             const double value = value_of(scene, i, j);
-            if (std::isnan(value)) continue;
-            const std::string text = value_text(value, shades.largest);
+            if (std::isnan(value) || !(few || is_selected(scene, i) || is_selected(scene, j)))
+                continue;
+            const std::string text = cell_text(scene, value, shades.largest);
             const ImVec2 size = text_size(font, text);
             const ImVec2 middle{
                 layout.cells.min.x + (static_cast<float>(j) + 0.5F) * layout.cell_px.x,
@@ -102,10 +109,6 @@ void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layou
             draw_text(list, font, middle - size * 0.5F, readable_on(shades(value)), text);
         }
     }
-}
-
-bool is_selected(const MatrixScene& scene, std::size_t i) {
-    return std::ranges::binary_search(scene.selected, i);
 }
 
 ImU32 label_colour(const Theme& theme, const MatrixScene& scene, std::optional<Pair> pointed,
@@ -186,7 +189,7 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
         const float high = static_cast<float>(i + 1) / kSteps;
         list.AddRectFilled({bar.min.x, std::round(bar.max.y - high * bar.height())},
                            {bar.max.x, std::round(bar.max.y - low * bar.height())},
-                           viridis((i + 0.5) / kSteps));
+                           closeness_colour((i + 0.5) / kSteps));
     }
     const float left = bar.max.x + theme.gap_px * 0.75F;
     draw_text(list, font, {left, bar.min.y - text_px * 0.2F}, theme.dim_text, top);
@@ -231,7 +234,7 @@ void draw_scale_below(ImDrawList& list, const Theme& theme, const MatrixLayout& 
             return std::round(bar.min.x + static_cast<float>(step) / kSteps * bar.width());
         };
         list.AddRectFilled({at(i), bar.min.y + inset}, {at(i + 1), bar.max.y - inset},
-                           viridis((i + 0.5) / kSteps));
+                           closeness_colour((i + 0.5) / kSteps));
     }
 }
 

@@ -27,7 +27,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 struct MatrixScene {
     std::span<const double> condensed{};      // n (n - 1) / 2 values
     std::span<const std::string> labels{};    // n names
-    double largest = 0.0;                     // the brightest value; 0: the largest there is
+    double largest = 0.0;                     // the darkest value; 0: the largest there is
     std::string_view quantity{};              // what the values are, for scale and read-out: "PM"
     std::span<const std::size_t> selected{};  // rows and columns to stand out, ascending
     std::optional<Pair> pointed{};            // a pair pointed at elsewhere
@@ -44,14 +44,15 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
                          const MatrixScene& scene);
 
 // Where the parts go: the cells, room for names left of and above them, the scale to the right.
-// Cells are as large as the pane has room for, wider than high where numbers then fit in them; for
-// those the scale goes below them, where a line is free. Pure, for tests.
+// Cells are as large as the pane has room for, square where there are many, and of a few wider than
+// high where numbers then fit in them; for numbers the scale goes below, where a line is free.
+// Pure, for tests.
 struct MatrixLayout {
     Rect cells;
     Rect scale;                  // empty where there is no room
     Rect scale_below;            // a line of the scale, where there is room for that alone
     ImVec2 cell_px{0.0F, 0.0F};  // of one pair, where each has its own cell
-    bool has_values = false;     // as numbers in the cells
+    bool has_values = false;     // as numbers in the cells; of many, in the selected rows
     std::size_t shown = 0;       // rows drawn: n, or fewer where several objects share one
     std::size_t label_step = 1;  // every how many-th object is named; 0: none
     bool column_labels = false;

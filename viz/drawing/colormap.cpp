@@ -47,6 +47,8 @@ ImU32 cividis(double t) {
     return step_of(table, t);
 }
 
+ImU32 closeness_colour(double share) { return cividis(1.0 - share); }
+
 ImU32 MarkColours::operator()(double t) const {
     return viridis(from + (to - from) * (t > 0.0 ? std::min(t, 1.0) : 0.0));
 }

@@ -13,6 +13,10 @@ namespace tact {
 ImU32 viridis(double t);
 ImU32 cividis(double t);
 
+// How far apart a pair is, as a share of the most: bright where alike, which is what a designer
+// looks for. Cividis, from its bright end.
+ImU32 closeness_colour(double share);
+
 // The part of viridis that stands out from a ground, 3:1 at least: marks are seen on it, the lowest
 // on a dark one and the highest on a light one too.
 struct MarkColours {

@@ -19,6 +19,7 @@ namespace tact {
 inline constexpr ImGuiKey ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnter;
 inline constexpr ImGuiKey ImGuiKey_T = ImGuiKey_COUNT;
 inline constexpr ImGuiKey ImGuiKey_F1 = ImGuiKey_COUNT + 1;
+inline constexpr ImGuiKey kSpaceBar = ImGuiKey_COUNT + 2;  // its own name presses buttons
 
 // Once per context, before its first frame: keys are known by their names.
 inline void name_keys(ImGuiIO& io) {
@@ -53,6 +54,9 @@ inline void set_draw_lists(ImDrawData& frame, std::span<ImDrawList*> lists) {
 }
 
 #else
+
+// The space bar, whose own name presses buttons, goes by that of a key that nothing else means.
+inline constexpr ImGuiKey kSpaceBar = ImGuiKey_F12;
 
 // Which events share a frame is app/screen/input_queue's word, not ImGui's.
 inline void name_keys(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }

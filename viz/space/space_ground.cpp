@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -70,7 +72,7 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
     const auto at = [&](double x, double y) {
         return on_floor(stage.fit, stage.seen, floor, x, y);
     };
-    const ImU32 colour = mixed(stage.theme.line, stage.theme.dim_text, 0.15F);
+    const ImU32 colour = stage.theme.line;
     for (int line = -kLines; line <= kLines; ++line) {
         const double across = reach * line / kLines;
         for (int piece = 0; piece < kPieces; ++piece) {
@@ -85,19 +87,85 @@ void draw_floor(const SpaceStage& stage, const SpaceCamera& camera) {
     }
 }
 
-// From each point down to the floor: what makes height readable.
-void draw_drop_lines(const SpaceStage& stage) {
-    if (stage.fit.flat || (stage.scene.chosen.empty() && stage.front_to_back.size() > 150)) return;
-    const double floor = stage.fit.floor - kFloorBelow * stage.fit.radius;
+namespace {
+
+Eigen::Vector3d foot_of(const SpaceStage& stage, std::size_t i) {
+    Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
+    p.z() = stage.fit.floor - kFloorBelow * stage.fit.radius;
+    return p;
+}
+
+}  // namespace
+
+// Under each point, on the floor: what gives them weight and place. Of a cloud they would be one
+// blot.
+void draw_shadows(const SpaceStage& stage) {
+    constexpr std::size_t kMost = 300;
+    constexpr int kCorners = 20;
+    if (stage.fit.flat || stage.front_to_back.size() > kMost) return;
+    const float strength = stage.theme.is_dark ? 0.34F : 0.10F;
     for (const std::size_t i : stage.front_to_back) {
-        if (is_cloud(stage, i) && stage.scene.selected != i) continue;
-        Eigen::Vector3d p = point_of(*stage.scene.points, static_cast<Eigen::Index>(i));
-        p.z() = floor;
-        const ImVec2 foot = stage.seen(p).at;
-        const ImU32 ink = toned(stage, stage.theme.dim_text, 0.12F + 0.25F * nearness(stage, i));
+        if (is_cloud(stage, i)) continue;
+        const Eigen::Vector3d foot = foot_of(stage, i);
+        const double radius = stage.discs[i].radius / stage.seen.px * stage.fit.radius;
+        const float whole = strength * (stage.faint[i] ? 0.3F : 1.0F);
+        // A soft rim.
+        for (const double wider : {1.5, 1.0}) {
+            std::array<ImVec2, kCorners> corners;
+            for (int k = 0; k < kCorners; ++k) {
+                const double angle = 2.0 * std::numbers::pi * k / kCorners;
+                const Eigen::Vector3d way{std::cos(angle), std::sin(angle), 0.0};
+                corners[static_cast<std::size_t>(k)] = stage.seen(foot + wider * radius * way).at;
+            }
+            stage.list.AddConvexPolyFilled(corners.data(), kCorners,
+                                           faded(IM_COL32_BLACK, 0.6F * whole));
+        }
+    }
+}
+
+// Down to the floor, from the points that are looked at: what makes their height readable.
+void draw_drop_lines(const SpaceStage& stage, std::optional<std::size_t> hovered) {
+    if (stage.fit.flat) return;
+    for (const std::size_t i : stage.front_to_back) {
+        const bool looked_at = asked_for(stage, hovered, i) || is_selected(stage, i) ||
+                               (stage.chosen[i] && !stage.faint[i]);
+        if (!looked_at) continue;
+        const ImVec2 foot = stage.seen(foot_of(stage, i)).at;
+        const ImU32 ink = toned(stage, stage.theme.dim_text, 0.3F + 0.4F * nearness(stage, i));
         stage.list.AddLine(stage.discs[i].centre, foot, ink, stage.theme.hairline_px);
         draw_disc(stage.list, stage.theme, foot, 1.6F * stage.theme.scale, ink);
     }
+}
+
+// A round length of the quantity that the map shows, at the depth of its middle.
+Rect draw_scale_bar(const SpaceStage& stage) {
+    if (!(stage.scene.length_of_one > 0.0)) return {};
+    const Theme& theme = stage.theme;
+    const double px_of_one = stage.scene.length_of_one / stage.fit.radius * stage.seen.px;
+    const double most =
+        static_cast<double>(std::min(120.0F * theme.scale, 0.2F * stage.pane.width()));
+    if (!(px_of_one > 0.0) || !std::isfinite(px_of_one)) return {};
+    const double decade = std::pow(10.0, std::floor(std::log10(most / px_of_one)));
+    const double times = most / px_of_one / decade;
+    const double length = decade * (times >= 5.0 ? 5.0 : times >= 2.0 ? 2.0 : 1.0);
+    const auto px = static_cast<float>(length * px_of_one);
+    const std::string words =
+        "about " + std::string(stage.scene.quantity) + " " + significant_digits(length, 3);
+    const float cross_px =
+        2.0F * (22.0F * theme.scale + 1.3F * font_or_current(theme.fonts.small).FontSize);
+    const ImVec2 size = text_size(theme.fonts.small, words);
+    const ImVec2 end{stage.pane.min.x + cross_px + theme.gap_px, stage.pane.max.y - theme.gap_px};
+    const float tick = 4.0F * theme.scale;
+    const Rect place{{end.x, end.y - tick - size.y - 2.0F * theme.scale},
+                     {end.x + std::max(px, size.x), end.y}};
+    if (place.max.x > stage.pane.max.x - 0.3F * stage.pane.width()) return {};
+    const ImU32 ink = toned(stage, theme.dim_text, 0.8F);
+    draw_level_line(stage.list, end.y, end.x, end.x + px, theme.hairline_px, ink);
+    for (const float x : {end.x, end.x + px}) {
+        draw_upright_line(stage.list, x, end.y - tick, end.y + 1.0F, theme.hairline_px, ink);
+    }
+    draw_text(stage.list, theme.fonts.small, place.min, toned(stage, theme.dim_text, 0.9F), words);
+    return place;
 }
 
 namespace {

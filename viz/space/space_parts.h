@@ -10,7 +10,9 @@ namespace tact {
 
 // Behind the points (space_ground.cpp). The cross of axes returns what it covers.
 void draw_floor(const SpaceStage& stage, const SpaceCamera& camera);
-void draw_drop_lines(const SpaceStage& stage);
+void draw_shadows(const SpaceStage& stage);
+void draw_drop_lines(const SpaceStage& stage, std::optional<std::size_t> hovered);
+Rect draw_scale_bar(const SpaceStage& stage);  // what it covers
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera);
 
 // The axis whose name in the cross is there, 3 for its middle; none: neither.

@@ -8,11 +8,16 @@
 namespace tact {
 namespace {
 
-// Fewer points are larger: a dozen should look like objects, a thousand like a cloud.
-float base_radius_px(const Theme& theme, std::size_t n) {
+// Fewer points are larger: a dozen should look like objects, a thousand like a cloud. In a small
+// pane they are smaller: a near one at its rim stays whole.
+float base_radius_px(const Theme& theme, std::size_t n, const Rect& pane) {
+    constexpr float kOfPane = 0.032F;
+    constexpr float kLeastPx = 4.0F;
     const float crowd =
         std::clamp(std::log10(static_cast<float>(std::max<std::size_t>(n, 1)) / 20.0F), 0.0F, 2.0F);
-    return theme.scale * (7.0F - 2.0F * crowd);
+    const float most =
+        std::max(kLeastPx * theme.scale, kOfPane * std::min(pane.width(), pane.height()));
+    return std::min(theme.scale * (9.0F - 3.0F * crowd), most);
 }
 
 // Arrows are seen from end to end. Ghosts without them come and go: the map stands still meanwhile.
@@ -85,7 +90,7 @@ void place_maybes(SpaceStage& stage) {
         }
         return seen;
     };
-    const float radius = 0.9F * base_radius_px(stage.theme, stage.scene.labels.size());
+    const float radius = 0.9F * base_radius_px(stage.theme, stage.scene.labels.size(), stage.pane);
     stage.proposals.clear();
     for (const ImVec2 at : places(stage.scene.maybes.proposals)) {
         stage.proposals.push_back({at, radius});
@@ -98,7 +103,7 @@ void place_points(SpaceStage& stage, const SpaceCamera& camera) {
     stage.seen = projection(camera, stage.fit, stage.pane);
     place_maybes(stage);
     const std::size_t n = stage.scene.labels.size();
-    const float base = base_radius_px(stage.theme, n);
+    const float base = base_radius_px(stage.theme, n, stage.pane);
     stage.projected.resize(n);
     stage.discs.resize(n);
     stage.front_to_back.clear();

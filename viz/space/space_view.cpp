@@ -48,13 +48,15 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
 
     list.PushClipRect(pane.min, pane.max, true);
     draw_floor(stage, camera);
-    draw_drop_lines(stage);
+    draw_shadows(stage);
+    draw_drop_lines(stage, hovered);
     draw_paths(stage);
     draw_cloud(stage);
     draw_spread(stage);
     draw_links(stage);
     draw_ghosts(stage);
-    std::array<Rect, 3> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action), Rect{}};
+    std::array<Rect, 4> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action),
+                                 draw_scale_bar(stage), Rect{}};
     const bool pair = hovered && scene.selected && *hovered != *scene.selected &&
                       std::max(*hovered, *scene.selected) < scene.labels.size() &&
                       somewhere(stage, *hovered) && somewhere(stage, *scene.selected);
@@ -63,7 +65,7 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_points(stage, hovered);
     draw_proposals(stage, action.proposal);
     draw_wanted(stage);
-    if (pair) occupied[2] = draw_pair_value(stage, *scene.selected, *hovered);
+    if (pair) occupied[3] = draw_pair_value(stage, *scene.selected, *hovered);
     draw_names(stage, occupied, hovered);
     draw_gesture(stage, camera, hovered);
     if (scene.stale) draw_stale(list, theme, pane, ImGui::GetTime());

@@ -60,6 +60,7 @@ struct SpaceScene {
     std::optional<std::size_t> pointed{};                             // pointed at elsewhere
     std::function<double(std::size_t, std::size_t)> dissimilarity{};  // may be empty
     std::string_view quantity{};                                      // what it is: "PM"
+    double length_of_one = 0.0;     // of one of it, in the map; 0: no scale is drawn
     std::string_view point_hint{};  // what a press on a point does, said where the mouse is on one
     SpaceMaybes maybes{};
     bool moves = false;        // a drag of a point moves it, without Alt

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "model/dissimilarity/dissimilarity.h"
 #include "tests/support/presence.h"
 #include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 
 namespace tact::matrix_view_test {
 namespace {
@@ -57,7 +59,7 @@ TEST_CASE("matrix: the cells of 2, 12, 100 and 1000 patterns stay inside the pan
         const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
         CHECK(kArea.contains(layout.cells));
         CHECK(layout.cells.width() > 100.0F);
-        CHECK(count_pixels(image, layout.cells, viridis(1.0), 30) >= 2);
+        CHECK(count_pixels(image, layout.cells, closeness_colour(1.0), 30) >= 2);
         CHECK(count_pixels(image, layout.cells, dark_theme(1.0F).pane) <
               0.2F * layout.cells.width() * layout.cells.height());
     }
@@ -82,7 +84,7 @@ TEST_CASE("matrix: a cell has the colour of its value") {
         const auto y =
             static_cast<int>(layout.cells.min.y + static_cast<float>(i) * layout.cell_px.y + 1.0F);
         CHECK(pixel(image, x, y) ==
-              viridis(std::abs(static_cast<double>(i) - static_cast<double>(j)) / 11.0));
+              closeness_colour(std::abs(static_cast<double>(i) - static_cast<double>(j)) / 11.0));
     }
 }
 
@@ -145,14 +147,14 @@ TEST_CASE("matrix: few patterns have all their names, many only some") {
 }
 
 TEST_CASE("matrix: over cells as wide as every name these lie, and leave the height to the cells") {
-    Example e = example(12);
+    Example e = example(10);
     for (std::size_t k = 0; k < e.labels.size(); ++k) e.labels[k] = "name " + std::to_string(k);
     draw_picture(10, 10, {}, [&](const Theme& theme) {
         const Rect wide{{0, 0}, {1500, 680}};
         const MatrixLayout lying = matrix_layout(theme, wide, scene_of(e));
         CHECK(lying.level_labels);
         CHECK(lying.cells.height() > 0.9F * wide.height());
-        CHECK(lying.cells.width() > 0.7F * wide.width());
+        CHECK(lying.cells.width() > 0.6F * wide.width());
         CHECK_FALSE(matrix_layout(theme, kArea, scene_of(e)).level_labels);
         Example cut = e;
         cut.labels[3] = "a name that would be cut if it lay over its column";
@@ -187,14 +189,14 @@ TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing
     std::fill(e.condensed.begin(), e.condensed.end(), 3.5);
     CHECK(first_pair() == dark_theme(1.0F).hover);
     std::fill(e.condensed.begin(), e.condensed.end(), 0.0);
-    CHECK(first_pair() == viridis(0.0));
+    CHECK(first_pair() == closeness_colour(0.0));
     // A single pair is equal to itself, which says nothing.
     e = example(2);
-    CHECK(first_pair() == viridis(1.0));
+    CHECK(first_pair() == closeness_colour(1.0));
 }
 
 TEST_CASE("matrix: it fills its pane, with numbers in its cells as soon as they fit") {
-    const Example e = example(12);
+    const Example e = example(10);
     const auto layout_in = [&e](ImVec2 size) {
         MatrixLayout layout;
         draw_picture(1000, 600, {}, [&](const Theme& theme) {
@@ -213,6 +215,36 @@ TEST_CASE("matrix: it fills its pane, with numbers in its cells as soon as they 
         CHECK(layout.has_values);
     }
     CHECK_FALSE(layout_in({240, 160}).has_values);
+}
+
+TEST_CASE("matrix: of many patterns only the selected ones have numbers, in square cells") {
+    const Example e = example(12);
+    MatrixScene scene = scene_of(e);
+    MatrixLayout layout;
+    const auto inks = [&](std::size_t row) {
+        const Image image = picture(scene, std::nullopt, nullptr, &layout);
+        // Without the cells of the selected column, and without the frame around the row.
+        const float top = layout.cells.min.y + static_cast<float>(row) * layout.cell_px.y;
+        const Rect cells{{layout.cells.min.x + layout.cell_px.x + 3.0F, top + 3.0F},
+                         {layout.cells.max.x - 3.0F, top + layout.cell_px.y - 3.0F}};
+        const ImU32 white = readable_on(closeness_colour(1.0));
+        return count_pixels(image, cells, white, 40);
+    };
+    CHECK(inks(0) == 0);
+    const std::array<std::size_t, 1> first{0};
+    scene.selected = first;
+    CHECK(inks(0) > 20);
+    CHECK(inks(5) == 0);
+    CHECK(layout.cell_px.x == layout.cell_px.y);
+}
+
+TEST_CASE("matrix: what is alike is brightest") {
+    double before = 2.0;
+    for (int k = 0; k <= 8; ++k) {
+        const double now = luminance(closeness_colour(k / 8.0));
+        CHECK(now < before);
+        before = now;
+    }
 }
 
 }  // namespace tact::matrix_view_test
