@@ -1,6 +1,7 @@
 #include "app/ask/steps_dialog.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "app/ask/steps_follow.h"
@@ -76,19 +77,15 @@ void draw_along(Ui& ui, StepsState& state) {
 }
 
 void draw_measure(Ui& ui, StepsState& state) {
-    draw_label(ui, "Even in");
-    const auto choose = [&](const char* name, StepMeasure measure, const char* help, bool first) {
-        if (!first) flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, name, state.measure == measure)) state.measure = measure;
-        note_item(ui.rects, std::string("radio:") + name);
-        draw_tooltip(ui, help);
-    };
-    choose("PM before ranks", StepMeasure::pm,
-           "Both parts of PM, each as a share of its largest on the way. PM itself counts ranks "
-           "of pairs: neighbours are always the closest pairs, so they cannot be equal in it.",
-           true);
-    choose("NC", StepMeasure::nc, "Neural coding alone: strength, frequency, modulation.", false);
-    choose("OC", StepMeasure::oc, "The rhythm's envelope alone.", false);
+    constexpr std::array kMeasures{
+        Choice{StepMeasure::pm, "continuous PM",
+               "Both parts of PM, each as a share of its largest on the way. PM itself counts "
+               "ranks of pairs: neighbours are always the closest pairs, so they cannot be equal "
+               "in it."},
+        Choice{StepMeasure::nc, "NC", "Neural coding alone: strength, frequency, modulation."},
+        Choice{StepMeasure::oc, "OC", "The rhythm's envelope alone."}};
+    draw_label(ui, "Even in", segments_width(ui, kMeasures));
+    draw_segments(ui, kMeasures, state.measure);
 }
 
 void draw_search_of_steps(Ui& ui, StepsState& state) {

@@ -189,8 +189,8 @@ void draw_kinds(Ui& ui, GenerateState& generating) {
         if (lit && kinds.size() > 1) std::erase(kinds, kind);
         std::ranges::sort(kinds);
     };
-    toggle("product", ModulationKind::product, "sin(2 pi f t): Eq. 7 of the paper");
-    toggle("1 + m sin", ModulationKind::am, "The kind that has a depth");
+    toggle("Ring", ModulationKind::product, "Times sin(2 pi f t): Eq. 7 of the paper");
+    toggle("Tremolo", ModulationKind::am, "Times 1 + m sin(2 pi f t): the kind with a depth m");
     leave_gap(ui);
     ImGui::AlignTextToFramePadding();
     dim_text(ui, kinds.size() == 1 ? "fixed" : "2 levels");

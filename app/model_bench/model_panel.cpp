@@ -1,6 +1,7 @@
 // The model bench: every parameter of PM, what the paper gives, what is ours, and what was changed.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 
@@ -68,20 +69,14 @@ void draw_choice(Ui& ui, Workspace& work, const ModelChoice& row, const Model& o
     const int before = row.get(work.document.set.model);
     const int known = row.get(original);
     ImGui::PushID(row.id);
-    const float gap = 1.5F * ui.theme.gap_px;
-    draw_label(ui, row.label,
-               radio_width(ui, row.options[0]) + gap + radio_width(ui, row.options[1]));
+    const std::array options{Choice{0, row.options[0], row.help},
+                             Choice{1, row.options[1], row.help}};
+    draw_label(ui, row.label, segments_width(ui, options));
     draw_tooltip(ui, row.help);
-    for (int k = 0; k < 2; ++k) {
-        const char* option = row.options[static_cast<std::size_t>(k)];
-        if (k > 0) flow_on(radio_width(ui, option), gap);
-        if (draw_radio(ui, option, before == k) && before != k) {
-            change_model(work, [&](Model& m) { row.set(m, k); });
-            commit_model(ui, work, row.label);
-        }
-        note_item(ui.rects, std::string("choice:") + row.id + " " + option,
-                  before == k ? "chosen" : "");
-        draw_tooltip(ui, row.help);
+    int chosen = before;
+    if (draw_segments(ui, options, chosen, std::string("choice:") + row.id + " ")) {
+        change_model(work, [&](Model& m) { row.set(m, chosen); });
+        commit_model(ui, work, row.label);
     }
     if (draw_way_back(ui, row.id, before != known, row.options[static_cast<std::size_t>(known)])) {
         change_model(work, [&](Model& m) { row.set(m, known); });

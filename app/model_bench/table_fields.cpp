@@ -1,7 +1,9 @@
 // The tables of slopes and thresholds of one receptor type, knot by knot.
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -26,17 +28,12 @@ const Curve& curve_of(const PhysiologyTables& tables, bool threshold, Receptor t
 
 void draw_choices(Ui& ui, ModelBench& model_bench) {
     ModelPanelState& state = model_bench.panel;
-    const float gap = 1.5F * ui.theme.gap_px;
-    for (const Receptor receptor : kReceptors) {
-        const char* name = traits(receptor).name;
-        if (receptor != kReceptors[0]) flow_on(radio_width(ui, name), gap);
-        if (draw_radio(ui, name, state.type == receptor)) state.type = receptor;
-        note_item(ui.rects, std::string("table:") + traits(receptor).afferent);
-    }
-    if (draw_radio(ui, "threshold", state.threshold)) state.threshold = true;
-    flow_on(radio_width(ui, "slope"), gap);
-    if (draw_radio(ui, "slope", !state.threshold)) state.threshold = false;
-    note_item(ui.rects, "table:slope");
+    std::vector<Choice<Receptor>> receptors;
+    for (const Receptor receptor : kReceptors)
+        receptors.push_back({receptor, traits(receptor).name});
+    draw_segments(ui, receptors, state.type, "table:");
+    constexpr std::array kTables{Choice{true, "threshold"}, Choice{false, "slope"}};
+    draw_segments(ui, kTables, state.threshold, "table:");
 }
 
 // One knot: its frequency, its value, and what it was.

@@ -81,35 +81,21 @@ void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     draw_tooltip(ui, "Fits one model to several sets, each with what people said of it.");
 }
 
-template <class Value>
-void draw_option(Ui& ui, const char* name, Value& value, Value option, const char* help) {
-    if (draw_radio(ui, name, value == option)) value = option;
-    note_item(ui.rects, std::string("train:") + name, value == option ? "chosen" : "");
-    draw_tooltip(ui, help);
-}
-
 void draw_settings(Ui& ui, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
-    const float gap = 1.5F * ui.theme.gap_px;
-    draw_label(ui, "Objective", radio_width(ui, "mean rho") + radio_width(ui, "mean |rho|"));
-    draw_option(ui, "mean rho", state.objective, TrainingObjective::mean_rho,
-                "Mean over the sets of Spearman's rho between PM and the ratings: the paper's.");
-    flow_on(radio_width(ui, "mean |rho|"), gap);
-    draw_option(ui, "mean |rho|", state.objective, TrainingObjective::mean_absolute_rho,
-                "The paper's averages drop the sign: it also counts orders that are wrong way "
-                "round.");
-    draw_label(ui, "Weights by", 3.0F * radio_width(ui, "0.025"));
-    struct Step {
-        const char* name;
-        int units;
-        const char* help;
-    };
-    for (const Step& step : {Step{"0.1", 10, "The paper's grid of 44 million combinations."},
-                             {"0.05", 20, "26 times as many combinations."},
-                             {"0.025", 40, "Above 700 times as many: takes long."}}) {
-        if (step.units != 10) flow_on(radio_width(ui, step.name), gap);
-        draw_option(ui, step.name, state.units, step.units, step.help);
-    }
+    constexpr std::array kObjectives{
+        Choice{TrainingObjective::mean_rho, "mean rho",
+               "Mean over the sets of Spearman's rho between PM and the ratings: the paper's."},
+        Choice{TrainingObjective::mean_absolute_rho, "mean |rho|",
+               "The paper's averages drop the sign: it also counts orders that are wrong way "
+               "round."}};
+    draw_label(ui, "Objective", segments_width(ui, kObjectives));
+    draw_segments(ui, kObjectives, state.objective, "train:");
+    constexpr std::array kSteps{Choice{10, "0.1", "The paper's grid of 44 million combinations."},
+                                Choice{20, "0.05", "26 times as many combinations."},
+                                Choice{40, "0.025", "Above 700 times as many: takes long."}};
+    draw_label(ui, "Weights by", segments_width(ui, kSteps));
+    draw_segments(ui, kSteps, state.units, "train:");
     draw_label(ui, "Also");
     draw_check(ui.theme, "leave each person out", state.leave_out_participants);
     note_item(ui.rects, "train:leave out", state.leave_out_participants ? "on" : "off");

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
@@ -19,13 +20,8 @@ namespace tact {
 namespace {
 
 void draw_choice(Ui& ui, StudyState& studying) {
-    const auto choose = [&](StudyShow which, const char* name) {
-        if (draw_radio(ui, name, studying.show == which)) studying.show = which;
-        note_item(ui.rects, std::string("study show:") + name);
-    };
-    choose(StudyShow::matrix, "Matrix");
-    ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
-    choose(StudyShow::map, "Map");
+    constexpr std::array kShown{Choice{StudyShow::matrix, "Matrix"}, Choice{StudyShow::map, "Map"}};
+    draw_segments(ui, kShown, studying.show, "study show:");
     if (!studying.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
     if (row_link(ui, "show mean", "Show the mean")) studying.shown.reset();

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -88,39 +89,26 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
 }
 
 void draw_kind(Ui& ui, StudyState& studying) {
-    StudyKind& kind = studying.kind;
-    const auto choose = [&](StudyKind which, const char* name) {
-        if (draw_radio(ui, name, kind == which) && kind != which) {
-            kind = which;
-            studying.shown.reset();
-        }
-        note_item(ui.rects, std::string("study kind:") + name);
-    };
-    choose(StudyKind::pairwise, "Rate pairs");
-    draw_tooltip(ui, "Two patterns at a time, similarity from 0 to 100: every pair several times.");
-    flow_on(radio_width(ui, "Sort into groups"), 1.5F * ui.theme.gap_px);
-    choose(StudyKind::sorting, "Sort into groups");
-    draw_tooltip(ui,
-                 "All patterns at once, put together where they feel alike, several times with "
-                 "given numbers of groups. Quicker, and coarser.");
+    constexpr std::array kKinds{
+        Choice{StudyKind::pairwise, "Rate pairs",
+               "Two patterns at a time, similarity from 0 to 100: every pair several times."},
+        Choice{StudyKind::sorting, "Sort into groups",
+               "All patterns at once, put together where they feel alike, several times with "
+               "given numbers of groups. Quicker, and coarser."}};
+    if (draw_segments(ui, kKinds, studying.kind, "study kind:")) studying.shown.reset();
 }
 
 void draw_order(Ui& ui, Workspace& work) {
-    const StudyOrder order = work.document.set.study.order;
-    draw_label(ui, "Order");
-    const auto choose = [&](StudyOrder which, const char* name) {
-        if (draw_radio(ui, name, order == which) && order != which) {
-            change_at_once(ui, work, "study: order", [which](StudyDesign& d) { d.order = which; });
-        }
-        note_item(ui.rects, std::string("study order:") + name);
-    };
-    choose(StudyOrder::full, "Full design");
-    draw_tooltip(ui, "The publication's: all pairs in random order, pass by pass.");
-    flow_on(radio_width(ui, "Adaptive"), 1.5F * ui.theme.gap_px);
-    choose(StudyOrder::adaptive, "Adaptive");
-    draw_tooltip(ui,
-                 "Not the publication's: pairs in an order that settles the map early, with a "
-                 "word when more trials would change little. Its answers are kept apart.");
+    constexpr std::array kOrders{
+        Choice{StudyOrder::full, "Full design",
+               "The publication's: all pairs in random order, pass by pass."},
+        Choice{StudyOrder::adaptive, "Adaptive",
+               "Not the publication's: pairs in an order that settles the map early, with a word "
+               "when more trials would change little. Its answers are kept apart."}};
+    draw_label(ui, "Order", segments_width(ui, kOrders));
+    StudyOrder order = work.document.set.study.order;
+    if (!draw_segments(ui, kOrders, order, "study order:")) return;
+    change_at_once(ui, work, "study: order", [order](StudyDesign& d) { d.order = order; });
 }
 
 // What the identical pairs are worth.

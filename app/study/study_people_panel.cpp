@@ -127,23 +127,15 @@ constexpr const char* kUnfinished = "Count unfinished ones";
 constexpr const char* kUse = "Use as the set's ratings";
 constexpr const char* kExport = "Export CSV...";
 
-struct ScalingChoice {
-    RatingScaling scaling;
-    const char* name;
-    const char* tip;
-};
 constexpr std::array kScalings{
-    ScalingChoice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
-    ScalingChoice{RatingScaling::min_max, "Own range",
-                  "Each one's lowest and highest to 0 and 100."},
-    ScalingChoice{RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}};
+    Choice{RatingScaling::none, "As rated", "The publication's: no scaling of people."},
+    Choice{RatingScaling::min_max, "Own range", "Each one's lowest and highest to 0 and 100."},
+    Choice{RatingScaling::standard, "Standardised", "Each one to mean 50, deviation 10."}};
 
 // What is counted and what can be done with it, in one line: as wide as that is.
 float foot_px(const Ui& ui, const StudyState& studying) {
-    float width = check_width(ui.theme, kUnfinished);
-    for (const ScalingChoice& choice : kScalings) {
-        width += radio_width(ui, choice.name) + 1.5F * ui.theme.gap_px;
-    }
+    float width =
+        check_width(ui.theme, kUnfinished) + segments_width(ui, kScalings) + 1.5F * ui.theme.gap_px;
     width += ImGui::CalcTextSize(conduct_summary(studying.rule.who.conduct).c_str()).x;
     return width + button_width(kUse) + button_width(kExport) + 4.5F * ui.theme.gap_px;
 }
@@ -152,14 +144,8 @@ void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
     draw_check(ui.theme, kUnfinished, rule.unfinished_too);
     note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
-    for (const ScalingChoice& choice : kScalings) {
-        flow_on(radio_width(ui, choice.name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, choice.name, rule.scaling == choice.scaling)) {
-            rule.scaling = choice.scaling;
-        }
-        note_item(ui.rects, std::string("study scaling:") + choice.name);
-        draw_tooltip(ui, choice.tip);
-    }
+    flow_on(segments_width(ui, kScalings), 1.5F * ui.theme.gap_px);
+    draw_segments(ui, kScalings, rule.scaling, "study scaling:");
     const std::string rules = conduct_summary(rule.who.conduct);
     flow_on(ImGui::CalcTextSize(rules.c_str()).x, 1.5F * ui.theme.gap_px);
     if (row_link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
@@ -244,7 +230,7 @@ void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
         return draw_results(ui, work, layout, timeline, comparing, play, studying, *answers);
     const Rect area = rest_of_pane();
     if (area.empty()) return;
-    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Nobody took part yet",
+    draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "No participants yet",
                answers->others.empty()
                    ? "Run a participant: each becomes a file in the folder above."
                    : "There are participants of the other kind of study in this folder.");

@@ -34,7 +34,7 @@ void end_run(Ui& ui, StudyState& studying) {
     studying.log.reset();
     studying.set.reset();
     ++studying.folder_revision;
-    if (!has_file) return say(ui, "Nobody took part; nothing was written.");
+    if (!has_file) return say(ui, "No participant yet; nothing was written.");
     say(ui, code + (is_complete ? " has finished." : " can continue where it was left."));
 }
 

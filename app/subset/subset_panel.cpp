@@ -1,6 +1,7 @@
 // The most distinct patterns: how many, by what, how good, how sure.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "app/compare/compare_follow.h"
@@ -82,16 +83,13 @@ void draw_count(Ui& ui, SubsetState& picking) {
 }
 
 void draw_objective(Ui& ui, SubsetState& picking) {
-    const auto choose = [&](const char* name, SubsetObjective objective, const char* help) {
-        flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, name, picking.objective == objective)) picking.objective = objective;
-        note_item(ui.rects, std::string("radio:") + name);
-        draw_tooltip(ui, help);
-    };
-    choose("Weakest pair", SubsetObjective::max_min,
-           "The two that are most alike are as far apart as can be: nobody confuses any two.");
-    choose("Sum", SubsetObjective::max_sum,
-           "All pairs together are as far apart as can be; two of them may still be alike.");
+    constexpr std::array kObjectives{
+        Choice{SubsetObjective::max_min, "Weakest pair",
+               "The two that are most alike are as far apart as can be: nobody confuses any two."},
+        Choice{SubsetObjective::max_sum, "Sum",
+               "All pairs together are as far apart as can be; two of them may still be alike."}};
+    flow_on(segments_width(ui, kObjectives), 1.5F * ui.theme.gap_px);
+    draw_segments(ui, kObjectives, picking.objective);
 }
 
 void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {

@@ -1,4 +1,4 @@
-// What is pressed and shows whether it is on: rings, boxes, chips, switches; and links.
+// What is pressed and shows whether it is on: segments, rings, boxes, chips, switches; and links.
 #include <imgui_internal.h>
 
 #include <cmath>
@@ -11,6 +11,7 @@ namespace tact {
 
 namespace {
 
+constexpr float kSegmentPadPx = 9.0F;
 constexpr float kChipPadPx = 5.0F;
 constexpr float kChipPadYPx = 3.0F;
 constexpr float kBoxPx = 14.0F;
@@ -82,6 +83,34 @@ bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_
 }
 
 }  // namespace
+
+float segment_width(const Ui& ui, const char* words) {
+    return std::round(ImGui::CalcTextSize(words).x + 2.0F * kSegmentPadPx * ui.theme.scale);
+}
+
+bool draw_segment(const Ui& ui, const char* words, bool chosen) {
+    const Theme& theme = ui.theme;
+    const ImVec2 size{segment_width(ui, words), ImGui::GetFrameHeight()};
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(words, size);
+    const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
+    // GetColorU32 fades what is disabled.
+    const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, corner + size, ink(theme.field));
+    if (chosen) {
+        list.AddRectFilled(corner, corner + size, ink(faded(theme.accent, 0.34F)),
+                           theme.rounding_px);
+        list.AddRect(corner, corner + size, ink(theme.accent), theme.rounding_px, 0,
+                     theme.hairline_px);
+    } else if (lit) {
+        list.AddRectFilled(corner, corner + size, ink(theme.hover), theme.rounding_px);
+    }
+    list.AddText(corner + ImVec2{kSegmentPadPx * theme.scale, ImGui::GetStyle().FramePadding.y},
+                 ink(chosen || lit ? theme.text : theme.dim_text), words);
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return pressed;
+}
 
 float radio_width(const Ui& ui, const char* label) {
     return 18.0F * ui.theme.scale + ImGui::CalcTextSize(label).x;

@@ -114,6 +114,19 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
               title.right.empty() ? "" : title.right.front());
 }
 
+// Points have something to glow on.
+void draw_ground(const Theme& theme, const Rect& area) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(area.min, area.max);  // ImGui's own leaves half of the padding out
+    const int first = list.VtxBuffer.Size;
+    list.AddRectFilled(area.min, area.max, theme.pane, theme.pane_rounding_px);
+    const ImU32 low = theme.is_dark ? mixed(theme.pane, IM_COL32_BLACK, 0.28F)
+                                    : mixed(theme.pane, theme.dim_text, 0.10F);
+    ImGui::ShadeVertsLinearColorGradientKeepAlpha(&list, first, list.VtxBuffer.Size, area.min,
+                                                  {area.min.x, area.max.y}, theme.pane, low);
+    list.PopClipRect();
+}
+
 }  // namespace
 
 void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTitle& title,
@@ -127,6 +140,7 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
     if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
         note_rect(ui.rects, "pane:" + title.title, area.min, area.max);
+        if (title.has_ground) draw_ground(ui.theme, area);
         draw_pane_title(ui, layout, pane, title);
         content();
     }

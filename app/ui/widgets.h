@@ -21,6 +21,7 @@ struct PaneTitle {
     std::string title;
     std::string detail;              // dim, after the title
     std::vector<std::string> right;  // dim, at the right end: the longest form that has room
+    bool has_ground = false;         // of a scene in space: darker toward the viewer
 };
 void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content);
@@ -58,9 +59,52 @@ FieldEdit draw_short_field(Ui& ui, const Field& field, float width_px, double& v
 // `room_px` would be left beside it. An empty one only moves the cursor to what follows.
 void draw_label(const Ui& ui, const char* label, float room_px = 0.0F);
 
-// One of a few: a ring and its word. True when pressed.
+// The next item comes beside the last one where its width has room, else below: false.
+bool flow_on(float width_px, float gap_px);
+
+// A tooltip on the last item after a moment's rest.
+void draw_tooltip(const Ui& ui, const char* text);
+
+// One of a list: a ring and its word. True when pressed.
 bool draw_radio(const Ui& ui, const char* label, bool chosen);
 float radio_width(const Ui& ui, const char* label);
+
+// One of a few words in a row: segments of one control. True when pressed.
+bool draw_segment(const Ui& ui, const char* words, bool chosen);
+float segment_width(const Ui& ui, const char* words);
+
+// What a control of segments offers. The words, which follow "radio:", name a segment for tests.
+template <class Value>
+struct Choice {
+    Value value;
+    const char* words;
+    const char* help = nullptr;
+};
+template <class Value>
+Choice(Value, const char*, const char* = nullptr) -> Choice<Value>;
+
+template <class Segments>
+float segments_width(const Ui& ui, const Segments& all) {
+    float width = 0.0F;
+    for (const auto& segment : all) width += segment_width(ui, segment.words);
+    return width;
+}
+
+// Beside each other, below where a pane is too narrow. True when another one was taken.
+template <class Segments, class Value>
+bool draw_segments(Ui& ui, const Segments& all, Value& chosen,
+                   const std::string& noted = "radio:") {
+    const Value before = chosen;
+    bool is_first = true;
+    for (const auto& segment : all) {
+        if (!is_first) flow_on(segment_width(ui, segment.words), 0.0F);
+        is_first = false;
+        if (draw_segment(ui, segment.words, before == segment.value)) chosen = segment.value;
+        note_item(ui.rects, noted + segment.words, before == segment.value ? "chosen" : "");
+        if (segment.help != nullptr) draw_tooltip(ui, segment.help);
+    }
+    return chosen != before;
+}
 
 // A setting that is on or off, said in words beside a small box; all of it, as high as a field, can
 // be pressed. What of the label follows "###" only names it. True when pressed.
@@ -73,8 +117,6 @@ bool is_item_disabled();
 // The line between the parts of a menu, a popup or a dialog, of whole pixels.
 void draw_divider(const Theme& theme);
 
-// The next item comes beside the last one where its width has room, else below: false.
-bool flow_on(float width_px, float gap_px);
 float button_width(const char* label);
 
 // A 6 px bar between two panes that moves a share of `total` pixels while it is dragged. Upright
@@ -90,9 +132,6 @@ void draw_splitter(Ui& ui, const Splitter& splitter, float& share);
 
 // One line of advice that stays away once dismissed.
 void draw_hint(Ui& ui, const char* id, const char* text);
-
-// A tooltip on the last item after a moment's rest.
-void draw_tooltip(const Ui& ui, const char* text);
 
 // What a dialog or a pane is there for; there is one of them. Disabled it looks as any other.
 bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 0.0F});

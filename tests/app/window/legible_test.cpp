@@ -80,7 +80,7 @@ void check_layout(Program& program, const char* lower_right) {
                  program.at("pane:Patterns"));
     check_inside(named(program, {"entry:amplitude", "entry:carrier", "entry:mix", "slider:mix",
                                  "entry:attack", "entry:unit", "link:add", "link:remove", "rhythm",
-                                 "radio:product", "radio:1", "step:"}),
+                                 "radio:Ring", "radio:Tremolo", "step:"}),
                  program.at("pane:Editor"));
     check_inside(named(program, {"entry:weight_", "slider:weight_", "choice:", "reset:", "radio:N",
                                  "entry:knot", "table:", "tab:"}),
