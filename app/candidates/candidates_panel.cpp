@@ -38,7 +38,7 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     const std::string only = selection.picked.empty() ? "only picked" : "only picked: " + count;
     const Vibration* current = current_vibration(work);
     const char* lock = current != nullptr && current->locked ? "Unlock" : "Lock";
-    const char* drop = current != nullptr && current->dropped ? "Take back" : "Drop";
+    const char* drop = current != nullptr && current->dropped ? "Include" : "Exclude";
     // It leaves room for what is pressed beside it.
     const float beside = chip_width(ui, only.c_str()) + button_width(lock) + button_width(drop) +
                          3.0F * ui.theme.gap_px;

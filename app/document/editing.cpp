@@ -280,8 +280,8 @@ void remove_selected(Ui& ui, Workspace& work) {
                            ? "Not deleted: the search hides what is selected. Clear it first."
                            : "Locked patterns are not deleted.");
     }
-    const std::string label = gone.size() == 1 ? "Delete " + vibrations(work)[gone[0]].name
-                                               : "Delete " + patterns_text(gone.size());
+    const bool is_one = gone.size() == 1;
+    const std::string what = is_one ? vibrations(work)[gone[0]].name : patterns_text(gone.size());
     for (auto index = gone.rbegin(); index != gone.rend(); ++index) {
         vibrations(work).erase(vibrations(work).begin() + static_cast<std::ptrdiff_t>(*index));
     }
@@ -289,8 +289,8 @@ void remove_selected(Ui& ui, Workspace& work) {
     work.selection.current = gone.front();
     mend_selection(work);
     document_changed(work);
-    commit_step(ui, work, label);
-    say(ui, label + ". Ctrl+Z brings it back." +
+    commit_step(ui, work, "Delete " + what);
+    say(ui, "Deleted " + what + ". Ctrl+Z brings " + (is_one ? "it" : "them") + " back." +
                 (hidden > 0 ? " What the search hides was kept." : ""));
 }
 
@@ -337,7 +337,7 @@ void toggle_locked(Ui& ui, Workspace& work) {
 }
 
 void toggle_dropped(Ui& ui, Workspace& work) {
-    toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Drop", "Take back");
+    toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Exclude", "Include");
 }
 
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }

@@ -39,7 +39,7 @@ bool is_set_file(const std::filesystem::path& path) {
 
 // What the person is told of a document that another of their windows has open as well.
 constexpr const char* kOpenTwice =
-    " It is open in another window, too: before one writes over what the other saved, it asks.";
+    " It is also open in another window. You will be asked before either overwrites the other.";
 
 // Recordings in a folder and effects of other programs are no set files.
 bool has_set_file(const EditedDocument& document) {

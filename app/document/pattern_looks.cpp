@@ -1,6 +1,7 @@
 #include "app/document/pattern_looks.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
@@ -54,20 +55,35 @@ void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) 
 
 double shown_reach_g(const Workspace& work) { return work.own_heights ? 0.0 : work.cache.reach_g; }
 
+double shown_axis_s(const Workspace& work) {
+    constexpr double kMostOfMiddle = 6.0;
+    std::vector<double> lengths;
+    for (const Vibration& vibration : work.document.set.vibrations) {
+        lengths.push_back(own_duration_s(vibration));
+    }
+    if (lengths.empty()) return 0.0;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    return std::min(kMostOfMiddle * *middle, std::ranges::max(lengths));
+}
+
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
-                    ImU32 colour, double reach_g) {
+                    ImU32 colour, double reach_g, double axis_s) {
     const Waveform* known = waveform_in_time(work.cache, vibration);
     if (known == nullptr) return;
     const Waveform& waveform = *known;
     Plot plot;
     plot.area = area;
-    const double length_s = std::max(duration_s(waveform), 1e-3);
+    const double length_s = axis_s > 0.0 ? axis_s : std::max(duration_s(waveform), 1e-3);
     // Silence needs a scale, too.
     const double largest_g = reach_g > 0.0 ? reach_g : std::max(peak_g(waveform), 1e-6);
     plot.x = {0.0, length_s, Scale::linear, area.min.x, area.max.x};
     plot.y = {-largest_g, largest_g, Scale::linear, area.max.y, area.min.y};
-    draw_signal(*ImGui::GetWindowDrawList(), ui.theme, plot, waveform.samples_g, waveform.rate_hz,
-                colour, TraceStyle::line);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(area.min, area.max, true);
+    draw_signal(list, ui.theme, plot, waveform.samples_g, waveform.rate_hz, colour,
+                TraceStyle::line);
+    list.PopClipRect();
 }
 
 void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, const Rect& row) {

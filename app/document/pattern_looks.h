@@ -24,9 +24,13 @@ void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring);
 // What a waveform is drawn up to where all of the set have one scale, g; 0: up to its own peak.
 double shown_reach_g(const Workspace& work);
 
-// The waveform of a vibration without axes.
+// The end of the time axis that thumbnails of the set share, s: its longest pattern's, or six times
+// the middle length where that is less, so that one long clip leaves the others to be seen.
+double shown_axis_s(const Workspace& work);
+
+// The waveform of a vibration without axes, over so much time; 0: over its own length.
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
-                    ImU32 colour, double reach_g);
+                    ImU32 colour, double reach_g, double axis_s = 0.0);
 
 // What lies under a row of the set: selected, one of several, or pointed at.
 void draw_row_ground(const Ui& ui, const Workspace& work, std::size_t index, const Rect& row);

@@ -60,7 +60,7 @@ std::vector<Block> blocks_of(const Ui& ui, std::span<const KeyRow> rows, const s
         block.keys = wrapped(theme.fonts.small, row.keys, keys_px);
         block.what = wrapped(theme.fonts.small, words_of(row), (1.0F - kKeysShare) * width_px);
         const auto lines = static_cast<float>(std::max(block.keys.size(), block.what.size()));
-        block.height_px = lines * line + 2.5F * theme.scale;
+        block.height_px = lines * line + 1.5F * theme.scale;
         blocks.push_back(std::move(block));
     }
     return blocks;

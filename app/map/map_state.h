@@ -68,6 +68,12 @@ struct ShownLargest {
     double value = 0.0;
 };
 
+// What a length of the map is in PM, kept while that stays.
+struct ShownScale {
+    std::shared_ptr<const LiveMap> of;
+    double length_of_one = 0.0;
+};
+
 // The order of the matrix's rows, kept while what it is of stays.
 struct ShownOrder {
     std::shared_ptr<const LiveMap> of;
@@ -75,6 +81,7 @@ struct ShownOrder {
     std::vector<std::size_t> order;  // rows of the map, as the matrix has them
     Dissimilarity matrix;            // in that order
     std::vector<std::string> labels;
+    bool is_held = false;  // as it was before something began to be dragged
 };
 
 // Which map and which document those that are not felt were found in.
@@ -98,7 +105,8 @@ struct ShownMap {
     ShownClusters clusters;
     ShownPaths paths;
     ShownLargest largest;
-    bool clustered_matrix = false;  // rows as a tree of clusters has them, not as the list
+    ShownScale scale;
+    bool clustered_matrix = true;  // rows as a tree of clusters has them, not as the list
     ShownOrder order;
     std::shared_ptr<const LiveMap> places_noted_of;  // whose places the document has
     std::uint64_t of_document = 0;                   // number of the one that the map is of

@@ -1,6 +1,7 @@
 // PM, NC or OC of every pair as a heat map, and the pair under the mouse in numbers.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "app/document/editing.h"
@@ -40,9 +41,17 @@ double shown_largest(ShownMap& shown_map) {
 const ShownOrder& shown_order(ShownMap& shown_map) {
     ShownOrder& kept = shown_map.order;
     const auto& map = shown_map.transition.shown;
-    if (kept.of == map && kept.quantity == shown_map.quantity) return kept;
+    const bool is_known = kept.of == map && kept.quantity == shown_map.quantity;
+    if (is_known && !(kept.is_held && !ImGui::IsAnyItemActive())) return kept;
     const Dissimilarity& matrix = shown_matrix(shown_map);
-    kept = {map, shown_map.quantity, clustered_order(matrix), {matrix.size, {}}, {}};
+    // While something is dragged, rows do not jump.
+    const bool is_held = ImGui::IsAnyItemActive() && kept.order.size() == matrix.size;
+    kept = {map,
+            shown_map.quantity,
+            is_held ? std::move(kept.order) : clustered_order(matrix),
+            {matrix.size, {}},
+            {}};
+    kept.is_held = is_held;
     for (std::size_t i = 0; i < matrix.size; ++i) {
         kept.labels.push_back(map->request.set->vibrations[kept.order[i]].name);
         for (std::size_t j = i + 1; j < matrix.size; ++j) {
@@ -83,19 +92,14 @@ const char* quantity_name(MatrixQuantity quantity) {
 }
 
 void draw_choice(Ui& ui, ShownMap& shown_map) {
-    const float gap = 1.5F * ui.theme.gap_px;
-    const auto choose = [&, gap](MatrixQuantity quantity, const char* help) {
-        const char* name = quantity_name(quantity);
-        if (quantity != MatrixQuantity::pm) flow_on(radio_width(ui, name), gap);
-        if (draw_radio(ui, name, shown_map.quantity == quantity)) shown_map.quantity = quantity;
-        note_item(ui.rects, std::string("radio:") + name);
-        draw_tooltip(ui, help);
-    };
-    choose(MatrixQuantity::pm,
-           "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: a "
-           "pattern more or less changes every number.");
-    choose(MatrixQuantity::nc, "Neural coding: difference of the predicted brain waveforms.");
-    choose(MatrixQuantity::oc, "Rhythm: dynamic time warping of the two envelopes.");
+    constexpr std::array kQuantities{
+        Choice{MatrixQuantity::pm, "PM",
+               "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: "
+               "a pattern more or less changes every number."},
+        Choice{MatrixQuantity::nc, "NC",
+               "Neural coding: difference of the predicted brain waveforms."},
+        Choice{MatrixQuantity::oc, "OC", "Rhythm: dynamic time warping of the two envelopes."}};
+    draw_segments(ui, kQuantities, shown_map.quantity);
 }
 
 // At the right end of the foot: the order of the rows. Returns what is left of the foot.

@@ -1,6 +1,7 @@
 #include "app/map/space_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
 
@@ -36,23 +37,14 @@ void draw_move_tool(Ui& ui, ShownMap& shown_map) {
     }
     note_item(ui.rects, "tool:move", shown_map.move_tool ? "on" : "off");
     draw_tooltip(ui,
-                 "A point that is dragged is put there: its pattern is searched. Without the tool "
-                 "Alt and a drag do the same.");
+                 "M: a point that is dragged is put there: its pattern is searched. Without the "
+                 "tool Alt and a drag do the same, where the window manager leaves Alt free.");
 }
 
 void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
-    const auto choose = [&](const char* label, int dimensions) {
-        if (draw_radio(ui, label, shown_map.dimensions == dimensions) &&
-            shown_map.dimensions != dimensions) {
-            shown_map.dimensions = dimensions;
-            document_changed(work);
-        }
-        note_item(ui.rects, std::string("radio:") + label);
-    };
+    constexpr std::array kDimensions{Choice{3, "3-D"}, Choice{2, "2-D"}};
     constexpr const char* kReset = "Reset view";
-    choose("3-D", 3);
-    ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
-    choose("2-D", 2);
+    if (draw_segments(ui, kDimensions, shown_map.dimensions)) document_changed(work);
     draw_overlay_choice(ui, work, shown_map);
     draw_map_look(ui, shown_map);
     draw_move_tool(ui, shown_map);
@@ -127,9 +119,9 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
     const std::size_t count = work.document.set.vibrations.size();
     if (state == MapState::too_large) {
         const auto one = dominant(work.document.set);
-        draw_empty(list, ui.theme, area, patterns_text(count) + " are many",
-                   "A map of them takes " + estimate_text(expected_map_s(work.document.set)) + "." +
-                       (one ? " " + one->words : ""));
+        draw_empty(list, ui.theme, area,
+                   "This map takes " + estimate_text(expected_map_s(work.document.set)),
+                   patterns_text(count) + "." + (one ? " " + one->words : ""));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
         if (ImGui::Button("Compute anyway")) {

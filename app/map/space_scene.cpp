@@ -1,6 +1,7 @@
 #include "app/map/space_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,7 +15,33 @@ namespace tact {
 
 namespace {
 
-SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+// The slope of distances over PM, through 0. The order of PM is all that the map holds to: so it
+// is said to be about that.
+double length_of_one(ShownMap& shown_map) {
+    ShownScale& kept = shown_map.scale;
+    const auto& map = shown_map.transition.shown;
+    if (kept.of == map) return kept.length_of_one;
+    kept = {map, 0.0};
+    const Eigen::MatrixXd& points = shown_map.transition.to;
+    const Dissimilarity& pm = map->prediction.pm;
+    if (static_cast<std::size_t>(points.rows()) != pm.size) return 0.0;
+    double both = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < pm.size; ++i) {
+        const auto row = points.row(static_cast<Eigen::Index>(i));
+        for (std::size_t j = i + 1; j < pm.size; ++j) {
+            const double value = pm(i, j);
+            const double distance = (row - points.row(static_cast<Eigen::Index>(j))).norm();
+            if (!std::isfinite(value) || !std::isfinite(distance)) continue;
+            both += value * distance;
+            squares += value * value;
+        }
+    }
+    if (squares > 0.0) kept.length_of_one = both / squares;
+    return kept.length_of_one;
+}
+
+SpaceScene scene_of(const Ui& ui, const Workspace& work, ShownMap& shown_map,
                     const std::vector<std::string>& labels, const std::vector<PatternLook>& looks,
                     const Eigen::MatrixXd& points, const RowPlaces& places) {
     SpaceScene scene;
@@ -40,6 +67,7 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, const ShownMap& shown_m
     const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
     scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
     scene.quantity = "PM";
+    scene.length_of_one = length_of_one(shown_map);
     scene.point_hint = shown_map.move_tool ? "drag it to where it should be" : kHoldHelp;
     scene.moves = shown_map.move_tool;
     return scene;

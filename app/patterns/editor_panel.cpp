@@ -3,9 +3,11 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -21,6 +23,27 @@
 namespace tact {
 
 namespace {
+
+constexpr std::array kKinds{
+    Choice{ModulationKind::product, "Ring",
+           "Times sin(2 pi f t), Eq. 7 of the paper: the strength swells twice a cycle."},
+    Choice{ModulationKind::am, "Tremolo",
+           "Times 1 + m sin(2 pi f t): the strength swells once a cycle, by the depth m."}};
+
+// And how often the strength swells a second, which the frequency alone does not tell.
+void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
+    draw_label(ui, "Kind", segments_width(ui, kKinds));
+    ModulationKind kind = modulation.kind;
+    if (draw_segments(ui, kKinds, kind)) {
+        edit_patterns(work, [kind](Pattern& p) { p.modulation.kind = kind; });
+        commit_step(ui, work, "Change " + of_selection(work, "modulation kind"));
+    }
+    if (modulation.frequency_hz <= 0.0) return;
+    const double beats = (kind == ModulationKind::product ? 2.0 : 1.0) * modulation.frequency_hz;
+    const std::string words = significant(beats) + " beats/s";
+    dim_text_beside(ui, words);
+    note_item(ui.rects, "editor:beats", words);
+}
 
 void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     const Modulation& modulation = pattern.modulation;
@@ -46,25 +69,11 @@ void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
          .typed = traits(PatternParameter::depth).range,
          .step = 0.05,
          .snap = 0.01,
-         .help = am ? "m of 1 + m sin(2 pi f t)."
-                    : "Only for the kind 1 + m sin: the product with a sine has no depth.",
+         .help = am ? "m of 1 + m sin(2 pi f t)." : "Tremolo has a depth; Ring has none.",
          .enabled = am},
         "depth", [](const Pattern& p) { return p.modulation.depth; },
         [](Pattern& p, double value) { p.modulation.depth = value; });
-    const float room =
-        radio_width(ui, "product") + radio_width(ui, "1 + m sin") + 2.0F * ui.theme.gap_px;
-    draw_label(ui, "Kind", room);
-    const auto choose = [&](const char* label, ModulationKind kind) {
-        if (draw_radio(ui, label, modulation.kind == kind) && modulation.kind != kind) {
-            edit_patterns(work, [kind](Pattern& p) { p.modulation.kind = kind; });
-            commit_step(ui, work, "Change " + of_selection(work, "modulation kind"));
-        }
-        note_item(ui.rects, std::string("radio:") + label);
-    };
-    choose("product", ModulationKind::product);
-    draw_tooltip(ui, "sin(2 pi f t): Eq. 7 of the paper; the envelope has twice the frequency.");
-    flow_on(radio_width(ui, "1 + m sin"), 2.0F * ui.theme.gap_px);
-    choose("1 + m sin", ModulationKind::am);
+    draw_kind(ui, work, modulation);
 }
 
 Field ramp(PatternParameter parameter, const char* id, const char* label, const char* help) {
@@ -168,39 +177,17 @@ void keep_narrow(const Theme& theme) {
     }
 }
 
-void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
-    const Vibration* vibration = current_vibration(work);
-    if (vibration == nullptr) {
-        if (draw_empty_with(ui, rest_of_pane(), "Nothing to edit", "Make a pattern, or open a set.",
-                            "New pattern")) {
-            ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
-        }
-        note_item(ui.rects, "button:new pattern");
-        return;
+void draw_nothing_to_edit(Ui& ui, Workspace& work) {
+    if (draw_empty_with(ui, rest_of_pane(), "Nothing to edit", "Make a pattern, or open a set.",
+                        "New pattern")) {
+        ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
     }
-    // Over the fields, or where the pane is low among them, so that it scrolls away.
-    const bool low =
-        ImGui::GetContentRegionAvail().y < 2.2F * strip_height(ui, pattern_panes.strip);
-    const float strip_most_px = low ? kStripShare * ImGui::GetContentRegionAvail().y : 1e4F;
-    const auto draw_strip = [&] {
-        ImGui::BeginDisabled(vibration->locked);
-        draw_wave_strip(ui, work, pattern_panes.strip, strip_most_px);
-        ImGui::EndDisabled();
-        vibration = current_vibration(work);
-    };
-    if (!low) draw_strip();
-    if (!ImGui::BeginChild("fields")) {
-        ImGui::EndChild();
-        return;
-    }
-    if (low) draw_strip();
-    // Inside, so that it scrolls away where the pane is low.
-    if (!low && !vibration->locked) {
-        draw_hint(ui, "editor",
-                  "Drag a slider: its point in the map moves. Type for an exact value; arrow keys "
-                  "nudge.");
-    }
-    if (vibration->locked) {
+    note_item(ui.rects, "button:new pattern");
+}
+
+// Why it cannot be edited, and what the map says against it.
+void draw_warnings(Ui& ui, Workspace& work, const Vibration& vibration) {
+    if (vibration.locked) {
         ImGui::PushTextWrapPos(0.0F);
         dim_text(ui, "Locked: picked in every subset, and not edited.");
         ImGui::PopTextWrapPos();
@@ -210,61 +197,235 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
         }
         note_item(ui.rects, "link:unlock");
     }
-    if (work.selection.too_close.contains(vibration->name)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-        ImGui::TextWrapped("In a pair that is listed in Subset, Too close.");
-        ImGui::PopStyleColor();
+    if (work.selection.too_close.contains(vibration.name)) {
+        coloured_text(ui.theme.warning, "In a pair that is listed in Subset, Too close.");
         note_item(ui.rects, "editor:too close");
     }
-    if (work.selection.unfelt.contains(vibration->name)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-        ImGui::TextWrapped("Not felt: no receptor answers to it.");
-        ImGui::PopStyleColor();
+    if (work.selection.unfelt.contains(vibration.name)) {
+        coloured_text(ui.theme.warning, "Not felt: no receptor answers to it.");
         note_item(ui.rects, "editor:not felt");
     }
+}
+
+void draw_tone(Ui& ui, Workspace& work, const Pattern& pattern) {
+    edit_number(
+        ui, work,
+        {.id = "amplitude_g",
+         .label = "Amplitude",
+         .format = "%.3g g",
+         .slider = traits(PatternParameter::amplitude).slider,
+         .typed = traits(PatternParameter::amplitude).range,
+         .step = 0.05,
+         .snap = 0.01,
+         .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
+        "amplitude", [](const Pattern& p) { return p.amplitude_g; },
+        [](Pattern& p, double value) { p.amplitude_g = value; });
+    draw_carrier_fields(ui, work, pattern);
+    draw_modulation(ui, work, pattern);
+}
+
+enum class Columns { one, two };
+
+// The tone, and below it or beside it what is in time.
+void draw_numbers(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Pattern& pattern,
+                  Columns columns) {
+    const auto draw_in_time = [&] {
+        draw_rhythm_fields(ui, work, pattern_panes, pattern);
+        draw_times(ui, work);
+    };
+    if (columns == Columns::one) {
+        keep_narrow(ui.theme);
+        draw_tone(ui, work, pattern);
+        return draw_in_time();
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.75F * ui.theme.gap_px, 0.0F});
+    if (ImGui::BeginTable("numbers", 2,
+                          ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoPadOuterX)) {
+        ImGui::TableNextColumn();
+        draw_tone(ui, work, pattern);
+        ImGui::TableNextColumn();
+        draw_in_time();
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
+void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map,
+                 Columns columns) {
+    const Vibration shown = *current_vibration(work);  // edits below replace the document's own
+    draw_warnings(ui, work, shown);
     // Arrow keys nudge what was touched last in this pattern, not in the one before.
-    if (std::exchange(pattern_panes.editor.active_pattern, vibration->name) != vibration->name) {
+    if (std::exchange(pattern_panes.editor.active_pattern, shown.name) != shown.name) {
         ui.field.active.clear();
     }
-    const Vibration shown = *vibration;  // edits below replace the document's own
     ImGui::BeginDisabled(shown.locked);
-    keep_narrow(ui.theme);
     if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
-        edit_number(
-            ui, work,
-            {.id = "amplitude_g",
-             .label = "Amplitude",
-             .format = "%.3g g",
-             .slider = traits(PatternParameter::amplitude).slider,
-             .typed = traits(PatternParameter::amplitude).range,
-             .step = 0.05,
-             .snap = 0.01,
-             .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
-            "amplitude", [](const Pattern& p) { return p.amplitude_g; },
-            [](Pattern& p, double value) { p.amplitude_g = value; });
-        draw_carrier_fields(ui, work, *pattern);
-        draw_modulation(ui, work, *pattern);
-        draw_rhythm_fields(ui, work, pattern_panes, *pattern);
-        draw_times(ui, work);
+        draw_numbers(ui, work, pattern_panes, *pattern, columns);
     } else {
+        keep_narrow(ui.theme);
         draw_recording_editor(ui, work, pattern_panes.recording);
     }
     ImGui::EndDisabled();
     draw_partner(ui, work, shown_map);
     draw_note(ui, work, shown);
+}
+
+void draw_editor_hint(Ui& ui) {
+    draw_hint(ui, "editor",
+              "Drag a slider: its point in the map moves. Type for an exact value; arrow keys "
+              "nudge.");
+}
+
+enum class ChosenFields { below, elsewhere };
+
+void draw_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room,
+                ChosenFields fields) {
+    ImGui::BeginDisabled(current_vibration(work)->locked);
+    draw_wave_strip(ui, work, strip, room);
+    if (fields == ChosenFields::below) draw_chosen_fields(ui, work, strip);
+    ImGui::EndDisabled();
+}
+
+// A narrow pane: the strip above the numbers, or where the pane is low among them, so that it
+// scrolls away.
+void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
+    const float room_px = ImGui::GetContentRegionAvail().y;
+    const bool low = room_px < 2.2F * strip_height(ui, pattern_panes.strip);
+    if (!low) draw_strip(ui, work, pattern_panes.strip, {1e4F}, ChosenFields::below);
+    if (ImGui::BeginChild("fields")) {
+        if (low)
+            draw_strip(ui, work, pattern_panes.strip, {kStripShare * room_px}, ChosenFields::below);
+        if (!low && !current_vibration(work)->locked) draw_editor_hint(ui);
+        draw_fields(ui, work, pattern_panes, shown_map, Columns::one);
+    }
     ImGui::EndChild();
+}
+
+constexpr std::array kTools{
+    Choice{StripTool::notes, "Notes",
+           "B: drag to draw a note, its edges to resize it, its top for its strength."},
+    Choice{StripTool::curves, "Curves", "C: lines of amplitude and frequency, and their points."},
+    Choice{StripTool::ticks, "Ticks", "K: a press puts a transient, a drag moves it."}};
+
+// The strip as high as the pane, above the foot, which goes first where there is no room for both.
+// The numbers of what is chosen stand among the others where those are in sight: the strip would
+// jump beneath the mouse.
+void draw_drawing(Ui& ui, Workspace& work, StripState& strip, const DrawFoot& draw_foot,
+                  ChosenFields fields) {
+    constexpr float kFootPx = 68.0F;
+    constexpr float kMostFootPx = 130.0F;
+    constexpr float kFootShare = 0.15F;
+    constexpr float kLeastStripPx = 150.0F;
+    const float s = ui.theme.scale;
+    const bool below = fields == ChosenFields::below;
+    if (!below) draw_segments(ui, kTools, strip.tool, "strip tool:");
+    const float room_px = ImGui::GetContentRegionAvail().y;
+    const float strip_px = room_px - (below ? chosen_fields_px(ui, work, strip) : 0.0F);
+    const float foot_px =
+        std::clamp(kFootShare * room_px, kFootPx * s, kMostFootPx * s) + ui.theme.gap_px;
+    const bool has_foot = draw_foot && strip_px - foot_px >= kLeastStripPx * s;
+    draw_strip(ui, work, strip, {.most_px = strip_px - (has_foot ? foot_px : 0.0F), .fills = true},
+               fields);
+    if (!has_foot) return;
+    ImGui::BeginChild("foot");
+    draw_foot();
+    ImGui::EndChild();
+}
+
+struct BandWidths {
+    float numbers_px;
+    float drawing_px;  // none: there is no room for both
+};
+
+constexpr float kTwoColumnsPx = 548.0F;
+
+BandWidths band_widths(const Ui& ui, float room_px) {
+    constexpr float kMostPx = 640.0F;
+    constexpr float kLeastDrawingPx = 360.0F;
+    const float s = ui.theme.scale;
+    const float numbers_px = std::clamp(0.44F * room_px, kTwoColumnsPx * s, kMostPx * s);
+    const float drawing_px = room_px - numbers_px - 2.0F * ui.theme.gap_px;
+    if (drawing_px < kLeastDrawingPx * s) return {room_px, 0.0F};
+    return {numbers_px, drawing_px};
+}
+
+// Numbers, or the drawing with one of its tools.
+void draw_tabs(Ui& ui, PatternPanes& pattern_panes) {
+    EditorTab& tab = pattern_panes.editor.tab;
+    std::vector<Choice<std::optional<StripTool>>> all{
+        {std::nullopt, "Numbers", "All of them. The strip has the other place."}};
+    for (const auto& tool : kTools) all.push_back({tool.value, tool.words, tool.help});
+    std::optional<StripTool> shown = pattern_panes.strip.tool;
+    if (tab == EditorTab::numbers) shown.reset();
+    if (!draw_segments(ui, all, shown, "strip tool:")) return;
+    tab = shown ? EditorTab::drawing : EditorTab::numbers;
+    if (shown) pattern_panes.strip.tool = *shown;
+}
+
+// A wide pane: the strip at the left, the numbers in two columns at the right; in one that has no
+// room for both, one of them at a time.
+std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
+                                         const ShownMap& shown_map, const DrawFoot& draw_foot) {
+    const BandWidths widths = band_widths(ui, ImGui::GetContentRegionAvail().x);
+    const EditorTab tab = pattern_panes.editor.tab;
+    const bool has_both = widths.drawing_px > 0.0F;
+    if (!has_both) draw_tabs(ui, pattern_panes);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (has_both || tab == EditorTab::drawing) {
+        ImGui::BeginChild("drawing", {widths.drawing_px, 0.0F});
+        draw_drawing(ui, work, pattern_panes.strip, draw_foot,
+                     has_both ? ChosenFields::elsewhere : ChosenFields::below);
+        ImGui::EndChild();
+        if (!has_both) return std::nullopt;
+    }
+    ImGui::SetCursorScreenPos(
+        {corner.x + (has_both ? widths.drawing_px + 2.0F * ui.theme.gap_px : 0.0F), corner.y});
+    std::optional<NeighbourAction> done;
+    const auto draw_closest = [&] {
+        if (const auto neighbour = neighbour_of(work, shown_map)) {
+            done = draw_neighbour_card(ui, work, shown_map, *neighbour);
+            ImGui::Spacing();
+        }
+    };
+    ImGui::BeginChild("numbers");
+    if (has_both) draw_closest();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, 3.0F * ui.theme.scale});
+    if (ImGui::BeginChild("fields")) {
+        if (has_both) {
+            ImGui::BeginDisabled(current_vibration(work)->locked);
+            draw_chosen_fields(ui, work, pattern_panes.strip);
+            ImGui::EndDisabled();
+        }
+        draw_fields(ui, work, pattern_panes, shown_map, Columns::two);
+        if (!has_both) draw_closest();
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    return done;
 }
 
 }  // namespace
 
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
                                                  PatternPanes& pattern_panes,
-                                                 const ShownMap& shown_map) {
-    const auto neighbour = ui.as_picture ? std::nullopt : neighbour_of(work, shown_map);
-    const float card_px = neighbour ? neighbour_card_px(ui, work, shown_map, *neighbour) : 0.0F;
+                                                 const ShownMap& shown_map,
+                                                 const DrawFoot& draw_foot) {
+    const Vibration* vibration = current_vibration(work);
+    if (vibration == nullptr) {
+        draw_nothing_to_edit(ui, work);
+        return std::nullopt;
+    }
     const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (room.x >= kTwoColumnsPx * ui.theme.scale &&
+        std::holds_alternative<Pattern>(vibration->source)) {
+        return draw_band(ui, work, pattern_panes, shown_map, draw_foot);
+    }
+    const auto neighbour = neighbour_of(work, shown_map);
+    const float card_px = neighbour ? neighbour_card_px(ui, work, shown_map, *neighbour) : 0.0F;
     ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px)});
-    draw_fields(ui, work, pattern_panes, shown_map);
+    draw_column(ui, work, pattern_panes, shown_map);
     ImGui::EndChild();
     if (!neighbour) return std::nullopt;
     return draw_neighbour_card(ui, work, shown_map, *neighbour);

@@ -1,6 +1,9 @@
 // The editor of the selected patterns.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
 #include "app/patterns/neighbour_card.h"
@@ -9,9 +12,13 @@
 
 namespace tact {
 
+// What stands below the strip in a pane that is wide and high enough; may be empty.
+using DrawFoot = std::function<void()>;
+
 // What was pressed on the card of its closest neighbour is for the frame.
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
                                                  PatternPanes& pattern_panes,
-                                                 const ShownMap& shown_map);
+                                                 const ShownMap& shown_map,
+                                                 const DrawFoot& draw_foot);
 
 }  // namespace tact

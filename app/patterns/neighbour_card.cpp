@@ -45,12 +45,23 @@ constexpr const char* kPlay = "Play both";
 constexpr const char* kWhy = "Why";
 constexpr const char* kSeparate = "Separate";
 
+float links_px(const Ui& ui) {
+    const ImFont* font = ui.theme.fonts.regular;
+    return text_size(font, kPlay).x + text_size(font, kWhy).x + text_size(font, kSeparate).x +
+           2.0F * 1.5F * ui.theme.gap_px;
+}
+
 // Beside the links where there is room, else on a line of their own.
 bool pm_goes_beside(const Ui& ui, const std::string& pm, float room_px) {
-    const ImFont* font = ui.theme.fonts.regular;
-    const float links = text_size(font, kPlay).x + text_size(font, kWhy).x +
-                        text_size(font, kSeparate).x + 2.0F * 1.5F * ui.theme.gap_px;
-    return links + 2.0F * ui.theme.gap_px + text_size(ui.theme.fonts.small, pm).x <= room_px;
+    return links_px(ui) + 2.0F * ui.theme.gap_px + text_size(ui.theme.fonts.small, pm).x <= room_px;
+}
+
+// All of it in one line of a wide pane.
+bool fits_in_line(const Ui& ui, const std::string& pm, float room_px) {
+    constexpr float kNamePx = 200.0F;  // with its verdict
+    return kNamePx * ui.theme.scale + 4.0F * ui.theme.gap_px +
+               text_size(ui.theme.fonts.small, pm).x + links_px(ui) <=
+           room_px;
 }
 
 // In small type, on the line that is being written, at its right end or at the cursor.
@@ -102,7 +113,9 @@ std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& sho
 float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                         const Neighbour& pair) {
     const float room = ImGui::GetContentRegionAvail().x;
-    const bool beside = pm_goes_beside(ui, pm_words(work, shown_map, pair), room);
+    const std::string pm = pm_words(work, shown_map, pair);
+    if (fits_in_line(ui, pm, room)) return ImGui::GetTextLineHeightWithSpacing();
+    const bool beside = pm_goes_beside(ui, pm, room);
     return (beside ? 2.0F : 3.0F) * ImGui::GetTextLineHeightWithSpacing() + ui.theme.gap_px;
 }
 
@@ -112,13 +125,24 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     const float right = corner.x + room;
-    ImGui::GetWindowDrawList()->AddLine(corner, {right, corner.y}, ui.theme.line,
-                                        ui.theme.hairline_px);
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * ui.theme.gap_px});
-    draw_name(ui, work, shown_map, pair, right);
     const std::string pm = pm_words(work, shown_map, pair);
-    const bool beside = pm_goes_beside(ui, pm, room);
-    if (!beside) draw_small(ui, ui.theme.dim_text, pm, 0.0F);
+    const bool in_line = fits_in_line(ui, pm, room);
+    const bool beside = !in_line && pm_goes_beside(ui, pm, room);
+    if (in_line) {
+        const float pm_px = text_size(ui.theme.fonts.small, pm).x;
+        const float links = right - links_px(ui);
+        draw_name(ui, work, shown_map, pair, links - pm_px - 4.0F * ui.theme.gap_px);
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_small(ui, ui.theme.dim_text, pm, links - 2.0F * ui.theme.gap_px);
+        ImGui::SameLine();
+        ImGui::SetCursorScreenPos({links, corner.y});
+    } else {
+        ImGui::GetWindowDrawList()->AddLine(corner, {right, corner.y}, ui.theme.line,
+                                            ui.theme.hairline_px);
+        ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * ui.theme.gap_px});
+        draw_name(ui, work, shown_map, pair, right);
+        if (!beside) draw_small(ui, ui.theme.dim_text, pm, 0.0F);
+    }
     std::optional<NeighbourAction> done;
     const auto deed = [&](const char* id, const char* words, NeighbourDeed what, const char* help,
                           bool first) {

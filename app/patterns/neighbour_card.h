@@ -1,4 +1,5 @@
-// The pattern in the editor and the one closest to it: always in view, at the editor's foot.
+// The pattern in the editor and the one closest to it: always in view, at the foot of a narrow
+// editor and in the first line of a wide one.
 #pragma once
 
 #include <optional>

@@ -105,8 +105,8 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
         vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
         Icon::locked);
     does(
-        vibration.dropped ? "Take back" : "Drop", "Ctrl+Shift+L", [&] { toggle_dropped(ui, work); },
-        Icon::dropped);
+        vibration.dropped ? "Include" : "Exclude", "Ctrl+Shift+L",
+        [&] { toggle_dropped(ui, work); }, Icon::dropped);
     draw_divider(ui.theme);
     does("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     does("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });

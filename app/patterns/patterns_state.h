@@ -29,7 +29,11 @@ struct SetPanelState {
     bool rename_begun = false;      // its box has had the keyboard
 };
 
+// What an editor shows that has room for one of them.
+enum class EditorTab { numbers, drawing };
+
 struct EditorState {
+    EditorTab tab = EditorTab::numbers;
     std::string active_pattern;    // the fields' keys go to it
     std::string rhythm_text;       // while being typed
     std::string rhythm_typed_for;  // name of the pattern; empty: not being typed

@@ -213,7 +213,7 @@ std::string trace_words(const TracedPattern& traced) {
 void make_parametric(Ui& ui, Workspace& work, const RecordingEditor& editor,
                      const TracedPattern& traced) {
     Vibration fresh;
-    fresh.name = editor.name + " traced";
+    fresh.name = editor.name + " parametric";
     fresh.source = traced.pattern;
     fresh.note = "Traced from " + editor.name + ": " + trace_words(traced) + ".";
     add_vibrations(ui, work, {fresh}, "Make " + editor.name + " parametric");

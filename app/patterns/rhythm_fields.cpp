@@ -128,9 +128,14 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     ImGui::Dummy({width, 2.0F * theme.scale});
 }
 
-// Beside the fields where the pane is wider than they are, else beside the pane: never over what it
-// changes.
+// Before the second of two columns, beside the fields of a single one where the pane is wider, else
+// beside the pane: never over what it changes.
 void place_beside_fields(const Theme& theme, float width_px) {
+    if (const ImGuiTable* table = ImGui::GetCurrentTable(); table != nullptr) {
+        const float column = table->Columns[table->CurrentColumn].WorkMinX;
+        return ImGui::SetNextWindowPos({column - theme.gap_px, ImGui::GetItemRectMin().y},
+                                       ImGuiCond_Appearing, {1.0F, 0.0F});
+    }
     const ImGuiWindow& pane = *ImGui::GetCurrentWindowRead()->RootWindow;
     const float left =
         ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x + 2.0F * theme.gap_px;
@@ -168,10 +173,13 @@ void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
 void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                        const Pattern& pattern) {
     constexpr const char* kList = "Rhythms...";
+    constexpr const char* kGrid = "Make a rhythm";
+    constexpr const char* kTap = "Tap...";
     const bool none = pattern.rhythm.text.empty();
-    draw_label(ui, "", ImGui::CalcTextSize(kList).x);
+    const auto px = [](const char* words) { return ImGui::CalcTextSize(words).x; };
+    const float gap_px = 2.0F * ui.theme.gap_px;
+    draw_label(ui, "", px(kList) + gap_px + px(kTap) + (none ? px(kGrid) + gap_px : 0.0F));
     if (none) {
-        constexpr const char* kGrid = "Make a rhythm";
         if (link(ui, "make grid", kGrid)) set_rhythm(ui, work, "x=--x=--");
         note_item(ui.rects, "link:make a rhythm");
         draw_field_tooltip(ui, "A grid of steps to click notes into");
@@ -181,7 +189,6 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     note_item(ui.rects, "link:rhythms");
     draw_field_tooltip(ui, "Rhythms of a length and number of notes to pick from");
     draw_rhythm_popup(ui, work, pattern_panes, pattern);
-    constexpr const char* kTap = "Tap...";
     flow_on(ImGui::CalcTextSize(kTap).x, 2.0F * ui.theme.gap_px);
     if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
     note_item(ui.rects, "link:tap");

@@ -39,6 +39,9 @@ struct RowParts {
     float thumbnail_px = 0.0F;
     float strength_px = 0.0F;
     bool is_selected = false;
+    bool has_length = false;
+    bool in_two = false;  // strength above length, and not before it
+    double axis_s = 0.0;  // of all pictures
 };
 
 RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
@@ -53,10 +56,16 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     RowParts parts;
     parts.height_px = std::floor(std::clamp(each, kLeastRowPx * s, kMostRowPx * s));
     // One long name must not take the pictures of all.
-    const float free = room.x - (kNamePx + 6.0F) * s - std::min(widest, 0.45F * room.x);
-    const float least = 48.0F * s;
-    constexpr float kStrengthPx = 62.0F;
-    if (free >= kStrengthPx * s + least) parts.strength_px = kStrengthPx * s;
+    const float free = room.x - (kNamePx + 6.0F) * s - std::min(widest, 0.34F * room.x);
+    const float least = 60.0F * s;
+    constexpr float kStrengthPx = 58.0F;
+    constexpr float kWithLengthPx = 104.0F;
+    parts.in_two = parts.height_px >= 2.0F * text_size(ui.theme.fonts.small, "0").y + 2.0F * s;
+    const float wanted = (parts.in_two ? kStrengthPx : kWithLengthPx) * s;
+    parts.has_length = parts.in_two || free >= wanted + least;
+    const float strength = parts.has_length ? wanted : kStrengthPx * s;
+    if (free >= strength + least) parts.strength_px = strength;
+    parts.axis_s = shown_axis_s(work);
     parts.thumbnail_px = std::max(std::min(least, 0.4F * room.x), free - parts.strength_px);
     return parts;
 }
@@ -133,17 +142,22 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     note_item(ui.rects, "search");
 }
 
-// "0.3 g", "measured"; "stale" and "edited" where it is not what was measured or rated.
-std::string strength_text(const Workspace& work, const Vibration& vibration) {
+// "0.3 g", the peak of what is felt; "measured"; "stale" and "edited" where it is not what was
+// measured or rated.
+std::string strength_text(Workspace& work, const Vibration& vibration) {
     const std::string mark = mark_in_list(work.stale, vibration.name);
     if (!mark.empty()) return mark;
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    if (pattern == nullptr) {
-        return std::get<Measurement>(vibration.source).synthetic ? "synthetic" : "measured";
+    if (const auto* twin = std::get_if<Measurement>(&vibration.source)) {
+        return twin->synthetic ? "synthetic" : "measured";
     }
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g g", pattern->amplitude_g);
-    return text;
+    return significant_digits(peak_in_time(work.cache, vibration), 2) + " g";
+}
+
+// "22 ms", "1.5 s".
+std::string length_text(const Vibration& vibration) {
+    const double length_s = own_duration_s(vibration);
+    return length_s < 0.9995 ? significant_digits(1000.0 * length_s, 3) + " ms"
+                             : significant_digits(length_s, 3) + " s";
 }
 
 // What the mark of a row means; empty: it has none.
@@ -238,20 +252,27 @@ float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const Pa
     const float edge = row.max.x - 6.0F * s;
     if (parts.strength_px > 0.0F) {
         const std::string strength = strength_text(work, vibration);
+        const std::string length = parts.has_length ? length_text(vibration) : "";
         const ImVec2 size = text_size(theme.fonts.small, strength);
-        const ImVec2 corner{edge - size.x, row.centre().y - size.y / 2.0F};
+        const ImVec2 length_size = text_size(theme.fonts.small, length);
+        const float before_px =
+            parts.has_length && !parts.in_two ? length_size.x + theme.gap_px : 0.0F;
+        const float middle = row.centre().y;
+        const float top = parts.in_two ? middle - size.y : middle - 0.5F * size.y;
+        const ImVec2 corner{edge - before_px - size.x, top};
         const bool is_marked = !mark_in_list(work.stale, vibration.name).empty();
-        draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small, corner,
-                  is_marked           ? theme.warning
-                  : parts.is_selected ? theme.text
-                                      : theme.dim_text,
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        draw_text(list, theme.fonts.small, corner, is_marked ? theme.warning : theme.text,
                   strength);
+        const ImVec2 below{edge - length_size.x, parts.in_two ? middle : top};
+        draw_text(list, theme.fonts.small, below, theme.dim_text, length);
         note_rect(ui.rects, "strength:" + vibration.name, corner, corner + size, strength);
     }
     const float end = parts.strength_px > 0.0F ? row.max.x - parts.strength_px : edge;
     const float begin = end - parts.thumbnail_px + 6.0F * s;
-    const Rect picture{{begin, row.min.y + 3.0F * s}, {end, row.max.y - 3.0F * s}};
-    draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work));
+    const float pad = std::max(3.0F * s, 0.15F * row.height());
+    const Rect picture{{begin, row.min.y + pad}, {end, row.max.y - pad}};
+    draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work), parts.axis_s);
     note_rect(ui.rects, "thumbnail:" + vibration.name, picture.min, picture.max);
     draw_unfelt(ui, work, vibration, picture);
     return begin;
@@ -349,7 +370,7 @@ void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, fl
 void draw_no_rows(Ui& ui, Workspace& work) {
     if (work.document.set.vibrations.empty()) {
         return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No patterns yet",
-                          "Press New, or drop a folder of .txt or .wav files here.");
+                          "Press New, or drop a folder of effects or recordings here.");
     }
     if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all")) {
         work.selection.search.clear();

@@ -23,7 +23,9 @@ constexpr std::size_t kMostTaps = 256;
 // A press begins a note, letting go ends it.
 void follow_taps(const Ui& ui, TappingState& tapping, bool button_held) {
     const double now_s = ImGui::GetTime();
-    const bool key_held = ImGui::IsKeyDown(ImGuiKey_T) && !is_number_typed(ui);
+    const bool keys = ImGui::IsKeyDown(ImGuiKey_T) || ImGui::IsKeyDown(kSpaceBar);
+    if (!keys) tapping.has_opened = false;
+    const bool key_held = keys && !tapping.has_opened && !is_number_typed(ui);
     const bool held = key_held || button_held;
     if (held && !tapping.down_s && tapping.taps.size() < kMostTaps) tapping.down_s = now_s;
     if (held || !tapping.down_s) return;
@@ -43,7 +45,7 @@ void draw_pad(Ui& ui, TappingState& tapping) {
     const bool down = tapping.down_s.has_value();
     list.AddRectFilled(corner, corner + size, down ? theme.accent : theme.field,
                        4.0F * theme.scale);
-    const char* words = "Press T, or here: each press is a note, as long as you hold it";
+    const char* words = "Press Space, T, or here: each press is a note, as long as you hold it";
     const ImVec2 room = text_size(theme.fonts.regular, words);
     draw_text(list, theme.fonts.regular, corner + (size - room) * 0.5F,
               down ? theme.pane : theme.text, shortened(theme.fonts.regular, words, size.x));

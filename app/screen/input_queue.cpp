@@ -36,6 +36,7 @@ constexpr std::array kNamedKeys =
                              {key::kEscape, ImGuiKey_Escape},
                              {key::kKeypadEnter, ImGuiKey_KeypadEnter},
                              {key::kF1, ImGuiKey_F1},
+                             {key::kSpace, kSpaceBar},
                              {'A', ImGuiKey_A},
                              {'C', ImGuiKey_C},
                              {'T', ImGuiKey_T},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/people_text.h"
@@ -60,27 +61,20 @@ void draw_reference(Ui& ui, const Workspace& work, const ShownMap& shown_map,
 
 void draw_threshold(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                     SubsetState& picking) {
-    const auto choose = [&](const char* name, TooClose by, const char* help, bool first) {
-        if (!first) flow_on(radio_width(ui, name), 1.5F * ui.theme.gap_px);
-        if (draw_radio(ui, name, picking.too_close == by)) picking.too_close = by;
-        note_item(ui.rects, std::string("radio:") + name);
-        draw_tooltip(ui, help);
-    };
-    choose("Felt step", TooClose::felt,
-           "Pairs of which no number differs by the least change that people are taken to feel: "
-           "see Model, What people feel. Most sets have none.",
-           true);
-    choose("Closest", TooClose::share, "This share of the set's pairs, the closest ones.", false);
-    choose("Among the picked", TooClose::picked,
-           "The closest pairs within the picked subset; a change has to part a pattern from the "
-           "others of the subset only.",
-           false);
-    choose("Reference pair", TooClose::reference, "Pairs no farther apart than one you know.",
-           false);
+    std::vector ways{
+        Choice{TooClose::felt, "Felt step",
+               "Pairs of which no number differs by the least change that people are taken to "
+               "feel: see Model, What people feel. Most sets have none."},
+        Choice{TooClose::share, "Closest", "This share of the set's pairs, the closest ones."},
+        Choice{TooClose::picked, "Among the picked",
+               "The closest pairs within the picked subset; a change has to part a pattern from "
+               "the others of the subset only."},
+        Choice{TooClose::reference, "Reference pair", "Pairs no farther apart than one you know."}};
     if (!work.document.set.ratings.empty()) {
-        choose("Rated closest", TooClose::ratings, "The pairs that people rated most alike.",
-               false);
+        ways.push_back(
+            {TooClose::ratings, "Rated closest", "The pairs that people rated most alike."});
     }
+    draw_segments(ui, ways, picking.too_close);
     if (picking.too_close == TooClose::reference) {
         draw_reference(ui, work, shown_map, picking);
     } else if (picking.too_close != TooClose::felt) {
@@ -271,9 +265,9 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
             changed.name, with_value(*own, separation.parameter, separation.to), text};
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(ui.theme.dim_text, felt_steps_text(separation.steps) + "; then " +
-                                        grouped(separation.nearest) + " from its closest, " +
-                                        set.vibrations[separation.nearest_to].name);
+    reading_text(ui.theme.dim_text, felt_steps_text(separation.steps) + "; new closest: " +
+                                        set.vibrations[separation.nearest_to].name + ", PM " +
+                                        grouped(separation.nearest));
     ImGui::PopFont();
     ImGui::PopID();
 }
@@ -314,7 +308,7 @@ void draw_both(Ui& ui, Workspace& work, const ShownMap& shown_map,
         const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, height});
         ImGui::Dummy(area.size());
         draw_thumbnail(ui, work, area, work.document.set.vibrations[*place],
-                       look_of(ui, work, *place).colour, shown_reach_g(work));
+                       look_of(ui, work, *place).colour, shown_reach_g(work), shown_axis_s(work));
         note_item(ui.rects, "too close picture:" + name);
     }
     ImGui::Spacing();

@@ -16,10 +16,10 @@ namespace tact {
 
 namespace {
 
-constexpr float kLabelColumnPx = 104.0F;
+constexpr float kLabelColumnPx = 84.0F;
 constexpr float kEntryWidthPx = 86.0F;
 constexpr float kShortEntryPx = 52.0F;
-constexpr float kLeastBarPx = 90.0F;
+constexpr float kLeastBarPx = 80.0F;
 
 float share_of(const Field& field, double value) {
     const auto [low, high] = field.slider;

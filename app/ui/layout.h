@@ -30,6 +30,7 @@ struct Layout {
     float right = 0.34F;
     float left_split = 0.45F;  // share of the column's height above the splitter
     float right_split = 0.58F;
+    float band = 0.42F;  // of the window's height, of the editor below the map
     std::optional<Pane> maximised;
     BenchTab bench = BenchTab::matrix;
     Arrangement arrangement = Arrangement::design;

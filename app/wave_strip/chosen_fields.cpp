@@ -1,11 +1,17 @@
-#include "app/wave_strip/chosen_fields.h"
+// The numbers of the chosen point or transient, typed and nudged as every other. Declared in
+// app/wave_strip/wave_strip.h.
 
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 #include <variant>
 
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
+#include "app/wave_strip/wave_strip.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -18,6 +24,7 @@ using Write = std::function<void(Pattern&, double)>;
 
 void draw_chosen(Ui& ui, Workspace& work, const Field& field, double value, const std::string& what,
                  const Write& write) {
+    ImGui::TableNextColumn();
     double edited = value;
     const FieldEdit edit = draw_field(ui, field, edited);
     const Vibration* vibration = current_vibration(work);
@@ -104,7 +111,7 @@ void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t
     const Range lasting_ms{kMs * limits::kTransientS.low, kMs * limits::kTransientS.high};
     draw_chosen(ui, work,
                 {.id = "chosen_duration_ms",
-                 .label = "Lasting",
+                 .label = "Length",
                  .format = "%.4g ms",
                  .slider = {lasting_ms.low, 100.0},
                  .typed = lasting_ms,
@@ -112,30 +119,64 @@ void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t
                  .snap = 1.0},
                 kMs * transient.duration_s, what,
                 [k](Pattern& p, double ms) { p.transients[k].duration_s = ms / kMs; });
-    draw_label(ui, "Shape", radio_width(ui, "sine") + radio_width(ui, "square"));
-    const auto shape = [&](const char* label, TransientShape wanted) {
-        const bool pressed = draw_radio(ui, label, transient.shape == wanted);
-        note_item(ui.rects, std::string("radio:") + label);
-        if (!pressed || transient.shape == wanted) return;
-        Pattern changed = pattern;
-        changed.transients[k].shape = wanted;
-        edit_current_pattern(work, changed);
-        commit_step(ui, work, "Change shape of a transient of " + current_vibration(work)->name);
-    };
-    shape("sine", TransientShape::sine);
-    flow_on(radio_width(ui, "square"), 2.0F * ui.theme.gap_px);
-    shape("square", TransientShape::square);
+    ImGui::TableNextColumn();
+    constexpr std::array kShapes{Choice{TransientShape::sine, "sine"},
+                                 Choice{TransientShape::square, "square"}};
+    draw_label(ui, "Shape", segments_width(ui, kShapes));
+    TransientShape shape = transient.shape;
+    if (!draw_segments(ui, kShapes, shape)) return;
+    Pattern changed = pattern;
+    changed.transients[k].shape = shape;
+    edit_current_pattern(work, changed);
+    commit_step(ui, work, "Change shape of a transient of " + current_vibration(work)->name);
+}
+
+int columns_in(const Ui& ui, float width_px) {
+    constexpr float kFieldPx = 252.0F;
+    return std::clamp(static_cast<int>(width_px / (kFieldPx * ui.theme.scale)), 1, 3);
+}
+
+int count_of(GripKind kind) { return kind == GripKind::transient ? 5 : 2; }
+
+}  // namespace
+
+namespace {
+
+// What the strip has chosen of the pattern in the editor.
+std::optional<Grip> chosen_of(const Workspace& work, const StripState& strip) {
+    const Vibration* vibration = current_vibration(work);
+    const auto* pattern = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
+    const bool is_there = strip.chosen && pattern != nullptr && vibration->name == strip.pattern &&
+                          exists(*pattern, *strip.chosen);
+    return is_there ? strip.chosen : std::nullopt;
 }
 
 }  // namespace
 
+float chosen_fields_px(const Ui& ui, const Workspace& work, const StripState& strip) {
+    const auto chosen = chosen_of(work, strip);
+    if (!chosen) return 0.0F;
+    const int columns = columns_in(ui, ImGui::GetContentRegionAvail().x);
+    const int rows = (count_of(chosen->kind) + columns - 1) / columns;
+    return static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing() +
+           2.0F * ImGui::GetStyle().ItemSpacing.y;
+}
+
 void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
+    const auto chosen = chosen_of(work, strip);
+    if (!chosen) return;
     const Pattern pattern = std::get<Pattern>(current_vibration(work)->source);
-    const Grip& grip = *strip.chosen;
-    if (!exists(pattern, grip)) return;
-    if (grip.kind == GripKind::amplitude_point) draw_amplitude_point(ui, work, pattern, grip.index);
-    if (grip.kind == GripKind::frequency_point) draw_frequency_point(ui, work, pattern, grip.index);
-    if (grip.kind == GripKind::transient) draw_transient(ui, work, pattern, grip.index);
+    const int columns = columns_in(ui, ImGui::GetContentRegionAvail().x);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.theme.gap_px, 0.0F});
+    if (ImGui::BeginTable("chosen", columns,
+                          ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoPadOuterX)) {
+        const std::size_t k = chosen->index;
+        if (chosen->kind == GripKind::amplitude_point) draw_amplitude_point(ui, work, pattern, k);
+        if (chosen->kind == GripKind::frequency_point) draw_frequency_point(ui, work, pattern, k);
+        if (chosen->kind == GripKind::transient) draw_transient(ui, work, pattern, k);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
     // ImGui's own separator is a pixel at any scale.
     const Rect rest = rest_of_pane();
     draw_level_line(*ImGui::GetWindowDrawList(), rest.min.y, rest.min.x, rest.max.x,

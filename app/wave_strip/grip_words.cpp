@@ -23,6 +23,7 @@ const char* name_of(GripKind kind) {
         case GripKind::note_start:
         case GripKind::note:
         case GripKind::note_end:
+        case GripKind::note_top:
             return "rhythm";
         case GripKind::end:
             return "duration";
@@ -52,8 +53,34 @@ const char* help_on(GripKind kind) {
             return "Drag: move the note; Alt to quarters of a step. Double click: remove.";
         case GripKind::note_end:
             return "Drag: where the note ends; Alt to quarters of a step.";
+        case GripKind::note_top:
+            return "Drag: strength of the note, in ninths.";
         case GripKind::end:
             return "Drag: duration.";
+    }
+    return "";
+}
+
+const char* help_on(StripTool tool) {
+    switch (tool) {
+        case StripTool::curves:
+            return "Double click: a transient. Wheel: zoom.";
+        case StripTool::notes:
+            return "Drag: draw a note. Wheel: zoom.";
+        case StripTool::ticks:
+            return "Press: a transient. Wheel: zoom.";
+    }
+    return "";
+}
+
+const char* name_of(StripTool tool) {
+    switch (tool) {
+        case StripTool::curves:
+            return "Curves";
+        case StripTool::notes:
+            return "Notes";
+        case StripTool::ticks:
+            return "Ticks";
     }
     return "";
 }

@@ -14,7 +14,6 @@ constexpr double kSnapS = 0.005;
 constexpr double kSnapG = 0.01;
 constexpr double kSnapHz = 1.0;
 constexpr double kLeastTopG = 0.1;
-constexpr double kOverhead = 1.2;  // of the axes over what they show
 constexpr float kFrequencyShare = 0.42F;
 constexpr float kNotePx = 8.0F;
 constexpr std::ptrdiff_t kMostGrips = 1000;  // of one kind in view: more hide what they are on
@@ -127,7 +126,7 @@ bool is_single(GripKind kind) {
 }
 
 StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,
-                       const TimeRange& view) {
+                       const TimeRange& view, StripTool tool) {
     double top_g = std::max({kLeastTopG, pattern.amplitude_g, peak_g});
     for (const Transient& transient : pattern.transients) {
         top_g = std::max(top_g, transient.amplitude_g);
@@ -136,13 +135,18 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
     const Axis time{view.start_s, view.end_s};
     const Rect above{area.min, {area.max.x, part_y - theme.gap_px}};
     const Rect below{{area.min.x, part_y}, area.max};
-    StripScale scale{plot_within(above, theme, time, {0.0, kOverhead * top_g}, {"", "g"}),
-                     plot_within(below, theme, time, frequency_axis(pattern), {"s", "Hz"})};
+    StripScale scale{plot_within(above, theme, time, {0.0, kOverhead * top_g}, {"", ""}),
+                     plot_within(below, theme, time, frequency_axis(pattern), {"s", ""})};
     scale.note_px = kNotePx * theme.scale;
-    // One time axis: both lanes begin where the wider labels end.
-    const float left = std::max(scale.amplitude.area.min.x, scale.frequency.area.min.x);
+    scale.tool = tool;
+    // One time axis: both lanes begin where the widest label ends.
+    const float left = area.min.x + text_size(theme.fonts.small, "1000 Hz").x + theme.gap_px;
     for (Plot* lane : {&scale.amplitude, &scale.frequency}) {
         lane->area.min.x = lane->x.low_px = left;
+    }
+    if (tool == StripTool::notes) {
+        const float top = to_pixel(scale.amplitude.y, pattern.amplitude_g);
+        scale.note_px = std::max(2.0F * scale.note_px, scale.amplitude.area.max.y - top);
     }
     return scale;
 }
@@ -197,16 +201,22 @@ std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& s
 
 std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
                             float reach_px) {
+    const bool all = scale.tool == StripTool::curves;
     std::optional<Grip> found;
     for (const PlacedGrip& placed : placed_grips(pattern, scale)) {
+        const bool is_tick = placed.grip.kind == GripKind::transient;
+        if (!all && !(is_tick && scale.tool == StripTool::ticks)) continue;
         const ImVec2 off = placed.at - mouse;
         if (std::hypot(off.x, off.y) <= reach_px) found = placed.grip;
     }
     if (found) return found;
-    if (const auto note = note_grip_at(pattern, scale, mouse, reach_px)) return note;
+    if (scale.tool != StripTool::ticks) {
+        if (const auto note = note_grip_at(pattern, scale, mouse, reach_px)) return note;
+    }
     const float end_px = to_pixel(scale.amplitude.x, pattern.duration_s);
     const bool in_lane = scale.amplitude.outer.contains(mouse);
     if (in_lane && std::abs(mouse.x - end_px) <= reach_px) return Grip{GripKind::end};
+    if (!all) return std::nullopt;
     const auto on_line = [&](const Plot& lane, double value) {
         return lane.area.contains(mouse) && std::abs(mouse.y - to_pixel(lane.y, value)) <= reach_px;
     };
@@ -250,6 +260,9 @@ Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale
         case GripKind::note:
         case GripKind::note_end:
             pattern.rhythm = with_note_dragged(pattern.rhythm, grip, step.time_s, drag.free);
+            break;
+        case GripKind::note_top:
+            pattern.rhythm = with_note_strength(pattern.rhythm, grip, strength_at(scale, drag.to));
             break;
         case GripKind::end:
             pattern =

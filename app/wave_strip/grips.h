@@ -31,7 +31,17 @@ enum class GripKind {
     note_start,  // of a note of the rhythm, and so of its repetitions
     note,        // moved as a whole
     note_end,
-    end  // of the pattern
+    note_top,  // its strength
+    end        // of the pattern
+};
+
+// What a press on the strip means where nothing lies: each tool takes its own things, the ends of
+// the pattern too.
+enum class StripTool {
+    curves,  // lines and their points, ramps; and all that the others take, where nothing is in
+             // its way
+    notes,   // drawn, moved and resized, their tops their strength
+    ticks    // transients: a press puts one
 };
 
 struct Grip {
@@ -44,15 +54,20 @@ struct Grip {
 // Points and transients: those that can be chosen, nudged and removed.
 bool is_single(GripKind kind);
 
+inline constexpr double kOverhead = 1.2;  // of the axis of strength over what it shows
+
 struct StripScale {
-    Plot amplitude;        // s, g from 0
-    Plot frequency;        // s, Hz, logarithmic
-    float note_px = 0.0F;  // height of the notes' blocks, at the bottom of the amplitude lane
+    Plot amplitude;  // s, g from 0
+    Plot frequency;  // s, Hz, logarithmic
+    // Height of the notes' blocks at full strength, at the bottom of the amplitude lane: a row
+    // there, or for the tool of notes up to the amplitude.
+    float note_px = 0.0F;
+    StripTool tool = StripTool::curves;
 };
 
 // The g axis reaches over `peak_g` and everything that can be taken.
 StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,
-                       const TimeRange& view);
+                       const TimeRange& view, StripTool tool = StripTool::curves);
 
 struct PlacedGrip {
     Grip grip;
@@ -98,7 +113,9 @@ bool exists(const Pattern& pattern, const Grip& grip);
 // "amplitude", "frequency curve": the end of a step's label.
 const char* name_of(GripKind kind);
 
-// What a press would do.
+// What a press would do; on nothing, with a tool.
 const char* help_on(GripKind kind);
+const char* help_on(StripTool tool);
+const char* name_of(StripTool tool);  // "Notes"
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "model/pattern/rhythm_edit.h"
 
@@ -26,13 +27,24 @@ namespace {
 
 bool is_in_row(const StripScale& scale, ImVec2 mouse) {
     const Rect& lane = scale.amplitude.area;
+    if (scale.tool == StripTool::notes) return lane.contains(mouse);
     return lane.contains(mouse) && mouse.y >= lane.max.y - scale.note_px;
 }
 
 }  // namespace
 
 bool is_note(GripKind kind) {
-    return kind == GripKind::note_start || kind == GripKind::note || kind == GripKind::note_end;
+    return kind == GripKind::note_start || kind == GripKind::note || kind == GripKind::note_end ||
+           kind == GripKind::note_top;
+}
+
+float top_of(const NoteBlock& block, const Note& note) {
+    return block.area.max.y - static_cast<float>(note.velocity) * block.area.height();
+}
+
+double strength_at(const StripScale& scale, ImVec2 mouse) {
+    const float from_floor = scale.amplitude.area.max.y - mouse.y;
+    return std::clamp(static_cast<double>(from_floor / scale.note_px), 1.0 / 9.0, 1.0);
 }
 
 std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
@@ -47,12 +59,23 @@ std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale
         edge = Grip{kind, index};
         nearest_px = off_px;
     };
-    for (const auto& [index, area] : note_blocks(pattern, scale)) {
+    const std::vector<Note> all = notes(pattern.rhythm, pattern.duration_s);
+    std::optional<Grip> top;
+    for (const NoteBlock& block : note_blocks(pattern, scale)) {
+        const auto& [index, area] = block;
+        const bool is_high = scale.tool == StripTool::notes;
+        const float top_px = is_high ? top_of(block, all[index]) : area.min.y;
+        const bool is_over = mouse.x >= area.min.x && mouse.x <= area.max.x;
+        if (is_high && is_over && std::abs(mouse.y - top_px) <= reach_px) {
+            top = Grip{GripKind::note_top, index};
+        }
+        if (mouse.y < top_px) continue;
         const float inner_px = area.width() / 3.0F;
         consider(GripKind::note_start, index, area.min.x - mouse.x, inner_px);
         consider(GripKind::note_end, index, mouse.x - area.max.x, inner_px);
-        if (area.contains(mouse)) whole = Grip{GripKind::note, index};
+        if (is_over) whole = Grip{GripKind::note, index};
     }
+    if (top) return top;
     return edge ? edge : whole;
 }
 
@@ -71,13 +94,35 @@ Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bo
 
 std::optional<Rhythm> with_note_added(const Pattern& pattern, const StripScale& scale,
                                       ImVec2 mouse) {
-    const Rhythm& rhythm = pattern.rhythm;
+    constexpr std::size_t kSteps = 16;
+    Rhythm rhythm = pattern.rhythm;
+    if (rhythm.text.empty() && scale.tool == StripTool::notes) {
+        rhythm = {std::string(kSteps, '-'), pattern.duration_s / kSteps};
+    }
     const double t_s = to_value(scale.amplitude.x, mouse.x);
     const bool is_within = t_s >= 0.0 && t_s < pattern.duration_s;
     if (rhythm.text.empty() || !is_in_row(scale, mouse) || !is_within) return std::nullopt;
     const std::size_t step = static_cast<std::size_t>(t_s / rhythm.unit_s) % rhythm.text.size();
     if (rhythm.text[step] != '-') return std::nullopt;
     return Rhythm{with_note(rhythm.text, step, step), rhythm.unit_s};
+}
+
+std::optional<Grip> end_of_note_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse) {
+    const double t_s = to_value(scale.amplitude.x, mouse.x);
+    const std::vector<Note> all = notes(pattern.rhythm, pattern.duration_s);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool is_there = t_s >= all[k].onset_s && t_s < all[k].onset_s + pattern.rhythm.unit_s;
+        if (is_there) return Grip{GripKind::note_end, k};
+    }
+    return std::nullopt;
+}
+
+Rhythm with_note_strength(const Rhythm& rhythm, const Grip& grip, double strength) {
+    const std::vector<NoteSteps> all = note_steps(rhythm.text);
+    if (all.empty()) return rhythm;
+    Rhythm changed = rhythm;
+    changed.text[all[grip.index % all.size()].first] = note_mark(strength);
+    return changed;
 }
 
 Rhythm with_note_removed(const Rhythm& rhythm, const Grip& grip) {

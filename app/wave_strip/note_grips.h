@@ -1,7 +1,8 @@
 // The rhythm's notes on the wave strip: blocks at the bottom of the amplitude lane, taken by their
 // edges or as a whole.
 //
-// Left out  a pattern without a rhythm, which is one note throughout: there is nothing to be taken.
+// Left out  a pattern without a rhythm, which is one note throughout: there is nothing to be taken,
+//           but a note to be drawn.
 #pragma once
 
 #include "app/wave_strip/grips.h"
@@ -18,8 +19,14 @@ std::vector<NoteBlock> note_blocks(const Pattern& pattern, const StripScale& sca
 
 bool is_note(GripKind kind);
 
+// The top of a block at the note's strength.
+float top_of(const NoteBlock& block, const Note& note);
+
+// The strength that a note would have with its top there, 1/9 to 1.
+double strength_at(const StripScale& scale, ImVec2 mouse);
+
 // The nearest edge within reach, else the block under the mouse. Over a short one an edge reaches a
-// third of the way in.
+// third of the way in. Of a high one the top, too.
 std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
                                  float reach_px);
 
@@ -27,10 +34,17 @@ std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale
 // or `free` along one of quarters of a step.
 Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bool free);
 
+// The rhythm with the grip's note at this strength, in whole ninths.
+Rhythm with_note_strength(const Rhythm& rhythm, const Grip& grip, double strength);
+
 // The rhythm with a note of one step where it rests under the mouse; none: not over the blocks'
-// row, or it does not rest there.
+// row, or it does not rest there. With the tool of notes anywhere in the lane, and of a pattern
+// without a rhythm in one of sixteen steps over its duration.
 std::optional<Rhythm> with_note_added(const Pattern& pattern, const StripScale& scale,
                                       ImVec2 mouse);
+
+// The end of the note that begins in the step under the mouse, to be drawn on by a drag.
+std::optional<Grip> end_of_note_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse);
 
 // The rhythm without the grip's note.
 Rhythm with_note_removed(const Rhythm& rhythm, const Grip& grip);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,16 +31,28 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PopClipRect();
 }
 
+// A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Rect& lane = scene.scale.amplitude.area;
+    const bool is_high = scene.scale.tool == StripTool::notes;
+    const float bar_px = 3.0F * theme.scale;
+    const float rounding = 2.0F * theme.scale;
     list.PushClipRect(lane.min, lane.max, true);
     const std::vector<Note> all = notes(scene.pattern.rhythm, scene.pattern.duration_s);
-    for (const auto& [index, area] : note_blocks(scene.pattern, scene.scale)) {
-        const float top = area.max.y - static_cast<float>(all[index].velocity) * area.height();
+    for (const NoteBlock& block : note_blocks(scene.pattern, scene.scale)) {
+        const auto& [index, area] = block;
+        const float top = top_of(block, all[index]);
         const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
         const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
-        list.AddRectFilled({area.min.x, top}, max, lit ? theme.text : theme.dim_text,
-                           2.0F * theme.scale);
+        if (is_high) {
+            list.AddRectFilled({area.min.x, top}, max, faded(scene.colour, lit ? 0.5F : 0.32F),
+                               rounding);
+            list.AddRect({area.min.x, top}, max, scene.colour, rounding, 0, theme.hairline_px);
+            list.AddRectFilled({area.min.x, top}, {max.x, top + bar_px},
+                               lit ? theme.text : theme.dim_text, rounding);
+        } else {
+            list.AddRectFilled({area.min.x, top}, max, lit ? theme.text : theme.dim_text, rounding);
+        }
     }
     list.PopClipRect();
 }
@@ -101,9 +114,12 @@ void draw_grips(ImDrawList& list, const Theme& theme, const StripScene& scene) {
         const bool lit = scene.under == placed.grip;
         const bool chosen = scene.chosen == placed.grip;
         const float radius = (lit || chosen ? 1.4F : 1.0F) * kGripPx * theme.scale;
+        // What another tool takes is not offered.
+        const bool is_tick = placed.grip.kind == GripKind::transient;
+        if (!is_tick && scene.scale.tool != StripTool::curves) continue;
         const bool ramp =
             placed.grip.kind == GripKind::attack || placed.grip.kind == GripKind::release;
-        if (placed.grip.kind == GripKind::transient) {
+        if (is_tick) {
             draw_upright_line(list, placed.at.x, placed.at.y, lane.area.max.y, theme.trace_px,
                               scene.colour);
         }
@@ -153,7 +169,8 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
             return at(pattern.release_s);
         case GripKind::note_start:
         case GripKind::note:
-        case GripKind::note_end: {
+        case GripKind::note_end:
+        case GripKind::note_top: {
             const Note note = notes(pattern.rhythm, pattern.duration_s)[grip.index];
             const std::string times = at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
             return note.velocity < 1.0
@@ -169,7 +186,7 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
 // What is under the mouse, and what a press would do.
 void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const StripScene& scene) {
     if (!scene.hovered) return;
-    std::string text = "Double click: a transient. Wheel: zoom.";
+    std::string text = help_on(scene.scale.tool);
     if (scene.under && exists(scene.pattern, *scene.under)) {
         text = reading(scene.pattern, *scene.under) + "   " + help_on(scene.under->kind);
     }
@@ -178,35 +195,32 @@ void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const Str
                    2.0F * theme.scale, shortened(theme.fonts.small, text, area.max.x - left));
 }
 
-// The axis of a lane. One too low for two round numbers has those that it shows instead: one round
-// number beside a line would be read as that line's.
-void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane,
-                    const PlotLabels& labels, std::span<const double> shown) {
+// The axis of a lane, its unit with the highest number. A lane too low for two round numbers has
+// those that it shows instead: one round number beside a line would be read as that line's.
+void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane, std::string_view unit,
+                    std::span<const double> shown) {
     const ImFont* font = theme.fonts.small;
     const float text_px = font_or_current(font).FontSize;
     const std::vector<double> round = ticks_apart(lane.y, 1.4F * text_px);
     const auto above = std::ranges::find_if(round, [&](double tick) { return tick > lane.y.low; });
     const bool has_two = round.end() - above > 1 && std::abs(to_pixel(lane.y, round.back()) -
                                                              to_pixel(lane.y, *above)) >= text_px;
-    draw_axes(list, theme, lane, {labels.x_unit, labels.y_unit, has_two});
-    if (has_two) return;
+    std::vector<double> ticks(shown.begin(), shown.end());
+    if (has_two) ticks = round;
+    std::ranges::sort(ticks, std::greater());
     const float right = lane.area.min.x - 0.75F * theme.gap_px;
-    const auto left_of = [&](const std::string& text) {
-        return std::max(lane.outer.min.x, right - text_size(font, text).x);
-    };
-    std::optional<float> below;
-    for (const double value : shown) {
-        const float y = to_pixel(lane.y, value);
-        if (below && std::abs(*below - y) < text_px) continue;
-        below = y;
+    std::optional<float> last;
+    for (const double tick : ticks) {
+        const float y = to_pixel(lane.y, tick);
+        if (last && std::abs(*last - y) < text_px) continue;
         draw_level_line(list, y, lane.area.min.x, lane.area.max.x, theme.hairline_px,
                         faded(theme.line, 0.7F));
-        const std::string text = significant_digits(value, 3);
-        draw_text(list, font, {left_of(text), y - 0.55F * text_px}, theme.dim_text, text);
+        std::string text = significant_digits(tick, 3);
+        if (!last) text += " " + std::string(unit);
+        const float left = std::max(lane.outer.min.x, right - text_size(font, text).x);
+        draw_text(list, font, {left, y - 0.55F * text_px}, theme.dim_text, text);
+        last = y;
     }
-    const std::string unit{labels.y_unit};
-    draw_text(list, font, {left_of(unit), lane.outer.min.y - 0.15F * text_px}, theme.dim_text,
-              unit);
 }
 
 // From the lowest frequency of the first carrier to its highest.
@@ -221,9 +235,10 @@ std::vector<double> shown_hz(const Pattern& pattern) {
 
 void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
                         const StripScene& scene) {
-    draw_lane_axis(list, theme, scene.scale.amplitude, {"", "g"},
-                   std::array{0.0, scene.pattern.amplitude_g});
-    draw_lane_axis(list, theme, scene.scale.frequency, {"s", "Hz"}, shown_hz(scene.pattern));
+    const double peak_g = scene.scale.amplitude.y.high / kOverhead;
+    draw_lane_axis(list, theme, scene.scale.amplitude, "g", std::array{0.0, peak_g});
+    draw_lane_axis(list, theme, scene.scale.frequency, "Hz", shown_hz(scene.pattern));
+    draw_axes(list, theme, scene.scale.frequency, {"s", "", false});
     draw_body(list, theme, scene);
     draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);

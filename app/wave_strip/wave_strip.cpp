@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/ui/widgets.h"
-#include "app/wave_strip/chosen_fields.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/strip_picture.h"
 #include "model/text/numbers.h"
@@ -48,16 +48,48 @@ std::string label_of(const Workspace& work, const std::string& verb, GripKind ki
     return verb + " " + (shared ? of_selection(work, what) : what + " of " + current.name);
 }
 
+void complain_of_transients(Ui& ui) {
+    complain(ui,
+             "A pattern has at most " + grouped_digits(limits::kMaxTransients) + " transients.");
+}
+
 void choose(Ui& ui, StripState& strip, const Grip& grip) {
     strip.chosen = grip;
     ui.field.active = kChosenValue;  // arrows nudge it
 }
 
-void press(Ui& ui, StripState& strip, const Pattern& pattern, const StripScale& scale,
-           std::optional<Grip> under) {
+// Where nothing lies the tools of notes and ticks begin one, which follows the mouse.
+void begin_drawing(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
+                   const StripScale& scale) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Plot& lane = scale.amplitude;
+    if (!lane.area.contains(mouse)) return;
+    Pattern changed = pattern;
+    if (scale.tool == StripTool::notes) {
+        const auto more = with_note_added(pattern, scale, mouse);
+        if (!more) return;
+        changed.rhythm = *more;
+        take(work, GripKind::note, changed);
+        const auto drawn = end_of_note_at(changed, scale, mouse);
+        strip.has_just_drawn = true;
+        if (drawn) strip.held = GripHold{*drawn, changed, scale, mouse, true, "Draw a note of"};
+    } else if (scale.tool == StripTool::ticks) {
+        const auto added =
+            add_transient(changed, to_value(lane.x, mouse.x), to_value(lane.y, mouse.y));
+        if (!added) return complain_of_transients(ui);
+        edit_current_pattern(work, changed);
+        strip.has_just_drawn = true;
+        strip.held = GripHold{*added, changed, scale, mouse, true, "Add"};
+        choose(ui, strip, *added);
+    }
+}
+
+void press(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
+           const StripScale& scale, std::optional<Grip> under) {
     strip.chosen.reset();
-    if (!under) return;
-    strip.held = GripHold{*under, pattern, scale, ImGui::GetIO().MousePos, false};
+    strip.has_just_drawn = false;
+    if (!under) return begin_drawing(ui, work, strip, pattern, scale);
+    strip.held = GripHold{*under, pattern, scale, ImGui::GetIO().MousePos};
     if (is_single(under->kind)) choose(ui, strip, *under);
 }
 
@@ -85,7 +117,8 @@ void put_point(Ui& ui, Workspace& work, StripState& strip, GripKind line, double
 void let_go(Ui& ui, Workspace& work, StripState& strip) {
     const GripHold held = *strip.held;
     strip.held.reset();
-    if (held.moved) return commit_step(ui, work, label_of(work, "Change", held.grip.kind));
+    if (held.moved) return commit_step(ui, work, label_of(work, held.verb, held.grip.kind));
+    if (strip.tool != StripTool::curves) return;
     put_point(ui, work, strip, held.grip.kind, to_value(held.scale.amplitude.x, held.pressed.x));
 }
 
@@ -94,9 +127,7 @@ void put_transient(Ui& ui, Workspace& work, StripState& strip, double time_s, do
     if (pattern == nullptr) return;
     Pattern changed = *pattern;
     const auto added = add_transient(changed, time_s, amplitude_g);
-    if (!added)
-        return complain(
-            ui, "A pattern has at most " + grouped_digits(limits::kMaxTransients) + " transients.");
+    if (!added) return complain_of_transients(ui);
     edit_current_pattern(work, changed);
     commit_step(ui, work, label_of(work, "Add", added->kind));
     choose(ui, strip, *added);
@@ -110,6 +141,8 @@ void change_rhythm(Ui& ui, Workspace& work, const std::string& verb, const Rhyth
 void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
                   const StripScale& scale, std::optional<Grip> under) {
     strip.held.reset();
+    // The first of the two presses drew what lies there now.
+    if (std::exchange(strip.has_just_drawn, false)) return;
     if (under && is_single(under->kind)) {
         strip.chosen = under;
         (void)remove_chosen(ui, work, strip);
@@ -176,8 +209,10 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
 void follow_pattern(StripState& strip, const std::string& name) {
     if (strip.pattern == name) return;
     const float height = strip.height;
+    const StripTool tool = strip.tool;
     strip = {};
     strip.height = height;
+    strip.tool = tool;
     strip.pattern = name;
 }
 
@@ -190,7 +225,7 @@ void follow_wheel(StripState& strip, bool hovered) {
 
 }  // namespace
 
-void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) {
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room) {
     const Vibration* vibration = current_vibration(work);
     const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
     if (source == nullptr) return;
@@ -199,15 +234,18 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) 
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
     const Waveform* waveform = waveform_in_time(work.cache, *vibration);
     const float least_px = kLeastHeightPx * ui.theme.scale;
-    const float height_px = std::min(wanted_height_px(ui, strip, ImGui::GetContentRegionAvail()),
-                                     std::max(least_px, most_px));
+    const float most_px = std::max(least_px, room.most_px);
+    const float wanted_px = wanted_height_px(ui, strip, ImGui::GetContentRegionAvail());
+    const float height_px = room.fills ? most_px : std::min(wanted_px, most_px);
     const Rect area = rect_at(ImGui::GetCursorScreenPos(),
                               {ImGui::GetContentRegionAvail().x, std::round(height_px)});
     const double peak = peak_in_time(work.cache, *vibration);
-    const StripScale scale = strip.held ? strip.held->scale
-                                        : strip_scale(pattern, peak, area, ui.theme,
-                                                      strip.view.value_or(whole(pattern)));
+    const StripScale scale = strip.held
+                                 ? strip.held->scale
+                                 : strip_scale(pattern, peak, area, ui.theme,
+                                               strip.view.value_or(whole(pattern)), strip.tool);
     ImGui::InvisibleButton("wave strip", area.size());
+    note_rect(ui.rects, "strip tool", area.min, area.max, name_of(strip.tool));
     note_rect(ui.rects, "wave strip", area.min, area.max);  // by the mouse alone: no stop of Tab
     const bool hovered = ImGui::IsItemHovered();
     const auto under =
@@ -221,7 +259,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) 
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         double_click(ui, work, strip, pattern, scale, under);
     } else if (ImGui::IsItemActivated()) {
-        press(ui, strip, pattern, scale, under);
+        press(ui, work, strip, pattern, scale, under);
     }
     if (strip.held && ImGui::IsItemActive()) drag(work, *strip.held, ui.theme.scale);
     if (strip.held && !ImGui::IsItemActive()) let_go(ui, work, strip);
@@ -230,8 +268,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px) 
                        {pattern, scale, waveform, look.colour, strip.chosen,
                         strip.held ? std::optional(strip.held->grip) : under, hovered});
     note_grips(ui, pattern, scale);
-    draw_height_bar(ui, strip, area.height());
-    if (strip.chosen) draw_chosen_fields(ui, work, strip);
+    if (!room.fills) draw_height_bar(ui, strip, area.height());
 }
 
 float strip_height(const Ui& ui, const StripState& strip) {

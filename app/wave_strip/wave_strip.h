@@ -7,9 +7,19 @@
 
 namespace tact {
 
-// As wide as what is left of the pane, and lower than the person made it where only `most_px` are
-// free; nothing without a parametric pattern.
-void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, float most_px);
+// What the strip has of its pane's height.
+struct StripRoom {
+    float most_px;
+    bool fills = false;  // all of it; else it is as high as the person made it, where that is less
+};
+
+// As wide as what is left of the pane; nothing without a parametric pattern.
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room);
+
+// The numbers of what is chosen on it, if anything is, and a line below them; and how high that is
+// at the width that is left of the pane, px.
+void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip);
+float chosen_fields_px(const Ui& ui, const Workspace& work, const StripState& strip);
 
 // With the bar under it, px.
 float strip_height(const Ui& ui, const StripState& strip);

@@ -28,21 +28,28 @@ bool has_editor(const App& app) { return app.layout.arrangement != Arrangement::
 
 bool is_folded(const App& app) { return app.layout.physiology != Fold::open; }
 
+// The editor lies below the map and the answers, as wide as both; while the stages are open they
+// have that room, and the editor stands below the list.
+bool has_band(const App& app) { return has_editor(app) && is_folded(app); }
+
 struct LayoutLimits {
     Range left{0.14, 0.40};
     Range right{0.18, 0.58};
     Range left_split{0.15, 0.80};
     Range right_split{0.20, 0.85};
+    Range band{0.20, 0.70};
 };
 
 LayoutLimits layout_limits(const App& app, const Rect& area) {
     LayoutLimits limits;
-    limits.left.low = std::max(0.14, least_share(app, 276.0F, area.width(), 0.28F));
+    const float list_px = has_band(app) ? 232.0F : 290.0F;
+    limits.left.low = std::max(0.14, least_share(app, list_px, area.width(), 0.26F));
     limits.right.low = std::max(0.18, least_share(app, 300.0F, area.width(), 0.34F));
     // Between them the map leads; it needs no more than to be seen.
     if (is_folded(app)) limits.right.high = std::min(0.58, 0.75 - limits.left.low);
     limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
     limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
+    limits.band.low = least_share(app, 256.0F, area.height(), 0.58F);
     return limits;
 }
 
@@ -55,7 +62,12 @@ Layout within(const LayoutLimits& limits, Layout layout) {
     keep(layout.right, limits.right);
     keep(layout.left_split, limits.left_split);
     keep(layout.right_split, limits.right_split);
+    keep(layout.band, limits.band);
     return layout;
+}
+
+float top_of_band(const Rect& area, const Layout& shown) {
+    return area.max.y - std::round(shown.band * area.height());
 }
 
 // A bar that starts from the share on screen.
@@ -73,11 +85,24 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
     const float x2 = area.max.x - std::round(shown.right * width);
     const float y1 = area.min.y + std::round(shown.left_split * height);
     const float y2 = area.min.y + std::round(shown.right_split * height);
+    const float y3 = top_of_band(area, shown);
+    const float end = has_band(app) ? y3 - bar : area.max.y;
     Layout& layout = app.layout;
     move_splitter(app,
                   {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, limits.left},
                   shown.left, layout.left);
-    if (has_editor(app)) {
+    if (has_band(app)) {
+        // The band grows when its bar moves up.
+        float from_top = 1.0F - shown.band;
+        move_splitter(app,
+                      {"band",
+                       {{x1 + bar, y3 - bar}, {area.max.x, y3}},
+                       false,
+                       height,
+                       {1.0 - limits.band.high, 1.0 - limits.band.low}},
+                      1.0F - shown.band, from_top);
+        if (from_top != 1.0F - shown.band) layout.band = 1.0F - from_top;
+    } else if (has_editor(app)) {
         move_splitter(
             app,
             {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
@@ -87,7 +112,7 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
     float from_left = 1.0F - layout.right;
     move_splitter(app,
                   {"right",
-                   {{x2 - bar, area.min.y}, {x2, area.max.y}},
+                   {{x2 - bar, area.min.y}, {x2, end}},
                    true,
                    width,
                    {1.0 - limits.right.high, 1.0 - limits.right.low}},
@@ -108,13 +133,20 @@ struct Edge {
 
 // The right one gives way first, of a column between two the left one after it.
 std::vector<Edge> upright_edges(const App& app, Pane pane, const LayoutLimits& limits) {
-    if (pane == Pane::patterns || pane == Pane::editor) return {{&Layout::left, 1.0F, limits.left}};
+    if (pane == Pane::patterns) return {{&Layout::left, 1.0F, limits.left}};
+    if (pane == Pane::editor) {
+        return {{&Layout::left, has_band(app) ? -1.0F : 1.0F, limits.left}};
+    }
     const bool is_right = pane == Pane::matrix || (pane == Pane::space && !is_folded(app));
     if (is_right) return {{&Layout::right, 1.0F, limits.right}};
     return {{&Layout::right, -1.0F, limits.right}, {&Layout::left, -1.0F, limits.left}};
 }
 
 std::vector<Edge> level_edges(const App& app, Pane pane, const LayoutLimits& limits) {
+    if (has_band(app)) {
+        if (pane == Pane::patterns) return {};
+        return {{&Layout::band, pane == Pane::editor ? 1.0F : -1.0F, limits.band}};
+    }
     if (pane == Pane::patterns && has_editor(app))
         return {{&Layout::left_split, 1.0F, limits.left_split}};
     if (pane == Pane::editor) return {{&Layout::left_split, -1.0F, limits.left_split}};
@@ -157,17 +189,17 @@ void resize_pane_in_use(App& app, const Rect& area) {
 }
 
 void draw_left_column(App& app, const Rect& column, float split) {
-    if (!has_editor(app)) return draw_pane_of(app, Pane::patterns, column);
+    if (!has_editor(app) || has_band(app)) return draw_pane_of(app, Pane::patterns, column);
     const float y = column.min.y + std::round(split * column.height());
     draw_pane_of(app, Pane::patterns, {column.min, {column.max.x, y}});
     draw_pane_of(app, Pane::editor, {{column.min.x, y + app.ui.theme.splitter_px}, column.max});
 }
 
-// The map above the stages in a row, or by itself.
+// The map above the stages in a row, or by itself. In the editor's band they are its foot.
 void draw_map_column(App& app, const Rect& column) {
     const float bar = app.ui.theme.splitter_px;
     const float row =
-        app.layout.physiology == Fold::row
+        app.layout.physiology == Fold::row && !has_band(app)
             ? std::round(std::min(kRowPx * app.ui.theme.scale, 0.3F * column.height()))
             : -bar;
     draw_pane_of(app, Pane::space, {column.min, {column.max.x, column.max.y - row - bar}});
@@ -193,12 +225,15 @@ void draw_columns(App& app, const Rect& area) {
     const float x1 = area.min.x + std::round(layout.left * area.width());
     const float x2 = area.max.x - std::round(layout.right * area.width());
     const float y2 = area.min.y + std::round(layout.right_split * area.height());
-    const Rect middle{{x1 + bar, area.min.y}, {x2 - bar, area.max.y}};
+    const float y3 = top_of_band(area, layout);
+    const float end = has_band(app) ? y3 - bar : area.max.y;
+    const Rect middle{{x1 + bar, area.min.y}, {x2 - bar, end}};
 
     draw_left_column(app, {area.min, {x1, area.max.y}}, layout.left_split);
     if (is_folded(app)) {
         draw_map_column(app, middle);
-        draw_pane_of(app, Pane::matrix, {{x2, area.min.y}, area.max});
+        draw_pane_of(app, Pane::matrix, {{x2, area.min.y}, {area.max.x, end}});
+        if (has_band(app)) draw_pane_of(app, Pane::editor, {{x1 + bar, y3}, area.max});
     } else {
         draw_pane_of(app, Pane::physiology, middle);
         draw_pane_of(app, Pane::space, {{x2, area.min.y}, {area.max.x, y2}});

@@ -1,4 +1,5 @@
-// Where the panes are: three columns, two of them split, with bars between that move the shares.
+// Where the panes are: list, map and answers beside each other with the editor below the last two,
+// or three columns, two of them split; the bars between them move the shares.
 #pragma once
 
 #include "app/map/map_look.h"

@@ -246,7 +246,9 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     // In the panes Space plays.
     const bool is_over = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || is_popup_open();
-    if (is_over && was_pressed(pressed, key::kSpace)) press_focused(app.ui);
+    // There Space is a note.
+    const bool taps = app.ui.dialog == Dialog::tap_rhythm;
+    if (is_over && !taps && was_pressed(pressed, key::kSpace)) press_focused(app.ui);
     for (const KeyPress& press : pressed) {
         if (press.code != key::kTab || press.alt) continue;
         app.ui.keyboard_mode = true;

@@ -44,6 +44,8 @@ Physiology anew(const Physiology& was) {
 PatternPanes anew(const PatternPanes& was) {
     PatternPanes fresh;
     fresh.strip.height = was.strip.height;
+    fresh.strip.tool = was.strip.tool;
+    fresh.editor.tab = was.editor.tab;
     return fresh;
 }
 

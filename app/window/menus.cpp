@@ -33,7 +33,7 @@ std::optional<Icon> icon_of(const Command& command) {
         {"5 ms back", Icon::back},
         {"Loop", Icon::loop},
         {"Lock", Icon::locked},
-        {"Drop", Icon::dropped},
+        {"Exclude", Icon::dropped},
     });
     const auto* found = std::ranges::find(kIcons, std::string_view(command.name),
                                           &std::pair<std::string_view, Icon>::first);
@@ -106,7 +106,7 @@ void draw_history(App& app) {
 }
 
 void draw_own_workspaces(App& app) {
-    if (!ImGui::BeginMenu("Own workspaces", !app.workspaces.own.empty())) return;
+    if (!ImGui::BeginMenu("My workspaces", !app.workspaces.own.empty())) return;
     std::string forgotten;
     for (const auto& [name, layout] : app.workspaces.own) {
         if (ImGui::MenuItem(label_of(name).c_str(), nullptr, app.workspaces.shown == name)) {

@@ -69,7 +69,7 @@ std::string map_state_text(const App& app) {
             std::snprintf(text, sizeof text, "computing, %d %%", percent);
             return text;
         case MapState::too_large:
-            return "map waits";
+            return "not computed";
         case MapState::exact:
             if (app.shown_map.transition.shown->seconds <= 0.0) return "exact";
             return "exact, computed in " + time_taken(app.shown_map.transition.shown->seconds);
@@ -221,7 +221,8 @@ PaneTitle title_of(const App& app, Pane pane) {
         case Pane::physiology:
             return with_origin(app, {"Physiology", name, {}});
         case Pane::space:
-            return with_origin(app, {"Perceptual space", side_detail(app), space_title_right(app)});
+            return with_origin(
+                app, {"Perceptual space", side_detail(app), space_title_right(app), true});
         case Pane::matrix:
             return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device
                        ? bench_title(app)
@@ -355,8 +356,37 @@ void draw_space(App& app) {
     }
 }
 
+void do_with_stages(App& app, PhysiologyDeed deed) {
+    switch (deed) {
+        case PhysiologyDeed::none:
+            return;
+        case PhysiologyDeed::tour:
+            return begin_tour(app);
+        case PhysiologyDeed::fold:
+            return fold_physiology(app, Fold::row);
+        case PhysiologyDeed::unfold:
+            return fold_physiology(app, Fold::open);
+        case PhysiologyDeed::close:
+            say(app.ui, "The stages are away. View > Stages in one row brings them back.");
+            return fold_physiology(app, Fold::closed);
+    }
+}
+
+void draw_stage_row(App& app) {
+    do_with_stages(app, draw_physiology_row(app.ui, app.work, app.timeline, app.physiology));
+}
+
+void draw_physiology(App& app) {
+    if (app.layout.physiology == Fold::row && !app.layout.maximised && !is_presenting(app.lesson))
+        return draw_stage_row(app);
+    do_with_stages(app, draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
+                                              app.lesson.left_at > 0));
+}
+
 void draw_editor(App& app) {
-    const auto done = draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map);
+    const bool has_foot = app.layout.physiology == Fold::row && !app.ui.as_picture;
+    const auto done = draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map,
+                                        has_foot ? [&app] { draw_stage_row(app); } : DrawFoot());
     const auto& all = app.work.document.set.vibrations;
     if (!done || done->neighbour >= all.size()) return;
     const std::size_t current = app.work.selection.current;
@@ -371,28 +401,6 @@ void draw_editor(App& app) {
             app.layout.bench = BenchTab::subset;
             return ask_about_pair(app.work, app.shown_map, app.picking, all[current].name,
                                   all[done->neighbour].name);
-    }
-}
-
-void draw_physiology(App& app) {
-    const bool in_row =
-        app.layout.physiology == Fold::row && !app.layout.maximised && !is_presenting(app.lesson);
-    const PhysiologyDeed deed =
-        in_row ? draw_physiology_row(app.ui, app.work, app.timeline, app.physiology)
-               : draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
-                                       app.lesson.left_at > 0);
-    switch (deed) {
-        case PhysiologyDeed::none:
-            return;
-        case PhysiologyDeed::tour:
-            return begin_tour(app);
-        case PhysiologyDeed::fold:
-            return fold_physiology(app, Fold::row);
-        case PhysiologyDeed::unfold:
-            return fold_physiology(app, Fold::open);
-        case PhysiologyDeed::close:
-            say(app.ui, "The stages are away. View > Stages in one row brings them back.");
-            return fold_physiology(app, Fold::closed);
     }
 }
 

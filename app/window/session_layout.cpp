@@ -255,7 +255,7 @@ bool tells_of_lesson(App& app) {
         {.title = "The lesson is kept",
          .text = "What was written in \"" + app.lesson.lesson->name +
                  "\" is kept, and is here again at the next start. It is in no file: that takes "
-                 "Save. This is said once.",
+                 "Save. You will not be told again.",
          .answers = {{"Quit", leave},
                      {"Save as...", [&app] { save_lesson_dialog(app.ui, app.work, app.lesson); }},
                      {"Cancel"}}});
@@ -297,7 +297,7 @@ bool tells_what_is_kept(App& app) {
                  .text = "The changes of " +
                          (app.lesson.aside ? "the set" : "\"" + document_name(app.work) + "\"") +
                          " are kept, and are here again at the next start. They are not in its "
-                         "file: that takes Save. This is said once.",
+                         "file: that takes Save. You will not be told again.",
                  .answers = {{"Quit", leave}, {"Save...", [&app] { save_own(app); }}, {"Cancel"}}});
     return true;
 }

@@ -18,6 +18,7 @@
 #include "app/window/app.h"
 #include "app/window/columns.h"
 #include "app/window/frame.h"
+#include "app/workspaces/workspaces.h"
 #include "devices/device/memory_device.h"
 
 namespace tact {
@@ -165,6 +166,10 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
         app.play.calibration = std::make_shared<const Calibration>(*calibration);
     }
     app.shown_map.dimensions = choice.dimensions;
+    // As the window is at first, unless the stages are asked for.
+    if (choice.view == PictureView::window && !choice.stage && !choice.pinned) {
+        app.layout = first_layout(Arrangement::design);
+    }
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return view;
     app.work.selection.current = choice.pattern;

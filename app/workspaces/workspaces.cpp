@@ -31,7 +31,8 @@ struct Share {
 constexpr std::array kShares{Share{"left", &Layout::left, 0.14F, 0.40F},
                              Share{"right", &Layout::right, 0.18F, 0.58F},
                              Share{"left_split", &Layout::left_split, 0.15F, 0.80F},
-                             Share{"right_split", &Layout::right_split, 0.20F, 0.85F}};
+                             Share{"right_split", &Layout::right_split, 0.20F, 0.85F},
+                             Share{"band", &Layout::band, 0.20F, 0.70F}};
 
 void keep(const Layout& layout, const std::string& name, std::map<std::string, double>& kept) {
     for (const Share& share : kShares) {
@@ -80,7 +81,7 @@ Layout first_layout(Arrangement arrangement) {
         case Arrangement::design:
             break;
     }
-    return {.left = 0.265F,
+    return {.left = 0.165F,
             .right = 0.28F,
             .maximised = {},
             .arrangement = arrangement,

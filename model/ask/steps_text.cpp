@@ -30,7 +30,7 @@ bool is_even(const EvenSteps& steps) { return steps.uneven <= kEvenWithin; }
 std::string sentence_on(const StepsQuestion& question, const EvenSteps& steps) {
     const char* measure = question.measure == StepMeasure::nc   ? "NC"
                           : question.measure == StepMeasure::oc ? "OC"
-                                                                : "PM before ranks";
+                                                                : "continuous PM";
     const std::string in = std::string(" in ") + measure;
     if (!(steps.ends_apart > 0.0)) {
         return "The two do not differ" + in + ": every step between them is the same.";

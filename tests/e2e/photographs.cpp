@@ -1,5 +1,6 @@
 // photographs FOLDER [WORDS [SHOTS]]: a PNG of every pane, tab, dialog, menu and popup, dark and
-// light, at four sizes of the window; of those only whose name has the words, and only such shots
+// light, at four sizes of the window, one of them also with larger text; of those only whose name
+// has the words, and only such shots
 // ("1280x720", "dark", "1280x720/dark").
 //
 // The program's own frames, drawn without a screen.
@@ -20,10 +21,10 @@ struct Screen {
     float scale;
 };
 
-const Screen kScreens[] = {{"1280x720", {1280.0F, 720.0F}, 1.0F},
-                           {"1600x1000", {1600.0F, 1000.0F}, 1.0F},
-                           {"2560x1440", {2560.0F, 1440.0F}, 1.0F},
-                           {"3840x2160 at 2x", {3840.0F, 2160.0F}, 2.0F}};
+const Screen kScreens[] = {
+    {"1280x720", {1280.0F, 720.0F}, 1.0F},           {"1600x1000", {1600.0F, 1000.0F}, 1.0F},
+    {"1600x1000 at 1.5x", {1600.0F, 1000.0F}, 1.5F}, {"1600x1000 at 2x", {1600.0F, 1000.0F}, 2.0F},
+    {"2560x1440", {2560.0F, 1440.0F}, 1.0F},         {"3840x2160 at 2x", {3840.0F, 2160.0F}, 2.0F}};
 
 Image taken(const Theme& theme) {
     const ImDrawData& frame = *ImGui::GetDrawData();

@@ -18,6 +18,7 @@
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/tables/table_look.h"
+#include "app/wave_strip/wave_strip.h"
 #include "app/window/commands.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/set/set_file.h"
@@ -67,8 +68,30 @@ void show_library_of_twelve(Program& p, bool like) {
     p.settle();
 }
 
+// Notes of unequal strength over a sweep, with ticks, and the drawing in sight whatever the size.
+void draw_in_strip(Program& p, StripTool tool) {
+    auto& pattern = std::get<Pattern>(p.app.work.document.edit().vibrations[0].source);
+    pattern.rhythm = {"x===-7==--5=====", pattern.duration_s / 16.0};
+    pattern.amplitude_curve = {
+        {0.0, 0.4}, {0.5 * pattern.duration_s, 1.0}, {pattern.duration_s, 0.7}};
+    pattern.frequency_curve = {{0.0, 60.0}, {pattern.duration_s, 250.0}};
+    pattern.transients = {{0.3 * pattern.duration_s, 1.2, 180.0, 0.01},
+                          {0.7 * pattern.duration_s, 0.9, 180.0, 0.01}};
+    p.app.pattern_panes.strip.tool = tool;
+    p.app.pattern_panes.editor.tab = EditorTab::drawing;
+    document_changed(p.app.work);
+    p.settle();
+}
+
 void add_arrangements(std::vector<Scene>& all) {
     all.push_back({"design", [](Program&) {}});
+    all.push_back({"editor, notes", [](Program& p) { draw_in_strip(p, StripTool::notes); }});
+    all.push_back({"editor, a tick", [](Program& p) {
+                       draw_in_strip(p, StripTool::ticks);
+                       choose_next(p.app.ui, p.app.work, p.app.pattern_panes.strip, 1);
+                       choose_next(p.app.ui, p.app.work, p.app.pattern_panes.strip, 1);
+                       p.settle();
+                   }});
     all.push_back({"design, stages open", [](Program& p) {
                        p.app.layout.physiology = Fold::open;
                        p.wait_for_stages();
@@ -466,6 +489,8 @@ void SceneWindow::show(const Scene& scene) {
     app.picking.view = SubsetView::pick;
     app.picking.too_close = SubsetState{}.too_close;
     app.picking.opened.reset();
+    app.pattern_panes.strip = {};
+    app.pattern_panes.editor.tab = {};
     app.physiology.view.open.reset();
     app.work.selection.pinned.clear();
     app.ui.status = {};

@@ -19,13 +19,13 @@ namespace {
 constexpr std::array<EffectFormatTraits, 9> kFormats{
     {{"", "no effects", "core-haptics"},
      {"ahap", "AHAP", "core-haptics"},
-     {"haptic", ".haptic of Meta", "quest"},
-     {"hjif", "HJIF of MPEG", "mpeg"},
-     {"haps", ".haps of Interhaptics", "interhaptics"},
-     {"he", ".he of RichTap or OpenHarmony", "richtap"},
-     {"pulsar", "a preset of Pulsar", "core-haptics"},
+     {"haptic", "Meta .haptic", "quest"},
+     {"hjif", "MPEG HJIF", "mpeg"},
+     {"haps", "Interhaptics .haps", "interhaptics"},
+     {"he", "RichTap or OpenHarmony .he", "richtap"},
+     {"pulsar", "Pulsar preset", "core-haptics"},
      {"android", "Android", "android"},
-     {"hla", ".hla of Hapticlabs", "android"}}};
+     {"hla", "Hapticlabs .hla", "android"}}};
 
 char first_sign(std::string_view text) {
     const std::string_view rest = without_bom(text);

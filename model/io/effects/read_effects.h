@@ -22,7 +22,7 @@ enum class EffectFormat { none, ahap, haptic, hjif, haps, he, pulsar, android, h
 
 struct EffectFormatTraits {
     const char* key;   // "haptic"
-    const char* name;  // ".haptic of Meta"
+    const char* name;  // "Meta .haptic"
     const char* map;   // of actuator_map.h, where nobody chooses another
 };
 const EffectFormatTraits& traits(EffectFormat format);

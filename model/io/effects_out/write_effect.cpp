@@ -14,17 +14,17 @@ namespace tact {
 namespace {
 
 constexpr std::array<TargetTraits, 13> kTargets{
-    {{"haptic", ".haptic of Meta", ".haptic", "", "quest"},
+    {{"haptic", "Meta .haptic", ".haptic", "", "quest"},
      {"ahap", "AHAP", ".ahap", "", "core-haptics"},
-     {"ahap-pair", "AHAP, a pair", kContinuousEnding, kTransientsEnding, "core-haptics"},
-     {"hjif", "HJIF of MPEG", ".hjif", "", "mpeg"},
-     {"android-xml", "an envelope of Android 16 as XML", ".xml", "", "android"},
-     {"android-kotlin", "an envelope of Android 16 as Kotlin", ".kt", "", "android"},
-     {"android-timings", "timings and amplitudes of Android", ".json", "", "android"},
-     {"hla", ".hla of Hapticlabs", ".hla", "", "android"},
-     {"pulsar", "a preset of Pulsar", ".json", "", "core-haptics"},
-     {"he", ".he of RichTap", ".he", "", "richtap"},
-     {"openxr", "XR_EXT_haptic_parametric as C", ".c", "", "quest"},
+     {"ahap-pair", "AHAP in two files", kContinuousEnding, kTransientsEnding, "core-haptics"},
+     {"hjif", "MPEG HJIF", ".hjif", "", "mpeg"},
+     {"android-xml", "Android 16 envelope (XML)", ".xml", "", "android"},
+     {"android-kotlin", "Android 16 envelope (Kotlin)", ".kt", "", "android"},
+     {"android-timings", "Android timings and amplitudes", ".json", "", "android"},
+     {"hla", "Hapticlabs .hla", ".hla", "", "android"},
+     {"pulsar", "Pulsar preset", ".json", "", "core-haptics"},
+     {"he", "RichTap .he", ".he", "", "richtap"},
+     {"openxr", "XR_EXT_haptic_parametric (C)", ".c", "", "quest"},
      {"wav", "WAV", ".wav", ".wav.json", ""},
      {"csv", "CSV of accelerations", ".csv", "", ""}}};
 

@@ -41,7 +41,7 @@ enum class TargetFormat {
 
 struct TargetTraits {
     const char* key;     // "android-xml"
-    const char* title;   // "an envelope of Android 16, XML"
+    const char* title;   // "Android 16 envelope (XML)"
     const char* ending;  // of the file's name, with all that is behind the pattern's
     const char* beside;  // of a second file, which belongs to it; empty: none
     const char* map;     // a bundled actuator, where nobody chooses another; empty: it has none

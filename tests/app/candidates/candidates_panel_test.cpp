@@ -143,7 +143,7 @@ TEST_CASE(
     };
     program.app.work.selection.others = {3};
     open_menu("candidate:p4");
-    program.click("row menu:Drop");
+    program.click("row menu:Exclude");
     const auto& all = program.app.work.document.set.vibrations;
     CHECK(all[1].dropped);
     CHECK(all[3].dropped);

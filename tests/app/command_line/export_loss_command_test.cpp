@@ -108,13 +108,13 @@ TEST_CASE("--exported-as: predict, space and subset are of what comes back, and 
         run_program({"predict", set.path, "--exported-as", "haptic:console-pcm", "--json"});
     REQUIRE(ran.exit_code == 0);
     CHECK(Json::parse(ran.out).at("condensed") == Json(prediction->pm.condensed));
-    CHECK(contains(ran.err, "the patterns as .haptic of Meta for console-pcm holds them: "));
+    CHECK(contains(ran.err, "the patterns as Meta .haptic for console-pcm holds them: "));
     CHECK(contains(ran.err, "is assumed: nobody publishes it"));
     CHECK(output_of({"space", set.path, "--exported-as", "haptic:console-pcm"}) !=
           output_of({"space", set.path}));
     std::vector<std::string> words{"subset", set.path,        "-k",
                                    "2",      "--exported-as", "haptic:console-pcm"};
-    CHECK(output_of(words).starts_with("the patterns as .haptic of Meta for console-pcm holds"));
+    CHECK(output_of(words).starts_with("the patterns as Meta .haptic for console-pcm holds"));
     words.emplace_back("--json");
     const Json subset = Json::parse(output_of(words));
     CHECK(subset.at("exported_as") == "haptic");
@@ -135,7 +135,7 @@ TEST_CASE("--exported-as: a device plays what comes back, and both are said") {
     CHECK(both.at("rendered_by") == "joy-con");
     std::vector<std::string> text(words.begin(), words.end() - 1);
     const std::string out = output_of(text);
-    CHECK(contains(out, "the patterns as HJIF of MPEG for mpeg holds them: "));
+    CHECK(contains(out, "the patterns as MPEG HJIF for mpeg holds them: "));
     CHECK(contains(out, "the patterns as a Joy-Con plays them"));
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("--exported-as: compare holds what comes back against people, and says
         set.folder.write("mean.csv", output_of({"predict", set.path, "--metric", "nc"})).string();
     std::vector<std::string> words{"compare",  set.path, "--ratings",     ratings,
                                    "--metric", "nc",     "--exported-as", "hla"};
-    CHECK(contains(output_of(words), "\nthe patterns as .hla of Hapticlabs for android holds"));
+    CHECK(contains(output_of(words), "\nthe patterns as Hapticlabs .hla for android holds"));
     words.emplace_back("--json");
     const Json row = Json::parse(output_of(words)).at(0);
     CHECK(row.at("exported_as") == "hla");

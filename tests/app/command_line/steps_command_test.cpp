@@ -56,7 +56,7 @@ TEST_CASE("steps command: along one number the end is a pattern of its own") {
     const Ends ends;
     const std::string text = output_of(
         ends.words({"--from", "weak", "--to", "strong", "-n", "3", "--parameter", "amplitude_g"}));
-    CHECK(text.find("in PM before ranks") != std::string::npos);
+    CHECK(text.find("in continuous PM") != std::string::npos);
     CHECK(text.find("PM counts ranks") != std::string::npos);
     const tact::PatternSet written = tact::read_set_file(ends.out)->set;
     REQUIRE(written.vibrations.size() == 3);

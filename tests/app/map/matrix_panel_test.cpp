@@ -12,6 +12,7 @@ TEST_CASE("matrix panel: all that are selected stand out, in whatever order the 
     program.compute_map();
     App& app = program.app;
     app.layout.bench = BenchTab::matrix;
+    app.shown_map.clustered_matrix = false;
     select_only(app.work, 2);
     toggle_selected(app.work, 0);
     toggle_selected(app.work, 5);

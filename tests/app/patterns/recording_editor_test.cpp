@@ -120,7 +120,7 @@ TEST_CASE("recording: made parametric it stands beside its pattern, and PM betwe
     program.click("button:make parametric");
     const auto& all = program.app.work.document.set.vibrations;
     REQUIRE(all.size() == 4);
-    CHECK(all[3].name == "tap traced");
+    CHECK(all[3].name == "tap parametric");
     CHECK(program.app.work.selection.current == 3);
     CHECK(program.app.work.selection.partner == "tap");
     CHECK(all[3].note.starts_with("Traced from tap: "));
@@ -139,7 +139,7 @@ TEST_CASE("recording: made parametric it stands beside its pattern, and PM betwe
     REQUIRE(map);
     // Of the largest there is, as wherever PM is told.
     CHECK(program.at("editor:partner").value ==
-          "PM of tap traced to tap: " + significant(map->prediction.pm(2, 3)) + " of " +
+          "PM of tap parametric to tap: " + significant(map->prediction.pm(2, 3)) + " of " +
               significant(map->sorted_pm.back()));
 }
 

@@ -29,23 +29,32 @@ struct Tapping : Program {
     void wait_until(double since_s) {
         while (window.now_s < time_s + since_s) frame();
     }
-    void hold(double from_s, double to_s) {
+    // T opens the dialog, and is held into it.
+    void open() {
+        push(window.input, {window.now_s, KeyChange{'T', true, false, U't'}});
+        settle();
+        push(window.input, {window.now_s, KeyChange{'T', false, false, U't'}});
+        settle();
+    }
+    void hold(double from_s, double to_s, int code = 'T', char32_t sign = U't') {
         if (time_s == 0.0) time_s = window.now_s;
         wait_until(from_s);
-        push(window.input, {window.now_s, KeyChange{'T', true, false, U't'}});
+        push(window.input, {window.now_s, KeyChange{code, true, false, sign}});
         wait_until(to_s);
-        push(window.input, {window.now_s, KeyChange{'T', false, false, U't'}});
+        push(window.input, {window.now_s, KeyChange{code, false, false, sign}});
         frame();
     }
 };
 
 }  // namespace
 
-TEST_CASE("tapping: T opens it and is the first tap, Enter takes what was tapped") {
+TEST_CASE("tapping: T opens it and is no tap then, Enter takes what T and Space tapped") {
     Tapping program;
-    program.hold(0.0, 0.28);
+    program.open();
     CHECK(program.app.ui.dialog == Dialog::tap_rhythm);
-    program.hold(0.5, 0.65);
+    CHECK(program.at("tap").value == "0");
+    program.hold(0.0, 0.28);
+    program.hold(0.5, 0.65, key::kSpace, U' ');
     program.hold(0.75, 0.9);
     program.settle();
     CHECK(program.at("tap").value == "3");
@@ -61,6 +70,7 @@ TEST_CASE("tapping: T opens it and is the first tap, Enter takes what was tapped
 
 TEST_CASE("tapping: a longer rhythm makes a longer pattern, in one step that is undone") {
     Tapping program;
+    program.open();
     for (int k = 0; k < 4; ++k) program.hold(0.6 * k, 0.6 * k + 0.3);
     program.settle();
     program.press_key(key::kEnter);
@@ -72,6 +82,7 @@ TEST_CASE("tapping: a longer rhythm makes a longer pattern, in one step that is 
 
 TEST_CASE("tapping: another step is typed, and what is typed is no tap") {
     Tapping program;
+    program.open();
     for (int k = 0; k < 3; ++k) program.hold(0.4 * k, 0.4 * k + 0.15);
     program.settle();
     program.click("entry:tap_step_ms");

@@ -139,7 +139,7 @@ TEST_CASE("subset panel: a member has the menu that every pattern has") {
     program.settle();
     program.window.button(false, 1);
     program.settle();
-    for (const char* row : {"Play", "Rename", "Drop", "Duplicate", "Find similar", "Vary"}) {
+    for (const char* row : {"Play", "Rename", "Exclude", "Duplicate", "Find similar", "Vary"}) {
         CHECK(program.shows(std::string("row menu:") + row));
     }
     program.click("row menu:Lock");

@@ -49,7 +49,7 @@ TEST_CASE("tab: from the first control it goes through every pane, comes around,
     // Of every kind, in every pane.
     for (const char* name :
          {"speed:1/10", "button:new", "search", "row:p1", "hint:editor", "entry:amplitude_g",
-          "link:add carrier", "radio:1 + m sin", "entry:duration_s", "stage:spectrum", "radio:2-D",
+          "link:add carrier", "radio:Tremolo", "entry:duration_s", "stage:spectrum", "radio:2-D",
           "link:map look", "tab:Why", "radio:NC"}) {
         CHECK_MESSAGE(std::ranges::count(there, name) == 1, name);
     }

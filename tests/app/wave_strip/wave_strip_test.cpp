@@ -1,8 +1,12 @@
 // The wave strip in the program's frames: by mouse and keys.
 
 #include "app/wave_strip/wave_strip.h"
+
+#include <algorithm>
+
 #include "app/document/editing.h"
 #include "app/screen/input_queue.h"
+#include "app/workspaces/workspaces.h"
 #include "tests/support/program.h"
 
 namespace wave_strip_test {
@@ -199,6 +203,87 @@ TEST_CASE("wave strip: the wheel zooms in time at the mouse, and the pane does n
     CHECK(strip.at("grip:attack:0").middle().x == doctest::Approx(before).epsilon(0.01));
     CHECK(strip.app.pattern_panes.strip.view);
     CHECK(strip.at("wave strip").min.y == top);
+}
+
+namespace {
+
+// The arrangement for design, in which the strip has its tools.
+struct Band : Strip {
+    Band() {
+        resize({1600.0F, 1000.0F}, 1.0F);
+        app.layout = first_layout(Arrangement::design);
+        settle();
+    }
+    const std::string& rhythm() { return pattern().rhythm.text; }
+};
+
+}  // namespace
+
+TEST_CASE("wave strip: with its tool a drag on nothing draws a note, one step each") {
+    Band strip;
+    strip.press('b', false);
+    CHECK(strip.at("strip tool").value == "Notes");
+    const float end = 1.0F / 1.06F;  // the lane shows a little more than the pattern
+    strip.drag(strip.in_lane(0.03F * end, 0.3F), strip.in_lane(0.2F * end, 0.3F), 6);
+    CHECK(strip.rhythm() == "x===------------");
+    CHECK(strip.last_step() == "Draw a note of rhythm of p1");
+    strip.drag(strip.in_lane(0.53F * end, 0.3F), strip.in_lane(0.6F * end, 0.3F), 6);
+    CHECK(strip.rhythm() == "x===----x=------");
+    CHECK(strip.pattern().rhythm.unit_s == doctest::Approx(strip.pattern().duration_s / 16.0));
+    undo(strip.app.ui, strip.app.work);
+    CHECK(strip.rhythm() == "x===------------");
+    undo(strip.app.ui, strip.app.work);
+    CHECK(strip.rhythm().empty());
+}
+
+TEST_CASE("wave strip: the top of a note is its strength, its edges its length") {
+    Band strip;
+    strip.pattern().rhythm = {"x===----x===----", strip.pattern().duration_s / 16.0};
+    document_changed(strip.app.work);
+    strip.press('b', false);
+    strip.settle();
+    const Place second = strip.at("note:1");
+    const float middle = 0.5F * (second.min.x + second.max.x);
+    const float floor = second.max.y;
+    strip.drag({middle, second.min.y}, {middle, floor - 5.0F / 9.0F * (floor - second.min.y)}, 6);
+    CHECK(strip.rhythm() == "x===----5===----");
+    CHECK(strip.last_step() == "Change rhythm of p1");
+    const float step = (second.max.x - second.min.x) / 4.0F;
+    const float low = floor - 4.0F;  // below the top
+    strip.drag({second.max.x - 1.0F, low}, {second.max.x + 2.0F * step, low}, 6);
+    CHECK(strip.rhythm() == "x===----5=====--");
+    strip.drag({middle, low}, {middle - step, low}, 6);
+    CHECK(strip.rhythm() == "x===---5=====---");
+}
+
+TEST_CASE("wave strip: a double click where nothing was draws once, and on a note removes it") {
+    Band strip;
+    strip.press('b', false);
+    const ImVec2 place = strip.in_lane(0.3F, 0.3F);
+    const auto twice = [&] {
+        strip.click_at(place);
+        strip.click_at(place);
+    };
+    twice();
+    CHECK(std::ranges::count(strip.rhythm(), 'x') == 1);
+    for (int k = 0; k < 60; ++k) strip.frame();  // what follows is another double click
+    twice();
+    CHECK(std::ranges::count(strip.rhythm(), 'x') == 0);
+}
+
+TEST_CASE("wave strip: with the tool of ticks every press puts one, and a drag moves it") {
+    Band strip;
+    strip.press('k', false);
+    strip.click_at(strip.in_lane(0.2F, 0.5F));
+    strip.click_at(strip.in_lane(0.5F, 0.5F));
+    REQUIRE(strip.pattern().transients.size() == 2);
+    CHECK(strip.last_step() == "Add transient of p1");
+    CHECK(strip.pattern().amplitude_curve.empty());
+    CHECK(strip.shows("entry:chosen_hz"));
+    const double before_s = strip.pattern().transients[1].time_s;
+    strip.drag(strip.at("grip:transient:1").middle(), strip.in_lane(0.7F, 0.5F), 6);
+    REQUIRE(strip.pattern().transients.size() == 2);
+    CHECK(strip.pattern().transients[1].time_s > before_s + 0.1 * strip.pattern().duration_s);
 }
 
 }  // namespace wave_strip_test

@@ -58,7 +58,7 @@ TEST_CASE("rows: every action in the menu of the last row does what it says, to 
         CHECK(last_of(program).locked);
         choose(program, last, "Unlock");
         CHECK_FALSE(last_of(program).locked);
-        choose(program, last, "Drop");
+        choose(program, last, "Exclude");
         CHECK(last_of(program).dropped);
         choose(program, last, "Copy");
         CHECK(program.app.work.clipboard.size() == 1);

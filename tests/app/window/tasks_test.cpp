@@ -15,6 +15,7 @@
 #include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "app/window/session_layout.h"
+#include "app/workspaces/workspaces.h"
 #include "model/io/set/load.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/program.h"
@@ -328,6 +329,81 @@ TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage 
         CHECK(program.all()[3].name == "knock");
         CHECK(program.actions == 5);
     }
+}
+
+namespace {
+
+// What is drawn by hand, in the arrangement for it.
+struct Drawn : Counted {
+    Drawn() : Counted(0) {
+        resize({1600.0F, 1000.0F}, 1.0F);
+        app.layout = first_layout(Arrangement::design);
+        settle();
+        chord('n');
+    }
+    // By shares of the pattern's length and of the lane's height.
+    ImVec2 in_lane(double x, double y) const {
+        const Place& lane = at("strip:amplitude");
+        return {lane.min.x + static_cast<float>(x / 1.06) * (lane.max.x - lane.min.x),
+                lane.max.y - static_cast<float>(y) * (lane.max.y - lane.min.y)};
+    }
+    void drags_in_lane(ImVec2 from, ImVec2 to) {
+        ++actions;
+        drag(from, to, 5);
+    }
+    void clicks_in_lane(ImVec2 place) {
+        ++actions;
+        window.click(place);
+        settle();
+    }
+    void letter(char32_t sign) {
+        ++actions;
+        press(sign, false);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("tasks: a heartbeat of two notes of unequal strength, drawn") {
+    Drawn program;
+    program.letter('b');
+    program.drags_in_lane(program.in_lane(0.02, 0.3), program.in_lane(0.1, 0.3));
+    program.drags_in_lane(program.in_lane(0.27, 0.3), program.in_lane(0.35, 0.3));
+    const Place second = program.at("note:1");
+    const ImVec2 top{second.middle().x, second.min.y};
+    program.drags_in_lane(top, {top.x, second.max.y - 5.0F / 9.0F * (second.max.y - top.y)});
+    CHECK(program.pattern(0).rhythm.text == "x=--5=----------");
+    CHECK(program.actions == 5);  // 6 at most were asked for
+}
+
+TEST_CASE("tasks: a rising sweep, drawn") {
+    Drawn program;
+    const Place lane = program.at("strip:frequency");
+    program.clicks_in_lane(lane.middle());
+    REQUIRE(program.pattern(0).frequency_curve.size() == 3);
+    const ImVec2 end = program.at("grip:frequency curve:2").middle();
+    program.drags_in_lane(end, {end.x, lane.min.y + 4.0F});
+    const FrequencyCurve& curve = program.pattern(0).frequency_curve;
+    CHECK(curve.back().frequency_hz > 1.4 * curve.front().frequency_hz);
+    CHECK(program.actions == 3);  // 4 at most
+}
+
+TEST_CASE("tasks: three ticks over a soft bed, and the same at 1.5 times the tempo") {
+    Drawn program;
+    program.fills("entry:amplitude_g", "0.2");
+    program.letter('k');
+    for (const double at : {0.2, 0.5, 0.8}) program.clicks_in_lane(program.in_lane(at, 0.9));
+    REQUIRE(program.pattern(0).transients.size() == 3);
+    CHECK(program.pattern(0).amplitude_g == doctest::Approx(0.2));
+    CHECK(program.actions == 6);  // 8 at most
+    program.press('b', false);
+    program.drag(program.in_lane(0.02, 0.2), program.in_lane(0.1, 0.2), 5);
+    const double step_s = program.pattern(0).rhythm.unit_s;
+    program.actions = 0;
+    program.clicks("entry:tempo_bpm");
+    program.types("*1.5");
+    CHECK(program.pattern(0).rhythm.unit_s == doctest::Approx(step_s / 1.5));
+    CHECK(program.actions == 2);
 }
 
 }  // namespace tasks_test

@@ -24,7 +24,7 @@ void draw_exactly() {
 
 // A slider that is there at all can be aimed at.
 void check_sliders(const SceneWindow& window) {
-    constexpr float kLeastPx = 90.0F;
+    constexpr float kLeastPx = 80.0F;
     for (const auto& [name, place] : window.places) {
         if (!name.starts_with("slider:")) continue;
         CAPTURE(name);

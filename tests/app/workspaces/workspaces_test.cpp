@@ -113,14 +113,14 @@ TEST_CASE("workspaces: the stages fold to a row, from which each opens, and go a
     Program program(short_patterns(4));
     program.compute_map();
     program.wait_for_stages();
-    const auto width = [&] {
+    const auto area = [&] {
         const Place map = program.at("pane:Perceptual space");
         return (map.max.x - map.min.x) * (map.max.y - map.min.y);
     };
-    const float before = width();
+    const float before = area();
     program.click("stages:fold");
     CHECK(program.app.layout.physiology == Fold::row);
-    CHECK(width() > 1.4F * before);
+    CHECK(area() > 1.25F * before);
     program.click("label:spikes");
     CHECK(program.app.layout.physiology == Fold::open);
     CHECK(program.app.physiology.view.open == Stage::spikes);

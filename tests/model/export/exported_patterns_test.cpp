@@ -182,7 +182,7 @@ TEST_CASE("export target: FORMAT or FORMAT:ACTUATOR, else a sentence") {
     REQUIRE(chosen);
     CHECK(chosen->format == TargetFormat::haptic);
     CHECK(chosen->map.name == "console-pcm");
-    CHECK(words_on(*chosen) == "as .haptic of Meta for console-pcm holds them");
+    CHECK(words_on(*chosen) == "as Meta .haptic for console-pcm holds them");
     const auto unknown = export_target_named("mp3");
     REQUIRE_FALSE(unknown);
     CHECK(unknown.error().message.find("expected a format that is written, one of haptic, ahap") !=
