@@ -6,6 +6,7 @@
 #include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"
@@ -65,6 +66,11 @@ double shown_axis_s(const Workspace& work) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::ranges::nth_element(lengths, middle);
     return std::min(kMostOfMiddle * *middle, std::ranges::max(lengths));
+}
+
+std::string length_text(double length_s) {
+    return length_s < 0.9995 ? significant_digits(1000.0 * length_s, 3) + " ms"
+                             : significant_digits(length_s, 3) + " s";
 }
 
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,

@@ -28,6 +28,9 @@ double shown_reach_g(const Workspace& work);
 // the middle length where that is less, so that one long clip leaves the others to be seen.
 double shown_axis_s(const Workspace& work);
 
+// "22 ms", "1.5 s".
+std::string length_text(double length_s);
+
 // The waveform of a vibration without axes, over so much time; 0: over its own length.
 void draw_thumbnail(const Ui& ui, Workspace& work, const Rect& area, const Vibration& vibration,
                     ImU32 colour, double reach_g, double axis_s = 0.0);

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/patterns/recording_state.h"
 #include "app/patterns/rhythm_choice.h"
-#include "app/patterns/tapping_state.h"
 #include "app/wave_strip/strip_state.h"
+#include "model/pattern/tapped_rhythm.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 
@@ -41,7 +43,21 @@ struct EditorState {
     std::optional<NoteDrag> note_drag;
 };
 
+// Taps that are being made.
+struct TappingState {
+    std::vector<Tap> taps;         // by the window's clock
+    std::optional<double> down_s;  // since when the key or the button is held
+    std::optional<double> step_s;  // by hand; none: estimated
+    bool has_opened = true;        // the key that opened the dialog may still be held: no note
+};
+
+// What an empty set offers to begin with.
+struct StartPage {
+    std::vector<Vibration> cards;  // read when they are first shown
+};
+
 struct PatternPanes {
+    StartPage start;
     SetPanelState list;
     StripState strip;
     EditorState editor;

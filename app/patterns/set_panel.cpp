@@ -153,13 +153,6 @@ std::string strength_text(Workspace& work, const Vibration& vibration) {
     return significant_digits(peak_in_time(work.cache, vibration), 2) + " g";
 }
 
-// "22 ms", "1.5 s".
-std::string length_text(const Vibration& vibration) {
-    const double length_s = own_duration_s(vibration);
-    return length_s < 0.9995 ? significant_digits(1000.0 * length_s, 3) + " ms"
-                             : significant_digits(length_s, 3) + " s";
-}
-
 // What the mark of a row means; empty: it has none.
 std::string words_on_mark(const Workspace& work, const Vibration& vibration) {
     const std::string& name = vibration.name;
@@ -252,7 +245,7 @@ float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const Pa
     const float edge = row.max.x - 6.0F * s;
     if (parts.strength_px > 0.0F) {
         const std::string strength = strength_text(work, vibration);
-        const std::string length = parts.has_length ? length_text(vibration) : "";
+        const std::string length = parts.has_length ? length_text(own_duration_s(vibration)) : "";
         const ImVec2 size = text_size(theme.fonts.small, strength);
         const ImVec2 length_size = text_size(theme.fonts.small, length);
         const float before_px =

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/workspace.h"
-#include "app/patterns/tapping_state.h"
+#include "app/patterns/patterns_state.h"
 #include "app/ui/ui.h"
 
 namespace tact {

@@ -16,7 +16,8 @@ enum class Pane {
     matrix,
     study_design,  // these three in the view of studies
     study_people,
-    study_answers
+    study_answers,
+    start  // in the place of map, answers and editor while the set is empty
 };
 
 // What the window is arranged for.

@@ -217,6 +217,8 @@ Rect physiology_area(const App& app, const Rect& columns) {
 }
 
 void draw_columns(App& app, const Rect& area) {
+    // It has nothing to be maximised for: all else is empty.
+    if (app.layout.maximised == Pane::start) app.layout.maximised.reset();
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
     resize_pane_in_use(app, area);
     const float bar = app.ui.theme.splitter_px;
@@ -230,6 +232,9 @@ void draw_columns(App& app, const Rect& area) {
     const Rect middle{{x1 + bar, area.min.y}, {x2 - bar, end}};
 
     draw_left_column(app, {area.min, {x1, area.max.y}}, layout.left_split);
+    if (has_band(app) && app.work.document.set.vibrations.empty()) {
+        return draw_pane_of(app, Pane::start, {{x1 + bar, area.min.y}, area.max});
+    }
     if (is_folded(app)) {
         draw_map_column(app, middle);
         draw_pane_of(app, Pane::matrix, {{x2, area.min.y}, {area.max.x, end}});

@@ -195,6 +195,8 @@ std::span<const std::string_view> commands_of(Pane pane) {
             return kOfSpace;
         case Pane::matrix:
             return kOfMatrix;
+        case Pane::start:
+            return kOfPatterns;
         case Pane::study_design:
         case Pane::study_people:
         case Pane::study_answers:

@@ -14,7 +14,9 @@
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
 #include "app/document/editing.h"
+#include "app/document/files.h"
 #include "app/document/shown_side.h"
+#include "app/generate/generating.h"
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/presenting.h"
 #include "app/library/library_panel.h"
@@ -27,6 +29,7 @@
 #include "app/model_bench/model_panel.h"
 #include "app/patterns/editor_panel.h"
 #include "app/patterns/set_panel.h"
+#include "app/patterns/start_page.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
 #include "app/rendering/labels.h"
@@ -227,6 +230,8 @@ PaneTitle title_of(const App& app, Pane pane) {
             return app.layout.bench == BenchTab::model || app.layout.bench == BenchTab::device
                        ? bench_title(app)
                        : with_origin(app, bench_title(app));
+        case Pane::start:
+            return {"Start", "", {}};
         case Pane::study_design:
             return {"Study", "what people are asked", {}};
         case Pane::study_people:
@@ -404,6 +409,20 @@ void draw_editor(App& app) {
     }
 }
 
+void draw_start(App& app) {
+    const auto done = draw_start_page(app.ui, app.work, app.pattern_panes.start);
+    if (!done) return;
+    switch (done->way) {
+        case StartAction::Way::open:
+            return open_dialog(app.ui, app.work);
+        case StartAction::Way::generate:
+            return open_generate(app.ui, app.work, app.generating);
+        case StartAction::Way::recent:
+            app.ui.waiting.emplace_back([&app, file = done->file] { open_file(app, file); });
+            return;
+    }
+}
+
 void draw_content(App& app, Pane pane) {
     switch (pane) {
         case Pane::patterns:
@@ -419,6 +438,8 @@ void draw_content(App& app, Pane pane) {
             return draw_space(app);
         case Pane::matrix:
             return draw_bench(app);
+        case Pane::start:
+            return draw_start(app);
         case Pane::study_design:
             return draw_study_design(app.ui, app.work, app.play, app.studying);
         case Pane::study_people:
