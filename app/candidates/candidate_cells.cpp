@@ -84,7 +84,7 @@ void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn
     switch (column) {
         case CandidateColumn::picture:
             return draw_thumbnail(ui, work, cell, vibration, look_of(ui, work, row.place).colour,
-                                  shown_reach_g(work), shown_axis_s(work));
+                                  shown_reach_g(work), work.cache.axis_s);
         case CandidateColumn::name:
             return draw_name_cell(ui, vibration, look_of(ui, work, row.place), cell);
         case CandidateColumn::rhythm:

@@ -1,7 +1,6 @@
 #include "app/document/pattern_looks.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/vibration_cache.h"
@@ -55,18 +54,6 @@ void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring) 
 }
 
 double shown_reach_g(const Workspace& work) { return work.own_heights ? 0.0 : work.cache.reach_g; }
-
-double shown_axis_s(const Workspace& work) {
-    constexpr double kMostOfMiddle = 6.0;
-    std::vector<double> lengths;
-    for (const Vibration& vibration : work.document.set.vibrations) {
-        lengths.push_back(own_duration_s(vibration));
-    }
-    if (lengths.empty()) return 0.0;
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::ranges::nth_element(lengths, middle);
-    return std::min(kMostOfMiddle * *middle, std::ranges::max(lengths));
-}
 
 std::string length_text(double length_s) {
     return length_s < 0.9995 ? significant_digits(1000.0 * length_s, 3) + " ms"

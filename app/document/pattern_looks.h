@@ -24,10 +24,6 @@ void change_look(Ui& ui, Workspace& work, const std::string& colour, bool ring);
 // What a waveform is drawn up to where all of the set have one scale, g; 0: up to its own peak.
 double shown_reach_g(const Workspace& work);
 
-// The end of the time axis that thumbnails of the set share, s: its longest pattern's, or six times
-// the middle length where that is less, so that one long clip leaves the others to be seen.
-double shown_axis_s(const Workspace& work);
-
 // "22 ms", "1.5 s".
 std::string length_text(double length_s);
 

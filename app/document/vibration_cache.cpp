@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace tact {
 
@@ -123,6 +124,22 @@ double peak_in_time(const VibrationCache& cache, const Vibration& vibration) {
     return found == cache.entries.end() ? 0.0 : found->second.peak_g;
 }
 
+namespace {
+
+// The longest, or six times the middle length where that is less: one long clip leaves the others
+// to be seen.
+double axis_of(const PatternSet& set) {
+    constexpr double kMostOfMiddle = 6.0;
+    std::vector<double> lengths;
+    for (const Vibration& vibration : set.vibrations) lengths.push_back(own_duration_s(vibration));
+    if (lengths.empty()) return 0.0;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    return std::min(kMostOfMiddle * *middle, std::ranges::max(lengths));
+}
+
+}  // namespace
+
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision) {
     if (cache.reach_of == revision) return;
     double reach_g = 0.0;
@@ -136,6 +153,7 @@ void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t re
         reach_g = std::max(reach_g, peak ? *peak : expected_peak_g(cache, vibration));
     }
     cache.reach_g = reach_g > 0.0 ? reach_g : 1.0;
+    cache.axis_s = axis_of(set);
     cache.reach_of = revision;
 }
 

@@ -44,6 +44,7 @@ struct VibrationCache {
 
     // The strongest peak of the set: all waveforms are drawn on this one scale, in g.
     double reach_g = 1.0;
+    double axis_s = 0.0;         // the end of the time axis that pictures of the set share
     std::uint64_t reach_of = 0;  // the revision it was found at, all its patterns rendered
 };
 
@@ -63,7 +64,7 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
 // Of what waveform_in_time() gives: 0 for null.
 double peak_in_time(const VibrationCache& cache, const Vibration& vibration);
 
-// Finds the scale of the set anew where its revision is another one, or peaks were not yet known:
+// Finds the scales of the set anew where its revision is another one, or peaks were not yet known:
 // until a pattern is rendered it counts with what its numbers tell.
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision);
 

@@ -17,6 +17,7 @@
 #include "app/patterns/recording_editor.h"
 #include "app/ui/widgets.h"
 #include "app/wave_strip/wave_strip.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
@@ -40,7 +41,7 @@ void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
     }
     if (modulation.frequency_hz <= 0.0) return;
     const double beats = (kind == ModulationKind::product ? 2.0 : 1.0) * modulation.frequency_hz;
-    const std::string words = significant(beats) + " beats/s";
+    const std::string words = significant_digits(beats, 4) + " beats/s";
     dim_text_beside(ui, words);
     note_item(ui.rects, "editor:beats", words);
 }

@@ -65,7 +65,7 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     parts.has_length = parts.in_two || free >= wanted + least;
     const float strength = parts.has_length ? wanted : kStrengthPx * s;
     if (free >= strength + least) parts.strength_px = strength;
-    parts.axis_s = shown_axis_s(work);
+    parts.axis_s = work.cache.axis_s;
     parts.thumbnail_px = std::max(std::min(least, 0.4F * room.x), free - parts.strength_px);
     return parts;
 }

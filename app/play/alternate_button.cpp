@@ -92,8 +92,13 @@ void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>&
             x += name_room(ui);
         }
         if (k == 1) break;
-        draw_text(list, theme.fonts.semibold, {x + gap, y}, theme.dim_text, "|");
-        x += letter_width(ui, "|") + 2.0F * gap;
+        const float end = x + letter_width(ui, "|") + 2.0F * gap;
+        // In the middle of what a short name leaves.
+        const float unused = names && sides ? kNamePx * theme.scale -
+                                                  text_size(theme.fonts.regular, sides->names[0]).x
+                                            : 0.0F;
+        draw_text(list, theme.fonts.semibold, {x + gap - 0.5F * unused, y}, theme.dim_text, "|");
+        x = end;
     }
 }
 

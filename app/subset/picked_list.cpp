@@ -57,7 +57,7 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
         const Rect picture{{corner.x + 0.6F * width, corner.y + s},
                            {right - s, corner.y + height - s}};
         draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work),
-                       shown_axis_s(work));
+                       work.cache.axis_s);
         right = picture.min.x - ui.theme.gap_px;
     }
     draw_state_signs(ui, vibration, {right, middle});

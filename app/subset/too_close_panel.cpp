@@ -308,7 +308,7 @@ void draw_both(Ui& ui, Workspace& work, const ShownMap& shown_map,
         const Rect area = rect_at(corner, {ImGui::GetContentRegionAvail().x, height});
         ImGui::Dummy(area.size());
         draw_thumbnail(ui, work, area, work.document.set.vibrations[*place],
-                       look_of(ui, work, *place).colour, shown_reach_g(work), shown_axis_s(work));
+                       look_of(ui, work, *place).colour, shown_reach_g(work), work.cache.axis_s);
         note_item(ui.rects, "too close picture:" + name);
     }
     ImGui::Spacing();

@@ -113,6 +113,26 @@ TEST_CASE("cache: the scale of a set is its strongest peak, rendered or not, rec
     CHECK(cache.reach_g > 0.0);
 }
 
+TEST_CASE("cache: one axis of time for all pictures, which one long clip does not take") {
+    PatternSet set;
+    for (const double length_s : {0.1, 0.2, 0.2, 0.3, 60.0}) {
+        Vibration one;
+        one.name = "p" + std::to_string(set.vibrations.size());
+        Pattern pattern;
+        pattern.duration_s = length_s;
+        one.source = pattern;
+        set.vibrations.push_back(one);
+    }
+    VibrationCache cache;
+    follow_reach(cache, set, 1);
+    CHECK(cache.axis_s == doctest::Approx(6.0 * 0.2));
+    std::get<Pattern>(set.vibrations.back().source).duration_s = 0.9;
+    follow_reach(cache, set, 2);
+    CHECK(cache.axis_s == doctest::Approx(0.9));
+    follow_reach(cache, {}, 3);
+    CHECK(cache.axis_s == 0.0);
+}
+
 TEST_CASE("cache: a pattern of transients alone counts for the scale before it is rendered") {
     VibrationCache cache;
     PatternSet set;
