@@ -75,6 +75,8 @@ struct PutThere {
     std::optional<Eigen::RowVectorXd> wanted;  // place of the map
     bool is_dragged = false;                   // in this frame
     std::optional<ReachRequest> asked;         // let go there: under way
+    std::optional<Eigen::RowVectorXd> aim;     // of the last one, shown until the next edit ...
+    std::uint64_t aim_of = 0;                  // ... after this revision
     KeptSurroundings around;
     AskedMaybes cloud;  // what can be reached
     OwnedJob<ReachRequest, FoundReach> job;

@@ -52,6 +52,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     if (pattern == nullptr) {
         return say(ui, "Only a pattern made of parameters that is not locked can be moved.");
     }
+    put.aim.reset();
     put.name = vibration.name;
     put.wanted = move.to;
     put.is_dragged = !move.ended;
@@ -69,6 +70,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
 void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState& state) {
     PutThere& put = state.put;
     if (!put.cloud.job) return;
+    if (put.aim_of != work.revision) put.aim.reset();
     const Pattern* pattern = pattern_to_put(work, put.name);
     if (pattern == nullptr && !put.name.empty()) stop_putting(state);
     const bool is_shown = pattern != nullptr && (put.is_dragged || put.asked);
@@ -92,6 +94,8 @@ void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState&
     document_changed(work);
     commit_step(ui, work, "Put " + put.name + " there");
     say(ui, sentence_on(found->reached) + " Ctrl+Z takes it back.");
+    put.aim = put.wanted;
+    put.aim_of = work.revision;
     stop_putting(state);
 }
 
@@ -105,6 +109,7 @@ void stop_putting(MaybesState& state) {
 
 void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state) {
     const PutThere& put = state.put;
+    if (!put.wanted && put.aim && put.aim->size() == columns) shown.wanted = put.aim;
     if (!put.wanted || put.wanted->size() != columns) return;
     shown.wanted = put.wanted;
     const auto cloud = answer_of(put.cloud);

@@ -4,10 +4,12 @@
 
 #include "app/ask/gap_follow.h"
 #include "app/ask/pad_dialog.h"
+#include "app/ask/put_there.h"
 #include "app/map/similar.h"
 #include "app/window/commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
+#include "tests/support/scene_steps.h"
 
 namespace gap_pad_test {
 
@@ -163,6 +165,25 @@ TEST_CASE("move tool: a drag of a point searches its pattern; without it the poi
     program.press_key(key::kEscape);
     CHECK_FALSE(program.app.maybes.put.asked);
     CHECK(program.app.work.document.history.undo_label() == nullptr);
+}
+
+TEST_CASE("move tool: where it was to be stays in sight until the next edit") {
+    Asked program(short_patterns(5));
+    program.compute_map();
+    program.click("tool:move");
+    const ImVec2 at = program.at("point:p1").middle();
+    program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
+    REQUIRE(program.app.maybes.put.asked);
+    const Eigen::RowVectorXd wanted = *program.app.maybes.put.wanted;
+    wait_until(program, [&] { return !program.app.maybes.put.asked; });
+    REQUIRE(program.app.maybes.put.aim);
+    CHECK(*program.app.maybes.put.aim == wanted);
+    MapMaybes shown;
+    show_put(shown, wanted.size(), program.app.maybes);
+    CHECK(shown.wanted.has_value());
+    undo(program.app.ui, program.app.work);
+    program.settle();
+    CHECK_FALSE(program.app.maybes.put.aim);
 }
 
 TEST_CASE("find similar: the closest by PM are selected, and named with how far they are") {
