@@ -336,6 +336,16 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     follow_hover(ui, work, timeline, play);
 }
 
+namespace {
+
+// Where it is pressed, and not only in the list of devices.
+void tell_silent(Ui& ui, const PlayState& play) {
+    if (!play.choice.id.empty()) return say(ui, device_text(play) + ": " + device_trouble(play));
+    say(ui, "Plays silently: no actuator is chosen. The list beside the speeds has them.");
+}
+
+}  // namespace
+
 void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                     PlayState& play) {
     if (is_sounding(play)) {
@@ -349,8 +359,8 @@ void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
     if (!playhead.playing || playhead.speed != 1.0) return;
     if (can_sound(play) && current_vibration(work) != nullptr) {
         start(ui, work, timeline, play, of_transport(work, timeline, shown_map, play));
-    } else if (!play.choice.id.empty()) {
-        say(ui, device_text(play) + ": " + device_trouble(play));
+    } else {
+        tell_silent(ui, play);
     }
 }
 
@@ -374,6 +384,7 @@ void play_once(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std
                      {.names = {work.document.set.vibrations[index].name}});
     timeline.playhead.at_s = 0.0;
     timeline.playhead.playing = shown_duration_s(work) > 0.0;
+    tell_silent(ui, play);
 }
 
 void play_pair(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std::size_t first,

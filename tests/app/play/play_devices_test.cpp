@@ -25,7 +25,7 @@ TEST_CASE("playing: a lost device says so once, and nothing plays") {
     CHECK(device_trouble(program.app.play) == "memory is gone: nothing plays until it is back");
 }
 
-TEST_CASE("playing: without a device all is calm: silent playing, and one word of advice") {
+TEST_CASE("playing: without a device it says that it plays silently, and has a word of advice") {
     Program program(short_patterns(2));
     program.app.play.listed = std::make_shared<const Listing>();
     program.app.timeline.playhead.speed = 1.0;
@@ -36,7 +36,8 @@ TEST_CASE("playing: without a device all is calm: silent playing, and one word o
     program.window.press(key::kSpace, U' ');
     program.settle();
     CHECK(program.app.timeline.playhead.playing);
-    CHECK(program.app.ui.status.text.empty());
+    CHECK(program.app.ui.status.text.starts_with("Plays silently: no actuator is chosen."));
+    CHECK_FALSE(program.app.ui.status.is_error);
     program.click("device");
     CHECK(program.at("device advice").value.find("Plug in") == 0);
 }
