@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/document/editing.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
+#include "model/map/explained_share.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -44,6 +46,41 @@ double share_of(PatternParameter parameter, const Range& reach, double value) {
         return std::log(value / reach.low) / std::log(reach.high / reach.low);
     }
     return (value - reach.low) / (reach.high - reach.low);
+}
+
+// Of many patterns eight colours that mean nothing are confetti: they take the number that explains
+// most of the map, if any explains a good part.
+const ShownExplained& explained(ShownMap& shown_map) {
+    ShownExplained& known = shown_map.explained;
+    if (known.of == shown_map.transition.shown) return known;
+    known = {shown_map.transition.shown, std::nullopt, 0.0};
+    constexpr std::size_t kFew = 24;
+    constexpr double kLeast = 0.25;
+    const auto& all = shown_vibrations(shown_map);
+    const Eigen::MatrixXd& places = shown_map.transition.to;
+    if (all.size() <= kFew || static_cast<std::size_t>(places.rows()) != all.size()) return known;
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto reach = reach_of(shown_map, parameter);
+        if (!reach) continue;
+        std::vector<double> shares;
+        for (const Vibration& vibration : all) {
+            const auto value = value_of(vibration, parameter);
+            shares.push_back(value ? share_of(parameter, *reach, *value)
+                                   : std::numeric_limits<double>::quiet_NaN());
+        }
+        const double share = explained_share(places, shares);
+        if (share < std::max(kLeast, known.share)) continue;
+        known.by = parameter;
+        known.share = share;
+    }
+    return known;
+}
+
+// By what the points are coloured, if by a number.
+std::optional<PatternParameter> colour_of(ShownMap& shown_map) {
+    const MapLook& look = shown_map.look;
+    if (look.is_chosen || look.colour) return look.colour;
+    return explained(shown_map).by;
 }
 
 void colour_by(const Ui& ui, const ShownMap& shown_map, PatternParameter parameter,
@@ -183,8 +220,8 @@ MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
     const MapLook& look = shown_map.look;
     if (look.clusters > 1) {
         colour_clusters(ui, shown_map, looks);
-    } else if (look.colour) {
-        colour_by(ui, shown_map, *look.colour, looks);
+    } else if (const auto colour = colour_of(shown_map)) {
+        colour_by(ui, shown_map, *colour, looks);
     }
     if (look.path) {
         if (shown_map.paths.of != shown_map.transition.shown ||
@@ -236,8 +273,12 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
         ImGui::EndPopup();
         return;
     }
-    if (draw_parameter_choice(ui, shown_map, "Colour by", "pattern", look.colour))
+    std::optional<PatternParameter> colour = colour_of(shown_map);
+    if (draw_parameter_choice(ui, shown_map, "Colour by", "pattern", colour)) {
+        look.colour = colour;
+        look.is_chosen = true;
         look.clusters = 0;
+    }
     draw_parameter_choice(ui, shown_map, "Lines along", "none", look.path);
     draw_filter(ui, shown_map);
     int groups = std::max(1, look.clusters);
@@ -263,20 +304,25 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     ImGui::EndPopup();
 }
 
-void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) {
+void draw_map_legend(Ui& ui, ShownMap& shown_map, const Rect& area) {
     const MapLook& look = shown_map.look;
-    if (!look.colour || look.clusters > 1 || !shown_map.transition.shown) return;
-    const auto reach = reach_of(shown_map, *look.colour);
+    if (look.clusters > 1 || !shown_map.transition.shown) return;
+    const auto colour = colour_of(shown_map);
+    const auto reach = colour ? reach_of(shown_map, *colour) : std::nullopt;
     if (!reach) return;
     const Theme& theme = ui.theme;
-    const ParameterTraits& about = traits(*look.colour);
+    const ParameterTraits& about = traits(*colour);
     const std::string unit = *about.unit == '\0' ? "" : std::string(" ") + about.unit;
     const std::string low = significant(reach->low);
     const std::string high = significant(reach->high) + unit;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low_size = text_size(theme.fonts.small, low);
     const ImVec2 high_size = text_size(theme.fonts.small, high);
-    const std::string name = about.name;
+    std::string name = about.name;
+    if (!look.is_chosen && !look.colour) {
+        name = "colour: " + name + ", explains " +
+               significant(100.0 * explained(shown_map).share, 2) + " % of the map";
+    }
     const ImVec2 name_size = text_size(theme.fonts.small, name);
     const float bar = 72.0F * theme.scale;
     const float gap = 0.75F * theme.gap_px;
@@ -298,6 +344,7 @@ void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area) 
                            colours((k + 0.5) / kPieces));
     }
     draw_text(list, theme.fonts.small, {x + bar + gap, y}, theme.dim_text, high);
+    note_rect(ui.rects, "map:colour", {area.max.x - width, y}, {area.max.x, y + height}, name);
 }
 
 }  // namespace tact

@@ -52,6 +52,6 @@ void decorate(const MapDecor& decor, SpaceScene& scene);
 void draw_map_look(Ui& ui, ShownMap& shown_map);
 
 // What the colours mean, in the upper right corner of the map.
-void draw_map_legend(const Ui& ui, const ShownMap& shown_map, const Rect& area);
+void draw_map_legend(Ui& ui, ShownMap& shown_map, const Rect& area);
 
 }  // namespace tact

@@ -38,12 +38,20 @@ struct MapProgress {
 // By what the map is coloured, joined and filtered.
 struct MapLook {
     std::optional<PatternParameter> colour;
+    bool is_chosen = false;  // the colour was, by the person; else many patterns choose their own
     std::optional<PatternParameter> path;
     int clusters = 0;  // 0: none
     std::optional<PatternParameter> filter;
     Range passes{0.0, 0.0};  // of the filter
     bool show_pairs = true;
     bool show_spread = true;
+};
+
+// The number that explains most of the shown map, kept while it stays.
+struct ShownExplained {
+    std::shared_ptr<const LiveMap> of;
+    std::optional<PatternParameter> by;
+    double share = 0.0;
 };
 
 // Groups of the shown map, kept while it stays.
@@ -102,6 +110,7 @@ struct ShownMap {
     std::uint64_t maps_asked = 0;        // revision that maps were asked for last
     MapTransition transition;
     MapLook look;
+    ShownExplained explained;
     ShownClusters clusters;
     ShownPaths paths;
     ShownLargest largest;
