@@ -62,6 +62,11 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     draw_tooltip(ui, "All selected rows: picked in every subset, and not edited.");
     deed("drop", drop, toggle_dropped);
     draw_tooltip(ui, "All selected rows: picked in no subset.");
+    if (const std::size_t unfelt = unfelt_indices(work).size(); unfelt > 0) {
+        const std::string words = "Exclude all not felt (" + std::to_string(unfelt) + ")";
+        deed("exclude unfelt", words.c_str(), exclude_unfelt);
+        draw_tooltip(ui, "No receptor of the model answers to them. Locked ones stay.");
+    }
     const std::string told = std::to_string(listed) + " of " +
                              std::to_string(work.document.set.vibrations.size()) + ", " +
                              std::to_string(selected_indices(work).size()) + " selected";

@@ -340,6 +340,26 @@ void toggle_dropped(Ui& ui, Workspace& work) {
     toggle_mark(ui, work, &Vibration::dropped, &Vibration::locked, "Exclude", "Include");
 }
 
+std::vector<std::size_t> unfelt_indices(const Workspace& work) {
+    const std::vector<Vibration>& all = work.document.set.vibrations;
+    std::vector<std::size_t> unfelt;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool is_free = !all[k].locked && !all[k].dropped;
+        if (is_free && work.selection.unfelt.contains(all[k].name)) unfelt.push_back(k);
+    }
+    return unfelt;
+}
+
+void exclude_unfelt(Ui& ui, Workspace& work) {
+    const std::vector<std::size_t> unfelt = unfelt_indices(work);
+    if (unfelt.empty()) return;
+    for (const std::size_t index : unfelt) vibrations(work)[index].dropped = true;
+    document_changed(work);
+    const std::string what = patterns_text(unfelt.size());
+    commit_step(ui, work, "Exclude " + what + " not felt");
+    say(ui, "Excluded " + what + " that no receptor answers to. Ctrl+Z takes it back.");
+}
+
 double shown_duration_s(const Workspace& work) { return longest_s(work.document.set); }
 
 void note_pressed(Workspace& work, const Vibration& vibration) {

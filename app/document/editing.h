@@ -78,6 +78,10 @@ void rename_vibration(Ui& ui, Workspace& work, std::size_t index, const std::str
 void toggle_locked(Ui& ui, Workspace& work);   // locked ones are in every subset ...
 void toggle_dropped(Ui& ui, Workspace& work);  // ... dropped ones in none
 
+// Those that PM finds not felt, but for locked and excluded ones; and excludes them, in one step.
+std::vector<std::size_t> unfelt_indices(const Workspace& work);
+void exclude_unfelt(Ui& ui, Workspace& work);
+
 // Duration of what the panes show, s: of any pattern, padded as in its set.
 double shown_duration_s(const Workspace& work);
 

@@ -1,7 +1,9 @@
 // The set as a table: sorting, filtering, many at once, who is picked.
 #include "app/candidates/candidates_panel.h"
 #include "app/candidates/candidate_rows.h"
+#include "app/document/editing.h"
 #include "app/subset/subset_follow.h"
+#include "app/window/jobs.h"
 #include "model/set/vibration_search.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
@@ -214,6 +216,29 @@ TEST_CASE("candidates: what is drawn shows its peak, its mean frequency and its 
     CHECK(rows[1].ticks == 2);
     CHECK(number_in(rows[2], CandidateColumn::amplitude) == doctest::Approx(0.7));
     CHECK(number_in(rows[2], CandidateColumn::carrier) == doctest::Approx(80.0));
+}
+
+TEST_CASE("candidates: all that nobody feels are excluded by one press, but for locked ones") {
+    PatternSet set = short_patterns(6);
+    for (const std::size_t k : {1U, 2U, 4U}) {
+        std::get<Pattern>(set.vibrations[k].source).amplitude_g = 0.0;
+    }
+    set.vibrations[4].locked = true;
+    Program program(set);
+    App& app = program.app;
+    app.layout.bench = BenchTab::candidates;
+    program.compute_map();
+    program.settle();
+    REQUIRE(unfelt_indices(app.work) == std::vector<std::size_t>{1, 2});
+    program.click("candidates:exclude unfelt");
+    const auto& all = app.work.document.set.vibrations;
+    for (std::size_t k = 0; k < all.size(); ++k) CHECK(all[k].dropped == (k == 1 || k == 2));
+    CHECK(app.ui.status.text.starts_with("Excluded 2 patterns that no receptor answers to."));
+    CHECK_FALSE(program.shows("candidates:exclude unfelt"));
+    undo(app.ui, app.work);
+    CHECK_FALSE(all[1].dropped);
+    CHECK_FALSE(all[2].dropped);
+    stop_jobs(app);
 }
 
 }  // namespace candidates_panel_test
