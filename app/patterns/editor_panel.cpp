@@ -308,26 +308,30 @@ constexpr std::array kTools{
     Choice{StripTool::curves, "Curves", "C: lines of amplitude and frequency, and their points."},
     Choice{StripTool::ticks, "Ticks", "K: a press puts a transient, a drag moves it."}};
 
+// How high the foot is in so much room; none where it would leave too little above it.
+float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, float used_px) {
+    constexpr Range kFootPx{68.0, 130.0};
+    constexpr float kShare = 0.15F;
+    constexpr float kLeastAbovePx = 150.0F;
+    const float s = ui.theme.scale;
+    const float wanted_px = std::clamp(kShare * room_px, static_cast<float>(kFootPx.low) * s,
+                                       static_cast<float>(kFootPx.high) * s) +
+                            ui.theme.gap_px;
+    return draw_foot && room_px - used_px - wanted_px >= kLeastAbovePx * s ? wanted_px : 0.0F;
+}
+
 // The strip as high as the pane, above the foot, which goes first where there is no room for both.
 // The numbers of what is chosen stand among the others where those are in sight: the strip would
 // jump beneath the mouse.
 void draw_drawing(Ui& ui, Workspace& work, StripState& strip, const DrawFoot& draw_foot,
                   ChosenFields fields) {
-    constexpr float kFootPx = 68.0F;
-    constexpr float kMostFootPx = 130.0F;
-    constexpr float kFootShare = 0.15F;
-    constexpr float kLeastStripPx = 150.0F;
-    const float s = ui.theme.scale;
     const bool below = fields == ChosenFields::below;
     if (!below) draw_segments(ui, kTools, strip.tool, "strip tool:");
     const float room_px = ImGui::GetContentRegionAvail().y;
-    const float strip_px = room_px - (below ? chosen_fields_px(ui, work, strip) : 0.0F);
-    const float foot_px =
-        std::clamp(kFootShare * room_px, kFootPx * s, kMostFootPx * s) + ui.theme.gap_px;
-    const bool has_foot = draw_foot && strip_px - foot_px >= kLeastStripPx * s;
-    draw_strip(ui, work, strip, {.most_px = strip_px - (has_foot ? foot_px : 0.0F), .fills = true},
-               fields);
-    if (!has_foot) return;
+    const float chosen_px = below ? chosen_fields_px(ui, work, strip) : 0.0F;
+    const float foot_px = foot_height_px(ui, draw_foot, room_px, chosen_px);
+    draw_strip(ui, work, strip, {.most_px = room_px - chosen_px - foot_px, .fills = true}, fields);
+    if (foot_px <= 0.0F) return;
     ImGui::BeginChild("foot");
     draw_foot();
     ImGui::EndChild();
@@ -399,6 +403,7 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
             ImGui::EndDisabled();
         }
         draw_fields(ui, work, pattern_panes, shown_map, Columns::two);
+        if (has_both && !current_vibration(work)->locked) draw_editor_hint(ui);
         if (!has_both) draw_closest();
     }
     ImGui::EndChild();
@@ -425,9 +430,15 @@ std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
     }
     const auto neighbour = neighbour_of(work, shown_map);
     const float card_px = neighbour ? neighbour_card_px(ui, work, shown_map, *neighbour) : 0.0F;
-    ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px)});
+    const float foot_px = foot_height_px(ui, draw_foot, room.y, card_px);
+    ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px - foot_px)});
     draw_column(ui, work, pattern_panes, shown_map);
     ImGui::EndChild();
+    if (foot_px > 0.0F) {
+        ImGui::BeginChild("foot", {room.x, foot_px - ui.theme.gap_px});
+        draw_foot();
+        ImGui::EndChild();
+    }
     if (!neighbour) return std::nullopt;
     return draw_neighbour_card(ui, work, shown_map, *neighbour);
 }

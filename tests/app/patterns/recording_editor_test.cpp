@@ -9,6 +9,8 @@
 
 #include "app/document/files.h"
 #include "app/map/map_follow.h"
+#include "app/window/jobs.h"
+#include "app/workspaces/workspaces.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -171,6 +173,24 @@ TEST_CASE("recording: the note of a cut names all that was done, and nothing els
     CHECK(cut_note({3.0, {0.0, 1.0}, 0.0, 0.0}, 1.0, "a.wav") == "Cut from a.wav: +3 dB.");
     CHECK(cut_note({-3.0, {0.2, 1.0}, 0.01, 0.02}, 1.0, "") ==
           "Cut: -3 dB, 0.2 to 1 s, fades of 10 and 20 ms.");
+}
+
+TEST_CASE("recording: in the arrangement for design its stages are the editor's foot, too") {
+    Recorded program;
+    program.resize({1600.0F, 1000.0F}, 1.0F);
+    program.app.layout = first_layout(Arrangement::design);
+    make_jobs(program.app);
+    program.wait_for("stages:unfold");
+    for (const std::size_t place : {0U, 2U}) {
+        select_only(program.app.work, place);
+        program.settle();
+        REQUIRE(program.shows("stages:unfold"));
+        const Place& foot = program.at("stages:unfold");
+        const Place& pane = program.at("pane:Editor");
+        CHECK(foot.min.y > 0.5F * (pane.min.y + pane.max.y));
+        CHECK(foot.max.y < pane.max.y);
+    }
+    stop_jobs(program.app);
 }
 
 }  // namespace recording_editor_test
