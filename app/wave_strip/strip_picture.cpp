@@ -32,27 +32,39 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
 }
 
 // A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
+// Of thousands that are narrower than a bar, the highest of each column of pixels is drawn.
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    constexpr float kNarrowPx = 4.0F;
     const Rect& lane = scene.scale.amplitude.area;
     const bool is_high = scene.scale.tool == StripTool::notes;
     const float bar_px = 3.0F * theme.scale;
     const float rounding = 2.0F * theme.scale;
     list.PushClipRect(lane.min, lane.max, true);
     const std::vector<Note> all = notes(scene.pattern.rhythm, scene.pattern.duration_s);
+    float last_px = -1.0F;  // the column that was drawn last, and how high
+    float last_top = 0.0F;
     for (const NoteBlock& block : note_blocks(scene.pattern, scene.scale)) {
         const auto& [index, area] = block;
         const float top = top_of(block, all[index]);
         const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
         const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
-        if (is_high) {
-            list.AddRectFilled({area.min.x, top}, max, faded(scene.colour, lit ? 0.5F : 0.32F),
-                               rounding);
-            list.AddRect({area.min.x, top}, max, scene.colour, rounding, 0, theme.hairline_px);
-            list.AddRectFilled({area.min.x, top}, {max.x, top + bar_px},
-                               lit ? theme.text : theme.dim_text, rounding);
-        } else {
-            list.AddRectFilled({area.min.x, top}, max, lit ? theme.text : theme.dim_text, rounding);
+        const ImU32 ink = lit ? theme.text : theme.dim_text;
+        if (!is_high) {
+            list.AddRectFilled({area.min.x, top}, max, ink, rounding);
+            continue;
         }
+        if (area.width() < kNarrowPx * theme.scale) {
+            const float column = std::floor(area.min.x);
+            if (column == last_px && top >= last_top && !lit) continue;
+            last_px = column;
+            last_top = top;
+            list.AddRectFilled({area.min.x, top}, max, faded(scene.colour, lit ? 0.8F : 0.5F));
+            continue;
+        }
+        list.AddRectFilled({area.min.x, top}, max, faded(scene.colour, lit ? 0.5F : 0.32F),
+                           rounding);
+        list.AddRect({area.min.x, top}, max, scene.colour, rounding, 0, theme.hairline_px);
+        list.AddRectFilled({area.min.x, top}, {max.x, top + bar_px}, ink, rounding);
     }
     list.PopClipRect();
 }

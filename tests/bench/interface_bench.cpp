@@ -14,6 +14,7 @@
 #include "app/screen/window.h"
 #include "app/subset/subset_state.h"
 #include "app/window/jobs.h"
+#include "app/workspaces/workspaces.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"
 #include "tests/bench/owed.h"
@@ -182,6 +183,43 @@ void drag_in_full_strip(benchmark::State& state) {
     owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 3.0, "ms (median)");
 }
 
+// One pattern of 60 s with 10,000 notes, in the arrangement for design.
+PatternSet full_of_notes() {
+    PatternSet set;
+    set.duration_s = 60.0;
+    Pattern pattern;
+    pattern.duration_s = 60.0;
+    for (std::size_t k = 0; k < 10'000; ++k) pattern.rhythm.text += k % 3 == 0 ? "5-" : "x-";
+    pattern.rhythm.unit_s = 60.0 / static_cast<double>(pattern.rhythm.text.size());
+    set.vibrations.push_back({});
+    set.vibrations[0].name = "notes";
+    set.vibrations[0].source = pattern;
+    return set;
+}
+
+// While the strength of one of them is dragged by its top.
+void drag_in_full_notes(benchmark::State& state) {
+    Program program(full_of_notes());
+    make_render_job(program.app.work.cache, {});
+    program.resize({1600.0F, 1000.0F}, 1.0F);
+    program.app.layout = first_layout(Arrangement::design);
+    program.app.pattern_panes.strip.tool = StripTool::notes;
+    program.settle();
+    const Place note = program.at("note:5000");
+    program.window.move({note.middle().x, note.min.y + 0.1F});
+    program.window.button(true);
+    program.settle();
+    note_no_places(program);
+    std::vector<double> frames_s;
+    for (auto _ : state) {
+        const float way = static_cast<float>(frames_s.size() % 40);
+        program.window.move({note.middle().x, note.min.y + way});
+        frames_s.push_back(frame_s(program));
+    }
+    state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
+    owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 6.0, "ms (median)");
+}
+
 // One strong pattern of 2.5 s that drives at least 641 receptors.
 PatternSet strong() {
     PatternSet set;
@@ -305,6 +343,7 @@ BENCHMARK(frame)->Name("interface/frame")->Iterations(300);
 BENCHMARK(frame_while_computing)->Name("interface/frame_while_computing")->Iterations(600);
 BENCHMARK(slider_to_space)->Name("interface/slider_to_space")->Iterations(7);
 BENCHMARK(drag_in_full_strip)->Name("interface/drag_in_full_strip")->Iterations(200);
+BENCHMARK(drag_in_full_notes)->Name("interface/drag_in_full_notes")->Iterations(200);
 BENCHMARK_CAPTURE(frame_on_display, twelve, twelve())
     ->Name("interface/frame_on_display/twelve")
     ->Iterations(400);
