@@ -76,6 +76,14 @@ struct ShownLargest {
     double value = 0.0;
 };
 
+// How many pairs of the shown map people would confuse, by felt steps, kept while it stays.
+struct ShownVerdicts {
+    std::shared_ptr<const LiveMap> of;
+    std::size_t same = 0;
+    std::size_t close = 0;
+    bool is_known = false;  // not of very many
+};
+
 // What a length of the map is in PM, kept while that stays.
 struct ShownScale {
     std::shared_ptr<const LiveMap> of;
@@ -115,6 +123,7 @@ struct ShownMap {
     ShownPaths paths;
     ShownLargest largest;
     ShownScale scale;
+    ShownVerdicts verdicts;
     bool clustered_matrix = true;  // rows as a tree of clusters has them, not as the list
     ShownOrder order;
     std::shared_ptr<const LiveMap> places_noted_of;  // whose places the document has

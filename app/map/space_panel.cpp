@@ -12,6 +12,8 @@
 #include "app/progress/failure.h"
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
+#include "model/subset/confusable.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -167,9 +169,50 @@ float draw_headline_number(const Ui& ui, ImVec2 corner, ImU32 ink, const std::st
     return x + text_size(fonts.small, what).x;
 }
 
+const ShownVerdicts& verdicts_of(ShownMap& shown_map) {
+    constexpr std::size_t kMost = 100;
+    ShownVerdicts& known = shown_map.verdicts;
+    if (known.of == shown_map.transition.shown) return known;
+    known = {shown_map.transition.shown};
+    const PatternSet& set = *known.of->request.set;
+    known.is_known = set.vibrations.size() <= kMost;
+    for (std::size_t i = 0; known.is_known && i < set.vibrations.size(); ++i) {
+        for (std::size_t j = i + 1; j < set.vibrations.size(); ++j) {
+            const PairVerdict verdict = pair_verdict(set, i, j);
+            known.same += verdict == PairVerdict::same;
+            known.close += verdict == PairVerdict::close;
+        }
+    }
+    return known;
+}
+
+// What the numbers come to, at the right end of their line where there is room.
+void draw_verdict(Ui& ui, ShownMap& shown_map, const Rect& area, float used_px) {
+    const ShownVerdicts& verdicts = verdicts_of(shown_map);
+    if (!verdicts.is_known) return;
+    std::string words = "No pair within two felt steps";
+    ImU32 ink = ui.theme.dim_text;
+    if (verdicts.close > 0) {
+        words = counted(verdicts.close, "pair", "pairs") + " may be confused";
+        ink = ui.theme.warning;
+    }
+    if (verdicts.same > 0) {
+        words = counted(verdicts.same, "pair", "pairs") + " the same" +
+                (verdicts.close > 0 ? ", " + words : "");
+        ink = ui.theme.error;
+    }
+    const Fonts& fonts = ui.theme.fonts;
+    const ImVec2 size = text_size(fonts.small, words);
+    const ImVec2 corner{area.max.x - size.x,
+                        area.min.y + 0.8F * (text_size(fonts.large, "0").y - size.y)};
+    if (corner.x < used_px + 3.0F * ui.theme.gap_px) return;
+    draw_text(*ImGui::GetWindowDrawList(), fonts.small, corner, ink, words);
+    note_rect(ui.rects, "map:verdict", corner, corner + size, words);
+}
+
 // How well the map fits, and its weakest pair: what one looks for first. The height that it takes;
 // none where there is no room for it.
-float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Rect& area,
+float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area,
                     const RowPlaces& places) {
     const LiveMap& map = *shown_map.transition.shown;
     const Theme& theme = ui.theme;
@@ -202,6 +245,7 @@ float draw_headline(Ui& ui, Workspace& work, const ShownMap& shown_map, const Re
         std::max(0.0F, area.max.x - used));
     const ImVec2 corner{x, area.min.y};
     const float right = draw_headline_number(ui, corner, ink, pm, what);
+    draw_verdict(ui, shown_map, area, right);
     ImGui::SetCursorScreenPos(corner);
     const bool pressed = ImGui::InvisibleButton("closest pair", {right - x, height - theme.gap_px});
     note_item(ui.rects, "map:closest", all[a].name + "|" + all[b].name);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document/editing.h"
 #include "app/window/jobs.h"
+#include "app/workspaces/workspaces.h"
 #include "model/map/explained_share.h"
 #include "tests/support/program.h"
 
@@ -66,6 +68,32 @@ TEST_CASE("map look: a few patterns keep their own colours") {
     program.settle();
     CHECK_FALSE(program.shows("map:colour"));
     stop_jobs(program.app);
+}
+
+TEST_CASE("map headline: how many pairs may be confused, by the scale of all panes") {
+    PatternSet set = short_patterns(4);
+    Program program(set);
+    program.resize({1600.0F, 1000.0F}, 1.0F);
+    App& app = program.app;
+    app.layout = first_layout(Arrangement::design);
+    const auto words_with = [&](double hz) {
+        std::get<Pattern>(app.work.document.edit().vibrations[1].source) =
+            std::get<Pattern>(app.work.document.set.vibrations[0].source);
+        std::get<Pattern>(app.work.document.edit().vibrations[1].source).carriers[0].frequency_hz =
+            hz;
+        document_changed(app.work);
+        program.wait_for_exact_map();
+        program.settle();
+        return program.at("map:verdict").value;
+    };
+    program.compute_map();
+    const double first_hz =
+        std::get<Pattern>(app.work.document.set.vibrations[0].source).carriers[0].frequency_hz;
+    const double step = step_of(app.work.document.set.felt_steps, PatternParameter::carrier);
+    CHECK(words_with(first_hz).starts_with("1 pair the same"));
+    CHECK(words_with(first_hz * std::pow(step, 1.5)).starts_with("1 pair may be confused"));
+    CHECK(words_with(first_hz * std::pow(step, 2.5)) == "No pair within two felt steps");
+    stop_jobs(app);
 }
 
 }  // namespace map_look_test
