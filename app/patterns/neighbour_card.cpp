@@ -141,7 +141,9 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
                                             ui.theme.hairline_px);
         ImGui::SetCursorScreenPos({corner.x, corner.y + 0.5F * ui.theme.gap_px});
         draw_name(ui, work, shown_map, pair, right);
-        if (!beside) draw_small(ui, ui.theme.dim_text, pm, 0.0F);
+        if (!beside) {
+            draw_small(ui, ui.theme.dim_text, shortened(ui.theme.fonts.small, pm, room), 0.0F);
+        }
     }
     std::optional<NeighbourAction> done;
     const auto deed = [&](const char* id, const char* words, NeighbourDeed what, const char* help,
