@@ -38,6 +38,7 @@ struct LayoutLimits {
     Range left_split{0.15, 0.80};
     Range right_split{0.20, 0.85};
     Range band{0.20, 0.70};
+    float all_numbers = 0.0F;  // of the band: it has that until somebody moves its bar
 };
 
 LayoutLimits layout_limits(const App& app, const Rect& area) {
@@ -49,7 +50,8 @@ LayoutLimits layout_limits(const App& app, const Rect& area) {
     if (is_folded(app)) limits.right.high = std::min(0.58, 0.75 - limits.left.low);
     limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
     limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
-    limits.band.low = least_share(app, 256.0F, area.height(), 0.58F);
+    limits.band.low = least_share(app, 150.0F, area.height(), 0.35F);
+    limits.all_numbers = static_cast<float>(least_share(app, 256.0F, area.height(), 0.58F));
     return limits;
 }
 
@@ -62,6 +64,7 @@ Layout within(const LayoutLimits& limits, Layout layout) {
     keep(layout.right, limits.right);
     keep(layout.left_split, limits.left_split);
     keep(layout.right_split, limits.right_split);
+    if (layout.band == Layout{}.band) layout.band = std::max(layout.band, limits.all_numbers);
     keep(layout.band, limits.band);
     return layout;
 }

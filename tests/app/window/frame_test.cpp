@@ -1,5 +1,6 @@
 #include "app/window/frame.h"
 
+#include "app/workspaces/workspaces.h"
 #include "tests/support/program.h"
 
 namespace frame_test {
@@ -185,6 +186,40 @@ TEST_CASE("window: keys make the pane in use wider, narrower, higher and lower")
         CHECK(std::abs(size_of(pane).y - before.y) <= 1.0F);
     }
     CHECK(program.app.ui.status.text == "Matrix: lower");
+}
+
+TEST_CASE("design: all numbers of a pattern are in sight at every size of text") {
+    struct Screen {
+        ImVec2 size;
+        float scale;
+    };
+    for (const Screen& screen :
+         {Screen{{1600.0F, 1000.0F}, 1.0F}, Screen{{1600.0F, 1000.0F}, 1.5F},
+          Screen{{1600.0F, 1000.0F}, 2.0F}, Screen{{1280.0F, 720.0F}, 1.0F}}) {
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.scale);
+        Program program(short_patterns(2));
+        program.resize(screen.size, screen.scale);
+        program.app.layout = first_layout(Arrangement::design);
+        program.settle();
+        const Place pane = program.at("pane:Editor");
+        for (const char* name : {"entry:amplitude_g", "entry:carrier_1_hz", "entry:modulation_hz",
+                                 "entry:depth", "radio:Ring", "radio:Tremolo", "rhythm",
+                                 "entry:attack_ms", "entry:release_ms", "entry:duration_s"}) {
+            CAPTURE(name);
+            REQUIRE(program.shows(name));
+            CHECK(program.at(name).min.y > pane.min.y);
+            CHECK(program.at(name).max.y <= pane.max.y - program.app.ui.theme.padding_px);
+            CHECK(program.at(name).max.x <= pane.max.x);
+        }
+        // Whoever wants more of the map takes it by the bar, and by the keys.
+        const ImVec2 bar = program.at("splitter:band").middle();
+        program.drag(bar, bar + ImVec2{0.0F, 60.0F}, 4);
+        CHECK(program.at("pane:Editor").min.y > pane.min.y + 50.0F);
+        program.click("title:Editor");
+        program.press_key(key::kF1 + 7);
+        CHECK(program.at("pane:Editor").min.y < pane.min.y + 50.0F);
+    }
 }
 
 TEST_CASE("window: a pane that can be no wider says so, and the next key narrows it at once") {
