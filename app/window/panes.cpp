@@ -147,17 +147,24 @@ std::string current_name(const App& app) {
     return current == nullptr ? "" : current->name;
 }
 
+// Of what stands beside the map: an exact one is said to be so there.
+std::vector<std::string> beside_map_forms(const App& app) {
+    const bool is_exact = !shows_another_set(app.work, app.shown_map) &&
+                          map_state(app.work, app.shown_map) == MapState::exact;
+    return is_exact && !app.layout.maximised ? std::vector<std::string>() : map_state_forms(app);
+}
+
 PaneTitle bench_title(const App& app) {
     switch (app.layout.bench) {
         case BenchTab::matrix:
             return {"Matrix",
                     shown_side(app.work) == Side::both ? "dissimilarity of every pair"
                                                        : side_detail(app),
-                    map_state_forms(app)};
+                    beside_map_forms(app)};
         case BenchTab::candidates:
             return {"Table", "candidates side by side", {shown_patterns_text(app.work)}};
         case BenchTab::subset:
-            return {"Subset", "the most distinct patterns", map_state_forms(app)};
+            return {"Subset", "the most distinct patterns", beside_map_forms(app)};
         case BenchTab::compare:
             return {"Compare", "metrics against people", {}};
         case BenchTab::shepard:

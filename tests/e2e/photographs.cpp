@@ -1,7 +1,6 @@
 // photographs FOLDER [WORDS [SHOTS]]: a PNG of every pane, tab, dialog, menu and popup, dark and
 // light, at four sizes of the window, one of them also with larger text; of those only whose name
-// has the words, and only such shots
-// ("1280x720", "dark", "1280x720/dark").
+// has the words, and only such shots ("1280x720", "dark", "1280x720/dark").
 //
 // The program's own frames, drawn without a screen.
 #include <cstdio>
