@@ -208,6 +208,10 @@ void copy_work(const Workspace& work, Workspace& still) {
     still.selection.hovered_pair.reset();
     still.side = work.side;
     still.own_heights = work.own_heights;
+    // Known from what was rendered; without that it would be guessed from the patterns' numbers.
+    still.cache.reach_g = work.cache.reach_g;
+    still.cache.axis_s = work.cache.axis_s;
+    still.cache.reach_of = work.cache.reach_of;
     still.clipboard = work.clipboard;
     still.unsaved = work.unsaved;
     still.unsaved_revision = work.revision;

@@ -159,7 +159,8 @@ TEST_CASE("pictures: as SVG, the window is small, whole and the same each time" 
     for (const std::string title : {"Patterns", "Editor", "Perceptual space"}) {
         CHECK(text_count(svg, title) == 1);
     }
-    CHECK(text_count(svg, "Physiology") == 2);  // a pane, and the tab of a workspace
+    CHECK(text_count(svg, "Physiology") == 1);      // the tab of a workspace
+    CHECK(text_count(svg, "Brain waveform") == 1);  // the stages are the editor's foot
     CHECK((draw() == svg));
 }
 
