@@ -310,7 +310,7 @@ constexpr std::array kTools{
 
 // How high the foot is in so much room; none where it would leave too little above it.
 float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, float used_px) {
-    constexpr Range kFootPx{68.0, 130.0};
+    constexpr Range kFootPx{64.0, 130.0};
     constexpr float kShare = 0.15F;
     constexpr float kLeastAbovePx = 150.0F;
     const float s = ui.theme.scale;
