@@ -22,12 +22,12 @@ std::string rhythm_fault(std::string_view text) {
     }
     for (std::size_t step = 0; step < text.size(); ++step) {
         const char mark = text[step];
-        const std::string where = "step " + std::to_string(step + 1);
+        const auto where = [step] { return "step " + std::to_string(step + 1); };
         if (!starts_note(mark) && mark != '=' && mark != '-') {
-            return where + " is not one of x, 1 to 9, = and -";
+            return where() + " is not one of x, 1 to 9, = and -";
         }
         const bool holds_a_note = step > 0 && text[step - 1] != '-';
-        if (mark == '=' && !holds_a_note) return where + " is =, which must follow x or =";
+        if (mark == '=' && !holds_a_note) return where() + " is =, which must follow x or =";
     }
     return {};
 }
@@ -37,6 +37,9 @@ std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
     assert(rhythm.unit_s > 0.0);
     if (rhythm.text.empty()) return {Note{0.0, duration_s}};
     std::vector<Note> result;
+    constexpr double kMostReserved = 10'000.0;
+    const double steps = duration_s / rhythm.unit_s;
+    result.reserve(1 + static_cast<std::size_t>(std::clamp(0.5 * steps, 0.0, kMostReserved)));
     // Onsets are products, not sums, so that the thousandth step is where it should be.
     for (std::size_t step = 0;; ++step) {
         const double onset_s = static_cast<double>(step) * rhythm.unit_s;
