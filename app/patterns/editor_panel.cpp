@@ -186,18 +186,21 @@ void draw_nothing_to_edit(Ui& ui, Workspace& work) {
     note_item(ui.rects, "button:new pattern");
 }
 
-// Why it cannot be edited, and what the map says against it.
-void draw_warnings(Ui& ui, Workspace& work, const Vibration& vibration) {
-    if (vibration.locked) {
-        ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui, "Locked: picked in every subset, and not edited.");
-        ImGui::PopTextWrapPos();
-        flow_on(ImGui::CalcTextSize("Unlock").x, ui.theme.gap_px);
-        if (link(ui, "unlock", "Unlock")) {
-            ui.waiting.emplace_back([&ui, &work] { toggle_locked(ui, work); });
-        }
-        note_item(ui.rects, "link:unlock");
+// Why it cannot be edited.
+void draw_lock(Ui& ui, Workspace& work, const Vibration& vibration) {
+    if (!vibration.locked) return;
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, "Locked: picked in every subset, and not edited.");
+    ImGui::PopTextWrapPos();
+    flow_on(ImGui::CalcTextSize("Unlock").x, ui.theme.gap_px);
+    if (link(ui, "unlock", "Unlock")) {
+        ui.waiting.emplace_back([&ui, &work] { toggle_locked(ui, work); });
     }
+    note_item(ui.rects, "link:unlock");
+}
+
+// What the map says against it.
+void draw_warnings(Ui& ui, const Workspace& work, const Vibration& vibration) {
     if (work.selection.too_close.contains(vibration.name)) {
         coloured_text(ui.theme.warning, "In a pair that is listed in Subset, Too close.");
         note_item(ui.rects, "editor:too close");
@@ -254,7 +257,8 @@ void draw_numbers(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Pa
 void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map,
                  Columns columns) {
     const Vibration shown = *current_vibration(work);  // edits below replace the document's own
-    draw_warnings(ui, work, shown);
+    draw_lock(ui, work, shown);
+    if (columns == Columns::one) draw_warnings(ui, work, shown);
     // Arrow keys nudge what was touched last in this pattern, not in the one before.
     if (std::exchange(pattern_panes.editor.active_pattern, shown.name) != shown.name) {
         ui.field.active.clear();
@@ -267,6 +271,8 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
         draw_recording_editor(ui, work, pattern_panes.recording);
     }
     ImGui::EndDisabled();
+    // Numbers stay where they are when the map comes.
+    if (columns == Columns::two) draw_warnings(ui, work, shown);
     draw_partner(ui, work, shown_map);
     draw_note(ui, work, shown);
 }
@@ -389,8 +395,10 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
     const auto draw_closest = [&] {
         if (const auto neighbour = neighbour_of(work, shown_map)) {
             done = draw_neighbour_card(ui, work, shown_map, *neighbour);
-            ImGui::Spacing();
+        } else {
+            ImGui::Dummy({1.0F, ImGui::GetTextLineHeight()});  // its place until it is known
         }
+        ImGui::Spacing();
     };
     ImGui::BeginChild("numbers");
     if (has_both) draw_closest();

@@ -58,7 +58,7 @@ bool pm_goes_beside(const Ui& ui, const std::string& pm, float room_px) {
 
 // All of it in one line of a wide pane.
 bool fits_in_line(const Ui& ui, const std::string& pm, float room_px) {
-    constexpr float kNamePx = 200.0F;  // with its verdict
+    constexpr float kNamePx = 120.0F;  // with its verdict
     return kNamePx * ui.theme.scale + 4.0F * ui.theme.gap_px +
                text_size(ui.theme.fonts.small, pm).x + links_px(ui) <=
            room_px;

@@ -1,5 +1,6 @@
 #include "app/window/frame.h"
 
+#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/support/program.h"
 
@@ -219,6 +220,26 @@ TEST_CASE("design: all numbers of a pattern are in sight at every size of text")
         program.click("title:Editor");
         program.press_key(key::kF1 + 7);
         CHECK(program.at("pane:Editor").min.y < pane.min.y + 50.0F);
+    }
+}
+
+TEST_CASE("design: no number moves when the map comes and the closest pattern is known") {
+    for (const ImVec2 size : {ImVec2{1280.0F, 720.0F}, ImVec2{1600.0F, 1000.0F}}) {
+        CAPTURE(size.x);
+        PatternSet set = short_patterns(4);
+        set.vibrations[1].source = set.vibrations[0].source;  // too close, which is said as well
+        Program program(set);
+        program.resize(size, 1.0F);
+        program.app.layout = first_layout(Arrangement::design);
+        program.settle();
+        REQUIRE_FALSE(program.shows("neighbour:name"));
+        const Place before = program.at("entry:carrier_1_hz");
+        program.compute_map();
+        program.settle();
+        REQUIRE(program.shows("neighbour:name"));
+        CHECK(program.at("entry:carrier_1_hz").min.y == before.min.y);
+        CHECK(program.at("entry:carrier_1_hz").min.x == before.min.x);
+        stop_jobs(program.app);
     }
 }
 
