@@ -411,7 +411,6 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
             ImGui::EndDisabled();
         }
         draw_fields(ui, work, pattern_panes, shown_map, Columns::two);
-        if (has_both && !current_vibration(work)->locked) draw_editor_hint(ui);
         if (!has_both) draw_closest();
     }
     ImGui::EndChild();

@@ -12,6 +12,7 @@
 #include "app/ask/maybes_follow.h"
 #include "app/lesson/lesson.h"
 #include "app/library/library_follow.h"
+#include "app/map/map_follow.h"
 #include "app/sounds/sounds_follow.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -80,6 +81,8 @@ void draw_in_strip(Program& p, StripTool tool) {
     p.app.pattern_panes.strip.tool = tool;
     p.app.pattern_panes.editor.tab = EditorTab::drawing;
     document_changed(p.app.work);
+    // While it is being computed a picture of it would be of another moment.
+    wait_until(p, [&p] { return map_state(p.app.work, p.app.shown_map) == MapState::exact; });
     p.settle();
 }
 
