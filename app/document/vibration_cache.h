@@ -64,8 +64,8 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
 // Of what waveform_in_time() gives: 0 for null.
 double peak_in_time(const VibrationCache& cache, const Vibration& vibration);
 
-// Finds the scales of the set anew where its revision is another one, or peaks were not yet known:
-// until a pattern is rendered it counts with what its numbers tell.
+// Updates the scales of the set when its revision changes or a peak becomes known. Until a pattern
+// is rendered, its numbers give the peak.
 void follow_reach(VibrationCache& cache, const PatternSet& set, std::uint64_t revision);
 
 }  // namespace tact

@@ -48,8 +48,8 @@ double share_of(PatternParameter parameter, const Range& reach, double value) {
     return (value - reach.low) / (reach.high - reach.low);
 }
 
-// Of many patterns eight colours that mean nothing are confetti: they take the number that explains
-// most of the map, if any explains a good part.
+// Eight colours on many patterns mean nothing. Many patterns take the number that explains most of
+// the map, if one explains a good part.
 const ShownExplained& explained(ShownMap& shown_map) {
     ShownExplained& known = shown_map.explained;
     if (known.of == shown_map.transition.shown) return known;

@@ -85,7 +85,7 @@ std::vector<std::size_t> selected_rows(const Workspace& work, const ShownMap& sh
     return rows;
 }
 
-const char* quantity_name(MatrixQuantity quantity) {
+constexpr const char* quantity_name(MatrixQuantity quantity) {
     if (quantity == MatrixQuantity::nc) return "NC";
     if (quantity == MatrixQuantity::oc) return "OC";
     return "PM";
@@ -93,12 +93,13 @@ const char* quantity_name(MatrixQuantity quantity) {
 
 void draw_choice(Ui& ui, ShownMap& shown_map) {
     constexpr std::array kQuantities{
-        Choice{MatrixQuantity::pm, "PM",
+        Choice{MatrixQuantity::pm, quantity_name(MatrixQuantity::pm),
                "Predicted dissimilarity: the weighted ranks of NC and OC. It depends on the set: "
                "a pattern more or less changes every number."},
-        Choice{MatrixQuantity::nc, "NC",
+        Choice{MatrixQuantity::nc, quantity_name(MatrixQuantity::nc),
                "Neural coding: difference of the predicted brain waveforms."},
-        Choice{MatrixQuantity::oc, "OC", "Rhythm: dynamic time warping of the two envelopes."}};
+        Choice{MatrixQuantity::oc, quantity_name(MatrixQuantity::oc),
+               "Rhythm: dynamic time warping of the two envelopes."}};
     draw_segments(ui, kQuantities, shown_map.quantity);
 }
 

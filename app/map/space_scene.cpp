@@ -1,13 +1,13 @@
 #include "app/map/space_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
+#include "model/map/map_scale.h"
 #include "viz/drawing/plot.h"
 #include "viz/space/space_view.h"
 
@@ -15,29 +15,11 @@ namespace tact {
 
 namespace {
 
-// The slope of distances over PM, through 0. The order of PM is all that the map holds to: so it
-// is said to be about that.
-double length_of_one(ShownMap& shown_map) {
+// Of PM, of which the map holds to the order alone: so it is said to be about that.
+double length_of_pm(ShownMap& shown_map) {
     ShownScale& kept = shown_map.scale;
     const auto& map = shown_map.transition.shown;
-    if (kept.of == map) return kept.length_of_one;
-    kept = {map, 0.0};
-    const Eigen::MatrixXd& points = shown_map.transition.to;
-    const Dissimilarity& pm = map->prediction.pm;
-    if (static_cast<std::size_t>(points.rows()) != pm.size) return 0.0;
-    double both = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < pm.size; ++i) {
-        const auto row = points.row(static_cast<Eigen::Index>(i));
-        for (std::size_t j = i + 1; j < pm.size; ++j) {
-            const double value = pm(i, j);
-            const double distance = (row - points.row(static_cast<Eigen::Index>(j))).norm();
-            if (!std::isfinite(value) || !std::isfinite(distance)) continue;
-            both += value * distance;
-            squares += value * value;
-        }
-    }
-    if (squares > 0.0) kept.length_of_one = both / squares;
+    if (kept.of != map) kept = {map, length_of_one(shown_map.transition.to, map->prediction.pm)};
     return kept.length_of_one;
 }
 
@@ -67,7 +49,7 @@ SpaceScene scene_of(const Ui& ui, const Workspace& work, ShownMap& shown_map,
     const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
     scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
     scene.quantity = "PM";
-    scene.length_of_one = length_of_one(shown_map);
+    scene.length_of_one = length_of_pm(shown_map);
     scene.point_hint = shown_map.move_tool ? "drag it to where it should be" : kHoldHelp;
     scene.moves = shown_map.move_tool;
     return scene;

@@ -277,20 +277,14 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     draw_note(ui, work, shown);
 }
 
-void draw_editor_hint(Ui& ui) {
-    draw_hint(ui, "editor",
-              "Drag a slider: its point in the map moves. Type for an exact value; arrow keys "
-              "nudge.");
-}
-
 enum class ChosenFields { below, elsewhere };
 
 void draw_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room,
                 ChosenFields fields) {
     ImGui::BeginDisabled(current_vibration(work)->locked);
     draw_wave_strip(ui, work, strip, room);
-    if (fields == ChosenFields::below) draw_chosen_fields(ui, work, strip);
     ImGui::EndDisabled();
+    if (fields == ChosenFields::below) draw_chosen_fields(ui, work, strip);
 }
 
 // A narrow pane: the strip above the numbers, or where the pane is low among them, so that it
@@ -302,7 +296,11 @@ void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     if (ImGui::BeginChild("fields")) {
         if (low)
             draw_strip(ui, work, pattern_panes.strip, {kStripShare * room_px}, ChosenFields::below);
-        if (!low && !current_vibration(work)->locked) draw_editor_hint(ui);
+        if (!low && !current_vibration(work)->locked) {
+            draw_hint(ui, "editor",
+                      "Drag a slider: its point in the map moves. Type for an exact value; arrow "
+                      "keys nudge.");
+        }
         draw_fields(ui, work, pattern_panes, shown_map, Columns::one);
     }
     ImGui::EndChild();
@@ -405,11 +403,7 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 3.0F * ui.theme.scale});
     if (ImGui::BeginChild("fields")) {
-        if (has_both) {
-            ImGui::BeginDisabled(current_vibration(work)->locked);
-            draw_chosen_fields(ui, work, pattern_panes.strip);
-            ImGui::EndDisabled();
-        }
+        if (has_both) draw_chosen_fields(ui, work, pattern_panes.strip);
         draw_fields(ui, work, pattern_panes, shown_map, Columns::two);
         if (!has_both) draw_closest();
     }

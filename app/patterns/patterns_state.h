@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/patterns/recording_state.h"
 #include "app/patterns/rhythm_choice.h"
+#include "app/session/session.h"
 #include "app/wave_strip/strip_state.h"
 #include "model/pattern/tapped_rhythm.h"
 #include "model/set/pattern_set.h"
@@ -53,7 +55,9 @@ struct TappingState {
 
 // What an empty set offers to begin with.
 struct StartPage {
-    std::vector<Vibration> cards;  // read when they are first shown
+    std::vector<Vibration> cards;                  // read when they are first shown
+    std::vector<std::filesystem::path> recent_of;  // the session's, when it was looked for ...
+    std::vector<RecentFile> recent;                // ... which of them are there
 };
 
 struct PatternPanes {

@@ -183,19 +183,19 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
         if (link(ui, "make grid", kGrid)) set_rhythm(ui, work, "x=--x=--");
         note_item(ui.rects, "link:make a rhythm");
         draw_field_tooltip(ui, "A grid of steps to click notes into");
-        flow_on(ImGui::CalcTextSize(kList).x, 2.0F * ui.theme.gap_px);
+        flow_on(px(kList), gap_px);
     }
     if (link(ui, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
     note_item(ui.rects, "link:rhythms");
     draw_field_tooltip(ui, "Rhythms of a length and number of notes to pick from");
     draw_rhythm_popup(ui, work, pattern_panes, pattern);
-    flow_on(ImGui::CalcTextSize(kTap).x, 2.0F * ui.theme.gap_px);
+    flow_on(px(kTap), gap_px);
     if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
     note_item(ui.rects, "link:tap");
     draw_field_tooltip(ui, "T: each press is a note, as long as the key is held");
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
-    flow_on(ImGui::CalcTextSize(summary.c_str()).x, 2.0F * ui.theme.gap_px);
+    flow_on(px(summary.c_str()), gap_px);
     dim_text(ui, shortened(ui.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x));
     note_item(ui.rects, "rhythm summary", summary);
     draw_tooltip(ui,

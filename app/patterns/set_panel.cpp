@@ -38,10 +38,8 @@ struct RowParts {
     float height_px = 0.0F;
     float thumbnail_px = 0.0F;
     float strength_px = 0.0F;
-    bool is_selected = false;
     bool has_length = false;
     bool in_two = false;  // strength above length, and not before it
-    double axis_s = 0.0;  // of all pictures
 };
 
 RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
@@ -65,7 +63,6 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     parts.has_length = parts.in_two || free >= wanted + least;
     const float strength = parts.has_length ? wanted : kStrengthPx * s;
     if (free >= strength + least) parts.strength_px = strength;
-    parts.axis_s = work.cache.axis_s;
     parts.thumbnail_px = std::max(std::min(least, 0.4F * room.x), free - parts.strength_px);
     return parts;
 }
@@ -265,7 +262,8 @@ float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const Pa
     const float begin = end - parts.thumbnail_px + 6.0F * s;
     const float pad = std::max(3.0F * s, 0.15F * row.height());
     const Rect picture{{begin, row.min.y + pad}, {end, row.max.y - pad}};
-    draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work), parts.axis_s);
+    draw_thumbnail(ui, work, picture, vibration, look.colour, shown_reach_g(work),
+                   work.cache.axis_s);
     note_rect(ui.rects, "thumbnail:" + vibration.name, picture.min, picture.max);
     draw_unfelt(ui, work, vibration, picture);
     return begin;
@@ -289,10 +287,7 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
               vibration.colour + (vibration.ring ? " ring" : ""));
 
     const float name_begin = row.min.x + kNamePx * s;
-    RowParts end_parts = parts;
-    end_parts.is_selected =
-        index == work.selection.current || work.selection.others.contains(index);
-    const float end = draw_row_end(ui, work, vibration, look, row, end_parts) - 5.0F * s;
+    const float end = draw_row_end(ui, work, vibration, look, row, parts) - 5.0F * s;
     draw_state_signs(ui, vibration, {end, middle});
     const float room = end - name_begin - state_signs_px(theme, vibration);
     const std::string shown = shortened(theme.fonts.regular, vibration.name, std::max(0.0F, room));

@@ -66,7 +66,9 @@ bool draw_card(Ui& ui, Workspace& work, const Vibration& card, ImU32 colour, ImV
     return pressed;
 }
 
-void draw_cards(Ui& ui, Workspace& work, const StartPage& page, const Rect& room) {
+// In two rows. The height that they take.
+float draw_cards(Ui& ui, Workspace& work, const StartPage& page) {
+    const Rect room = rest_of_pane();
     const float gap = ui.theme.gap_px;
     const float width = (room.width() - gap * (kColumns - 1)) / kColumns;
     const ImVec2 size{width, std::min(0.62F * width, 0.24F * room.height())};
@@ -79,13 +81,21 @@ void draw_cards(Ui& ui, Workspace& work, const StartPage& page, const Rect& room
         ui.waiting.emplace_back(
             [&ui, &work, card] { add_vibrations(ui, work, {card}, "Add " + card.name); });
     }
+    return 2.0F * size.y + gap;
 }
 
-std::optional<StartAction> draw_recent(Ui& ui, const Workspace& work) {
+// Disks are asked once for a list: one that is far away would hold up every frame.
+void follow_recent(const Session& session, StartPage& page) {
+    if (page.recent_of == session.recent_files) return;
+    page.recent_of = session.recent_files;
+    page.recent = recent_files(session);
+}
+
+std::optional<StartAction> draw_recent(Ui& ui, const StartPage& page) {
     constexpr std::size_t kMost = 5;
     std::optional<StartAction> done;
     std::size_t count = 0;
-    for (const RecentFile& file : recent_files(work.session)) {
+    for (const RecentFile& file : page.recent) {
         if (file.missing || count == kMost) continue;
         if (count++ == 0) {
             ImGui::Dummy({1.0F, ui.theme.gap_px});
@@ -103,6 +113,7 @@ std::optional<StartAction> draw_recent(Ui& ui, const Workspace& work) {
 
 std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& page) {
     if (page.cards.empty()) read_cards(page);
+    follow_recent(work.session, page);
     const Theme& theme = ui.theme;
     const Rect rest = rest_of_pane();
     const float width = std::min(rest.width(), kMostPx * theme.scale);
@@ -116,11 +127,9 @@ std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& p
     ImGui::PopFont();
     dim_text(ui, "A click adds it. Two or more make a map of how different they feel.");
     ImGui::Dummy({1.0F, theme.gap_px});
-    const Rect room = rest_of_pane();
-    const float card_px = (room.width() - theme.gap_px * (kColumns - 1)) / kColumns;
-    const float cards_px = 2.0F * std::min(0.62F * card_px, 0.24F * room.height()) + theme.gap_px;
-    draw_cards(ui, work, page, room);
-    ImGui::SetCursorScreenPos({room.min.x, room.min.y + cards_px + 2.0F * theme.gap_px});
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float cards_px = draw_cards(ui, work, page);
+    ImGui::SetCursorScreenPos({corner.x, corner.y + cards_px + 2.0F * theme.gap_px});
     if (primary_button(theme, "New pattern")) {
         ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
     }
@@ -137,7 +146,7 @@ std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& p
         "here, too.");
     way("Generate...", "start:generate", StartAction::Way::generate,
         "Every combination of some numbers (Ctrl+G).");
-    if (const auto recent = draw_recent(ui, work)) done = recent;
+    if (const auto recent = draw_recent(ui, page)) done = recent;
     ImGui::EndChild();
     return done;
 }

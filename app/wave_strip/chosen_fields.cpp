@@ -138,10 +138,6 @@ int columns_in(const Ui& ui, float width_px) {
 
 int count_of(GripKind kind) { return kind == GripKind::transient ? 5 : 2; }
 
-}  // namespace
-
-namespace {
-
 // What the strip has chosen of the pattern in the editor.
 std::optional<Grip> chosen_of(const Workspace& work, const StripState& strip) {
     const Vibration* vibration = current_vibration(work);
@@ -167,6 +163,7 @@ void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
     if (!chosen) return;
     const Pattern pattern = std::get<Pattern>(current_vibration(work)->source);
     const int columns = columns_in(ui, ImGui::GetContentRegionAvail().x);
+    ImGui::BeginDisabled(current_vibration(work)->locked);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.theme.gap_px, 0.0F});
     if (ImGui::BeginTable("chosen", columns,
                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoPadOuterX)) {
@@ -177,6 +174,7 @@ void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
+    ImGui::EndDisabled();
     // ImGui's own separator is a pixel at any scale.
     const Rect rest = rest_of_pane();
     draw_level_line(*ImGui::GetWindowDrawList(), rest.min.y, rest.min.x, rest.max.x,

@@ -18,7 +18,9 @@ std::vector<NoteBlock> note_blocks(const Pattern& pattern, const StripScale& sca
         const float left = to_pixel(scale.amplitude.x, all[k].onset_s);
         const float right = to_pixel(scale.amplitude.x, all[k].onset_s + all[k].length_s);
         if (right < lane.min.x || left > lane.max.x) continue;
-        blocks.push_back({k, {{left, lane.max.y - scale.note_px}, {right, lane.max.y}}});
+        const float height = static_cast<float>(all[k].velocity) * scale.note_px;
+        blocks.push_back(
+            {k, {{left, lane.max.y - scale.note_px}, {right, lane.max.y}}, lane.max.y - height});
     }
     return blocks;
 }
@@ -38,10 +40,6 @@ bool is_note(GripKind kind) {
            kind == GripKind::note_top;
 }
 
-float top_of(const NoteBlock& block, const Note& note) {
-    return block.area.max.y - static_cast<float>(note.velocity) * block.area.height();
-}
-
 double strength_at(const StripScale& scale, ImVec2 mouse) {
     const float from_floor = scale.amplitude.area.max.y - mouse.y;
     return std::clamp(static_cast<double>(from_floor / scale.note_px), 1.0 / 9.0, 1.0);
@@ -59,12 +57,10 @@ std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale
         edge = Grip{kind, index};
         nearest_px = off_px;
     };
-    const std::vector<Note> all = notes(pattern.rhythm, pattern.duration_s);
+    const bool is_high = scale.tool == StripTool::notes;
     std::optional<Grip> top;
-    for (const NoteBlock& block : note_blocks(pattern, scale)) {
-        const auto& [index, area] = block;
-        const bool is_high = scale.tool == StripTool::notes;
-        const float top_px = is_high ? top_of(block, all[index]) : area.min.y;
+    for (const auto& [index, area, own_top_px] : note_blocks(pattern, scale)) {
+        const float top_px = is_high ? own_top_px : area.min.y;
         const bool is_over = mouse.x >= area.min.x && mouse.x <= area.max.x;
         if (is_high && is_over && std::abs(mouse.y - top_px) <= reach_px) {
             top = Grip{GripKind::note_top, index};

@@ -11,16 +11,14 @@ namespace tact {
 
 struct NoteBlock {
     std::size_t index = 0;  // of notes(), repetitions of the text included
-    Rect area;
+    Rect area;              // at full strength
+    float top = 0.0F;       // at the note's own
 };
 
 // Those of which a part is seen.
 std::vector<NoteBlock> note_blocks(const Pattern& pattern, const StripScale& scale);
 
 bool is_note(GripKind kind);
-
-// The top of a block at the note's strength.
-float top_of(const NoteBlock& block, const Note& note);
 
 // The strength that a note would have with its top there, 1/9 to 1.
 double strength_at(const StripScale& scale, ImVec2 mouse);

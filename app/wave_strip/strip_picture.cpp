@@ -32,7 +32,7 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
 }
 
 // A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
-// Of thousands that are narrower than a bar, the highest of each column of pixels is drawn.
+// Thousands that are narrower than a bar are drawn as the highest of each column of pixels.
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     constexpr float kNarrowPx = 4.0F;
     const Rect& lane = scene.scale.amplitude.area;
@@ -40,12 +40,9 @@ void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const float bar_px = 3.0F * theme.scale;
     const float rounding = 2.0F * theme.scale;
     list.PushClipRect(lane.min, lane.max, true);
-    const std::vector<Note> all = notes(scene.pattern.rhythm, scene.pattern.duration_s);
     float last_px = -1.0F;  // the column that was drawn last, and how high
     float last_top = 0.0F;
-    for (const NoteBlock& block : note_blocks(scene.pattern, scene.scale)) {
-        const auto& [index, area] = block;
-        const float top = top_of(block, all[index]);
+    for (const auto& [index, area, top] : note_blocks(scene.pattern, scene.scale)) {
         const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
         const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
         const ImU32 ink = lit ? theme.text : theme.dim_text;

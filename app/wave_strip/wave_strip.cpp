@@ -199,8 +199,8 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
                       std::to_string(placed.grip.index),
                   placed.at - kHalf, placed.at + kHalf);
     }
-    for (const auto& [index, area] : note_blocks(pattern, scale)) {
-        note_rect(ui.rects, "note:" + std::to_string(index), area.min, area.max);
+    for (const NoteBlock& block : note_blocks(pattern, scale)) {
+        note_rect(ui.rects, "note:" + std::to_string(block.index), block.area.min, block.area.max);
     }
     note_rect(ui.rects, "strip:amplitude", scale.amplitude.area.min, scale.amplitude.area.max);
     note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);

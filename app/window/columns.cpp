@@ -80,6 +80,16 @@ void move_splitter(App& app, const Splitter& splitter, float shown, float& share
     if (shown != before) share = shown;
 }
 
+// The same of a share that grows as its bar moves left or up. The splitter's limits are the
+// share's.
+void move_far_splitter(App& app, Splitter splitter, float shown, float& share) {
+    splitter.share = {1.0 - splitter.share.high, 1.0 - splitter.share.low};
+    float before_bar = 1.0F - shown;
+    const float begun = before_bar;
+    draw_splitter(app.ui, splitter, before_bar);
+    if (before_bar != begun) share = 1.0F - before_bar;
+}
+
 void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, const Layout& shown) {
     const float bar = app.ui.theme.splitter_px;
     const float width = area.width();
@@ -95,32 +105,18 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
                   {"left", {{x1, area.min.y}, {x1 + bar, area.max.y}}, true, width, limits.left},
                   shown.left, layout.left);
     if (has_band(app)) {
-        // The band grows when its bar moves up.
-        float from_top = 1.0F - shown.band;
-        move_splitter(app,
-                      {"band",
-                       {{x1 + bar, y3 - bar}, {area.max.x, y3}},
-                       false,
-                       height,
-                       {1.0 - limits.band.high, 1.0 - limits.band.low}},
-                      1.0F - shown.band, from_top);
-        if (from_top != 1.0F - shown.band) layout.band = 1.0F - from_top;
+        move_far_splitter(
+            app, {"band", {{x1 + bar, y3 - bar}, {area.max.x, y3}}, false, height, limits.band},
+            shown.band, layout.band);
     } else if (has_editor(app)) {
         move_splitter(
             app,
             {"left split", {{area.min.x, y1}, {x1, y1 + bar}}, false, height, limits.left_split},
             shown.left_split, layout.left_split);
     }
-    // The right share grows when its bar moves left.
-    float from_left = 1.0F - layout.right;
-    move_splitter(app,
-                  {"right",
-                   {{x2 - bar, area.min.y}, {x2, end}},
-                   true,
-                   width,
-                   {1.0 - limits.right.high, 1.0 - limits.right.low}},
-                  1.0F - shown.right, from_left);
-    if (from_left != 1.0F - layout.right) layout.right = 1.0F - from_left;
+    move_far_splitter(app,
+                      {"right", {{x2 - bar, area.min.y}, {x2, end}}, true, width, limits.right},
+                      shown.right, layout.right);
     if (is_folded(app)) return;
     move_splitter(
         app, {"right split", {{x2, y2}, {area.max.x, y2 + bar}}, false, height, limits.right_split},

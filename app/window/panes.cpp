@@ -147,7 +147,7 @@ std::string current_name(const App& app) {
     return current == nullptr ? "" : current->name;
 }
 
-// Of what stands beside the map: an exact one is said to be so there.
+// States for what stands beside the map; the map's own title says that it is exact.
 std::vector<std::string> beside_map_forms(const App& app) {
     const bool is_exact = !shows_another_set(app.work, app.shown_map) &&
                           map_state(app.work, app.shown_map) == MapState::exact;

@@ -15,7 +15,7 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 // The same of a pattern made of parameters: a recording is refused.
 Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string& name);
 
-// The pattern itself; null where there is none made of parameters by that name.
+// The pattern itself, or null: no vibration has that name, or it is a recording.
 const Pattern* pattern_named(const PatternSet& set, const std::string& name);
 
 }  // namespace tact

@@ -9,6 +9,8 @@ namespace tact {
 
 namespace {
 
+bool is_rounding(double value, double largest) { return std::abs(value) < 1e-9 * largest; }
+
 float widest_label_px(const Theme& theme, const MatrixScene& scene) {
     float widest = 0.0F;
     for (std::size_t i = 0; i < std::min<std::size_t>(scene.labels.size(), 500); ++i) {
@@ -78,13 +80,12 @@ bool is_flat(const MatrixScene& scene) {
 }
 
 std::string value_text(double value, double largest) {
-    constexpr double kRounding = 1e-9;
-    return std::abs(value) < kRounding * largest ? "0" : grouped(value);
+    return is_rounding(value, largest) ? "0" : grouped(value);
 }
 
 std::string cell_text(const MatrixScene& scene, double value, double largest) {
     if (scene.labels.size() <= kMostWithAllValues) return value_text(value, largest);
-    return std::abs(value) < 1e-9 * largest ? "0" : significant(value, 2);
+    return is_rounding(value, largest) ? "0" : significant(value, 2);
 }
 
 MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixScene& scene) {

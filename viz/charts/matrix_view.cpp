@@ -89,7 +89,7 @@ bool is_selected(const MatrixScene& scene, std::size_t i) {
     return std::ranges::binary_search(scene.selected, i);
 }
 
-// Of many patterns those of the selected ones: a hundred numbers are read by nobody.
+// Many patterns show the numbers of the selected ones: nobody reads a hundred.
 void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                  const MatrixScene& scene, const Shades& shades) {
     if (!layout.has_values) return;

@@ -138,7 +138,7 @@ void draw_drop_lines(const SpaceStage& stage, std::optional<std::size_t> hovered
 }
 
 // A round length of the quantity that the map shows, at the depth of its middle.
-Rect draw_scale_bar(const SpaceStage& stage) {
+Rect draw_scale_bar(const SpaceStage& stage, const Rect& cross) {
     if (!(stage.scene.length_of_one > 0.0)) return {};
     const Theme& theme = stage.theme;
     const double px_of_one = stage.scene.length_of_one / stage.fit.radius * stage.seen.px;
@@ -151,10 +151,8 @@ Rect draw_scale_bar(const SpaceStage& stage) {
     const auto px = static_cast<float>(length * px_of_one);
     const std::string words =
         "about " + std::string(stage.scene.quantity) + " " + significant_digits(length, 3);
-    const float cross_px =
-        2.0F * (22.0F * theme.scale + 1.3F * font_or_current(theme.fonts.small).FontSize);
     const ImVec2 size = text_size(theme.fonts.small, words);
-    const ImVec2 end{stage.pane.min.x + cross_px + theme.gap_px, stage.pane.max.y - theme.gap_px};
+    const ImVec2 end{cross.max.x + theme.gap_px, stage.pane.max.y - theme.gap_px};
     const float tick = 4.0F * theme.scale;
     const Rect place{{end.x, end.y - tick - size.y - 2.0F * theme.scale},
                      {end.x + std::max(px, size.x), end.y}};

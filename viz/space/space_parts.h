@@ -8,12 +8,12 @@
 
 namespace tact {
 
-// Behind the points (space_ground.cpp). The cross of axes returns what it covers.
+// Behind the points (space_ground.cpp). The cross of axes and the scale bar return what they cover.
 void draw_floor(const SpaceStage& stage, const SpaceCamera& camera);
 void draw_shadows(const SpaceStage& stage);
 void draw_drop_lines(const SpaceStage& stage, std::optional<std::size_t> hovered);
-Rect draw_scale_bar(const SpaceStage& stage);  // what it covers
 Rect draw_axes_cross(const SpaceStage& stage, const SpaceCamera& camera);
+Rect draw_scale_bar(const SpaceStage& stage, const Rect& cross);  // beside the cross
 
 // The axis whose name in the cross is there, 3 for its middle; none: neither.
 std::optional<int> axis_at(const SpaceStage& stage, const SpaceCamera& camera, ImVec2 at);

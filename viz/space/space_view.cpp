@@ -55,8 +55,9 @@ SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
     draw_spread(stage);
     draw_links(stage);
     draw_ghosts(stage);
-    std::array<Rect, 4> occupied{draw_axes_cross(stage, camera), draw_hint(stage, action),
-                                 draw_scale_bar(stage), Rect{}};
+    const Rect cross = draw_axes_cross(stage, camera);
+    std::array<Rect, 4> occupied{cross, draw_hint(stage, action), draw_scale_bar(stage, cross),
+                                 Rect{}};
     const bool pair = hovered && scene.selected && *hovered != *scene.selected &&
                       std::max(*hovered, *scene.selected) < scene.labels.size() &&
                       somewhere(stage, *hovered) && somewhere(stage, *scene.selected);
