@@ -13,12 +13,13 @@
 #include "model/physiology/firing.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
+#include "model/textbook/textbook.h"
 
 namespace tact {
 
 namespace {
 
-enum class Arguments { pattern, type_and_pattern, pair };
+enum class Arguments { fact, pattern, type_and_pattern, pair };
 
 struct Word {
     const char* name;
@@ -42,7 +43,9 @@ constexpr auto kWords = std::to_array<Word>({{"frequency", Arguments::pattern},
                                              {"nc", Arguments::pair},
                                              {"oc", Arguments::pair},
                                              {"pm", Arguments::pair},
-                                             {"pm rank", Arguments::pair}});
+                                             {"pm rank", Arguments::pair},
+                                             {"fact", Arguments::fact},
+                                             {"source", Arguments::fact}});
 
 std::vector<std::string> parts_of(std::string_view placeholder) {
     std::vector<std::string> parts;
@@ -84,6 +87,15 @@ std::string pattern_fault(const PatternSet& set, const std::string& name, const 
         return "the frequency of " + in_quotes(name) + " is drawn, so it has no one number";
     }
     return {};
+}
+
+std::string fact_fault(const std::string& id) {
+    if (fact_named(id) != nullptr) return {};
+    std::string names;
+    for (const TextbookFact& fact : textbook()) {
+        names += (names.empty() ? "" : ", ") + fact.id;
+    }
+    return "the textbook has no fact " + in_quotes(id) + "; it has " + names;
 }
 
 std::string list_of_words() {
@@ -198,13 +210,16 @@ std::string placeholder_fault(const std::string& placeholder, const PatternSet& 
     const auto word =
         std::ranges::find(kWords, parts[0], [](const Word& w) { return std::string(w.name); });
     if (word == kWords.end()) return "expected one of " + list_of_words();
-    const std::size_t wanted = word->arguments == Arguments::pattern ? 2 : 3;
-    if (parts.size() != wanted) {
-        return word->arguments == Arguments::pattern ? "expected a pattern behind it"
+    const bool takes_one =
+        word->arguments == Arguments::pattern || word->arguments == Arguments::fact;
+    if (parts.size() != (takes_one ? 2U : 3U)) {
+        return word->arguments == Arguments::fact      ? "expected a fact of the textbook behind it"
+               : word->arguments == Arguments::pattern ? "expected a pattern behind it"
                : word->arguments == Arguments::pair
                    ? "expected two patterns behind it"
                    : "expected a receptor type and a pattern behind it";
     }
+    if (word->arguments == Arguments::fact) return fact_fault(parts[1]);
     if (word->arguments == Arguments::type_and_pattern && !receptor_named(parts[1])) {
         return "expected Meissner, Pacinian, Merkel or Ruffini, got " + in_quotes(parts[1]);
     }
@@ -232,6 +247,8 @@ std::string filled(std::string_view text, const LessonNumbers& numbers) {
 std::string value_of(const std::string& placeholder, const PatternSet& set,
                      const LessonPairs& pairs) {
     const std::vector<std::string> parts = parts_of(placeholder);
+    if (parts[0] == "fact") return value_text(*fact_named(parts[1]));
+    if (parts[0] == "source") return source_text(*fact_named(parts[1]));
     const std::size_t last = place_named(set, parts.back()).value();
     const Vibration& vibration = set.vibrations[last];
     if (parts.size() == 2) return value_of_pattern(parts[0], pairs.coded[last], vibration);

@@ -14,6 +14,8 @@
 //                                  sends anything; as much as it can
 //     {nc | A | B}  {oc | A | B}  {pm | A | B}  {pm rank | A | B}   how far two are apart; the rank
 //                                  of the pair, from the closest
+//     {fact | ID}  {source | ID}   what was measured, with its unit, and by whom: "18 to 25 %",
+//                                  "Israr and others 2006, human" (model/textbook)
 //
 // A frequency that is drawn is no one number: {frequency}, {displacement}, {threshold} and {per
 // cycle} are refused of it.

@@ -15,6 +15,7 @@
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/text/numbers.h"
+#include "model/textbook/textbook.h"
 
 namespace lesson_numbers_test {
 
@@ -184,6 +185,12 @@ std::string of_pair(const Recomputed& model, const Prediction& prediction,
 std::string recomputed(const Recomputed& model, const Prediction& prediction,
                        const std::string& placeholder) {
     const std::vector<std::string> words = words_of(placeholder);
+    // Facts of the textbook are no numbers of the model: tests/model/textbook reads them again.
+    if (words[0] == "fact" || words[0] == "source") {
+        const TextbookFact* fact = fact_named(words[1]);
+        REQUIRE(fact != nullptr);
+        return words[0] == "fact" ? value_text(*fact) : source_text(*fact);
+    }
     if (words.size() == 2) return of_pattern(model, words);
     const bool pair = words[0] == "nc" || words[0] == "oc" || words[0].starts_with("pm");
     return pair ? of_pair(model, prediction, words) : of_type(model, words);

@@ -1,0 +1,183 @@
+#include "model/textbook/textbook.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+#include "assets/assets.h"
+#include "model/common/portable.h"
+#include "model/text/json_fields.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr std::array<const char*, 3> kSure{"looked up", "secondary", "from memory"};
+constexpr std::array<const char*, kReceptorCount> kAfferents{"FA1", "FA2", "SA1", "SA2"};
+constexpr std::array<const char*, 9> kStageKeys{"vibration", "spectrum", "filtered",
+                                                "receptors", "spikes",   "networks",
+                                                "central",   "brain",    "envelope"};
+constexpr std::string_view kValue = "{value}";
+constexpr std::size_t kMostFacts = 500;
+constexpr std::size_t kMostPoints = 100;
+
+std::string needed_text(JsonObject& object, std::string_view key) {
+    std::string text = text_field(object, key, "");
+    if (text.empty()) {
+        const Json* got = field(object, key);
+        refuse(*object.reading, place_of(object, key), "a text that is not empty",
+               got == nullptr ? Json() : *got);
+    }
+    return text;
+}
+
+std::optional<double> number_if_there(JsonObject& object, std::string_view key) {
+    if (field(object, key) == nullptr) return std::nullopt;
+    return number_field(object, key, 0.0, kAnyNumber);
+}
+
+void read_points(JsonObject& object, TextbookFact& fact) {
+    JsonReading& reading = *object.reading;
+    for (const Json* point : array_field(object, "points", 2, kMostPoints)) {
+        const std::string place = place_of(object, "points");
+        if (!point->is_array() || point->size() != 2) {
+            refuse(reading, place, "pairs of two numbers", *point);
+            return;
+        }
+        const double at = number_at(reading, (*point)[0], place, kAnyNumber);
+        const double value = number_at(reading, (*point)[1], place, kAnyNumber);
+        if (at <= (fact.points.empty() ? 0.0 : fact.points.back().first)) {
+            refuse(reading, place, "first numbers above 0 that ascend", *point);
+        }
+        fact.points.emplace_back(at, value);
+    }
+}
+
+void read_value(JsonObject& object, TextbookFact& fact) {
+    const auto value = number_if_there(object, "value");
+    fact.low = value ? value : number_if_there(object, "low");
+    fact.high = value ? value : number_if_there(object, "high");
+    if (field(object, "points") != nullptr) {
+        read_points(object, fact);
+        fact.over = needed_text(object, "over");
+    }
+    const bool has_range = fact.low || fact.high;
+    const bool is_range = !fact.low || !fact.high || *fact.low <= *fact.high;
+    if (has_range == fact.points.empty() && is_range) return;
+    refuse(*object.reading, object.place,
+           "a value, a low or a high one in their order, or points over something", *object.value);
+}
+
+TextbookFact fact_of(JsonObject& object) {
+    TextbookFact fact;
+    fact.id = name_field(object, "id", "");
+    fact.says = needed_text(object, "says");
+    for (const Json* stage : array_field(object, "stages", 1, kStageKeys.size())) {
+        const bool known =
+            stage->is_string() &&
+            std::ranges::find(kStageKeys, stage->get<std::string>()) != kStageKeys.end();
+        if (known) fact.stages.push_back(stage->get<std::string>());
+        if (!known) refuse(*object.reading, place_of(object, "stages"), "keys of stages", *stage);
+    }
+    if (field(object, "receptor") != nullptr) {
+        fact.receptor = kReceptors[choice_field(object, "receptor", 0, kAfferents)];
+    }
+    read_value(object, fact);
+    fact.unit = needed_text(object, "unit");
+    fact.species = needed_text(object, "species");
+    fact.site = needed_text(object, "site");
+    fact.cite = needed_text(object, "cite");
+    fact.source = needed_text(object, "source");
+    fact.read = needed_text(object, "read");
+    needed_text(object, "sure");
+    fact.sure = static_cast<Sure>(choice_field(object, "sure", 2, kSure));
+    return fact;
+}
+
+std::string digits(double value) { return significant_digits(value, 4); }
+
+std::string number_text(const TextbookFact& fact) {
+    if (!fact.points.empty()) {
+        std::string text;
+        for (std::size_t k = 0; k < fact.points.size(); ++k) {
+            if (k > 0) text += k + 1 == fact.points.size() ? " and " : ", ";
+            text += digits(fact.points[k].second);
+            if (k + 1 == fact.points.size()) text += " " + fact.unit;
+            text += " at " + digits(fact.points[k].first);
+        }
+        return text + " " + fact.over;
+    }
+    if (!fact.high) return "at least " + digits(*fact.low) + " " + fact.unit;
+    if (!fact.low) return "less than " + digits(*fact.high) + " " + fact.unit;
+    if (*fact.low == *fact.high) return digits(*fact.low) + " " + fact.unit;
+    return digits(*fact.low) + " to " + digits(*fact.high) + " " + fact.unit;
+}
+
+}  // namespace
+
+const std::vector<TextbookFact>& textbook() {
+    static const std::vector<TextbookFact> facts = [] {
+        auto parsed = parse_textbook(asset("physiology/textbook.json"), "textbook.json");
+        assert(parsed && "the compiled-in textbook does not parse");
+        return *std::move(parsed);
+    }();
+    return facts;
+}
+
+const TextbookFact* fact_named(std::string_view id) {
+    const auto found = std::ranges::find(textbook(), id, &TextbookFact::id);
+    return found == textbook().end() ? nullptr : &*found;
+}
+
+Expected<std::vector<TextbookFact>> parse_textbook(std::string_view json, const std::string& file) {
+    const auto document = parse_json(json, file);
+    if (!document) return document.error();
+    JsonReading reading;
+    reading.file = file;
+    reading.unknown = UnknownKeys::refused;
+    JsonObject whole = object_at(reading, *document, "");
+    needed_text(whole, "format");
+    whole_field(whole, "version", 1, {1.0, 1.0});
+    std::vector<TextbookFact> facts;
+    Json unknown;
+    read_objects(whole, "facts", 1, kMostFacts, unknown, [&](JsonObject& object, Json&) {
+        TextbookFact fact = fact_of(object);
+        if (std::ranges::find(facts, fact.id, &TextbookFact::id) != facts.end()) {
+            refuse(reading, place_of(object, "id"), "an id that no other fact has", Json(fact.id));
+        }
+        facts.push_back(std::move(fact));
+    });
+    unknown_fields(whole);
+    if (!reading.fault.empty()) return Error{reading.fault};
+    return facts;
+}
+
+std::string value_text(const TextbookFact& fact) {
+    return number_text(fact) + (fact.sure == Sure::from_memory ? " (from memory)" : "");
+}
+
+std::string source_text(const TextbookFact& fact) { return fact.cite + ", " + fact.species; }
+
+std::string sentence_of(const TextbookFact& fact) {
+    std::string text = fact.says;
+    const std::size_t at = text.find(kValue);
+    if (at != std::string::npos) text.replace(at, kValue.size(), value_text(fact));
+    if (text.ends_with('.')) text.pop_back();
+    return text + " (" + source_text(fact) + ").";
+}
+
+std::optional<double> value_over(const TextbookFact& fact, double at) {
+    const auto& points = fact.points;
+    if (points.empty() || !(at >= points.front().first) || at > points.back().first) {
+        return std::nullopt;
+    }
+    std::size_t k = 1;
+    while (k + 1 < points.size() && points[k].first < at) ++k;
+    const double from = portable::log10(points[k - 1].first);
+    const double share = (portable::log10(at) - from) / (portable::log10(points[k].first) - from);
+    return points[k - 1].second + share * (points[k].second - points[k - 1].second);
+}
+
+}  // namespace tact
