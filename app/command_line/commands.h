@@ -76,6 +76,7 @@ struct StagesCommand {
 Expected<Done> run(const StagesCommand& command);
 
 struct LessonCommand {
+    std::string language;       // by its code; empty: the first
     std::string lesson;         // a file, or the name of one that comes with the program
     std::filesystem::path out;  // .html: a student sheet; a lesson file; empty: text
 };

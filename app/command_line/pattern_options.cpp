@@ -221,6 +221,9 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
     lesson.add_option("--out", command.out,
                       "a .html for students, or a .tactlesson.json as the program writes it; "
                       "default: text on standard output");
+    lesson.add_option("--language", command.language,
+                      "in which language its texts are shown, by its code, as de; default: its "
+                      "first one");
     lesson.callback([&command, &chosen] { chosen = [&command] { return run(command); }; });
 }
 

@@ -13,6 +13,7 @@
 #include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"
+#include "model/lesson/lesson_languages.h"
 
 namespace tact {
 
@@ -126,7 +127,24 @@ std::optional<Stage> stage_of_view(const std::string& view) { return stage_named
 bool shows_map(const LessonStep& step) { return step.view == "map"; }
 
 const LessonStep* step_of(const LessonState& state) {
-    return state.step && state.lesson ? &state.lesson->steps[*state.step] : nullptr;
+    return state.step && state.shown ? &state.shown->steps[*state.step] : nullptr;
+}
+
+std::size_t shown_language(const LessonState& state) {
+    return state.lesson ? language_place(*state.lesson, state.language) : 0;
+}
+
+void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson) {
+    state.lesson = std::move(lesson);
+    state.shown = in_language(state.lesson, shown_language(state));
+    state.tallies.resize(state.lesson->steps.size());
+    if (state.job) state.job->submit({state.shown});
+}
+
+void choose_language(Ui& ui, LessonState& state, const std::string& code) {
+    state.language = code;
+    if (state.lesson) show_lesson(state, state.lesson);
+    ui.fonts_outdated = true;  // it may need other glyphs
 }
 
 void go_to_step(const LessonHands& hands, LessonState& state, std::size_t to) {
@@ -157,14 +175,13 @@ void start_lesson(const LessonHands& hands, LessonState& state,
     if (!leave_lesson(hands, state)) return;
     state.before = view_of(hands);
     put_aside(hands, state, lesson->set);
-    state.lesson = std::move(lesson);
+    state.tallies.clear();
+    show_lesson(state, std::move(lesson));
     state.path = path;
     state.is_tour = false;
     state.editing = state.is_written = false;
     state.history.clear();
     note_lesson_saved(hands.work, state);
-    state.tallies.assign(state.lesson->steps.size(), {});
-    if (state.job) state.job->submit({state.lesson});
     go_to_step(hands, state, 0);
 }
 
@@ -260,8 +277,9 @@ void follow_renaming(LessonState& state, const Renaming& renaming) {
         return after;
     };
     state.history.amend(of);  // a name is no edit of the lesson
-    const auto shown = std::exchange(state.lesson, of(state.lesson));
-    if (state.lesson != shown && state.job) state.job->submit({state.lesson});
+    if (const auto renamed_lesson = of(state.lesson); renamed_lesson != state.lesson) {
+        show_lesson(state, renamed_lesson);
+    }
 }
 
 }  // namespace tact

@@ -61,6 +61,15 @@ void open_lesson(const LessonHands& hands, LessonState& state, const std::filesy
 
 void go_to_step(const LessonHands& hands, LessonState& state, std::size_t step);
 
+// It takes the place of the one that is open, in the language that is wanted.
+void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson);
+
+// From now on, of every lesson that has it.
+void choose_language(Ui& ui, LessonState& state, const std::string& code);
+
+// The place of the language that is shown, among the lesson's.
+std::size_t shown_language(const LessonState& state);
+
 // The document and the view are again what they were before. What was written and is unsaved goes
 // to a file of its own; where it cannot be kept, the lesson stays: false.
 bool leave_lesson(const LessonHands& hands, LessonState& state);
@@ -77,7 +86,7 @@ void make_lesson_job(const Ui& ui, LessonState& state);
 void follow_lesson(LessonState& state);
 const LessonAnswers* answers_of(const LessonState& state);
 
-// The step under way; null: none is.
+// The step under way, in the language that is shown; null: none is.
 const LessonStep* step_of(const LessonState& state);
 
 std::optional<Stage> stage_of_view(const std::string& view);

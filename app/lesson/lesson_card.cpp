@@ -93,6 +93,15 @@ void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {
     ImGui::Spacing();
 }
 
+// Boxes in the place of letters are explained.
+void draw_lacking(Ui& ui, const LessonState& state) {
+    if (state.lacking.empty() || ui.fonts_outdated) return;
+    const std::string text = "No font of this computer has all letters of this step. " +
+                             std::string(package_for(state.lacking)) + " has them.";
+    coloured_text(ui.theme.warning, text);
+    note_item(ui.rects, "lesson:lacking", text);
+}
+
 void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
     if (step.source.empty()) return;
     ImGui::PushFont(lesson_fonts(ui, state).small);
@@ -129,6 +138,7 @@ void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) 
     ImGui::SameLine(width - move_px(ui, state));
     draw_move(ui, state);
     draw_title(ui, state, step);
+    draw_lacking(ui, state);
 }
 
 constexpr const char* kBack = "Back";
@@ -205,6 +215,7 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + pad);
         draw_count(ui, state);
         draw_title(ui, state, step);
+        draw_lacking(ui, state);
         ImGui::TableNextColumn();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + pad);
         draw_text_of(ui, state, step);
@@ -300,6 +311,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const Rect& card = places.card;
     const LessonStep* shown = step_of(state);
     if (shown == nullptr || card.empty()) return;
+    follow_glyphs(hands.ui, state);
     const LessonStep step = *shown;  // the frame may go on to another one
     const std::string count = count_text(state);
     Ui& ui = hands.ui;
@@ -351,6 +363,27 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     draw_edge(ui, state, card,
               {{std::min(card.min.x, rest.min.x), std::min(card.min.y, rest.min.y)},
                {std::max(card.max.x, rest.max.x), std::max(card.max.y, rest.max.y)}});
+}
+
+std::string drawn_text(const LessonState& state) {
+    if (!state.step || !state.shown) return {};
+    std::string all = state.shown->name + state.shown->about;
+    for (const LessonStep& step : state.shown->steps) {
+        for (const std::string& text : texts_of(step)) all += text;
+        all += step.source;
+    }
+    return all;
+}
+
+void follow_glyphs(Ui& ui, LessonState& state) {
+    const LessonStep* step = step_of(state);
+    if (step == nullptr || ui.theme.fonts.regular == nullptr) return;
+    std::string all;
+    for (const std::string& text : texts_of(*step)) all += text;
+    std::u32string lacking = without_glyph(*ui.theme.fonts.regular, all);
+    // Asked for once: no font here may have them.
+    if (!lacking.empty() && lacking != state.lacking) ui.fonts_outdated = true;
+    state.lacking = std::move(lacking);
 }
 
 void watch_pointed(Ui& ui, const LessonState& state) {

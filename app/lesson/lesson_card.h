@@ -36,6 +36,12 @@ void draw_pointed(const Ui& ui, const Rect& within);
 void step_on(const LessonHands& hands, LessonState& state);
 void step_back(const LessonHands& hands, LessonState& state);
 
+// All that is written in the lesson, in the language that is shown: for the choice of glyphs.
+std::string drawn_text(const LessonState& state);
+
+// Fonts are loaded again where a step has characters that they lack; what lacks then is lacking.
+void follow_glyphs(Ui& ui, LessonState& state);
+
 // The next edge of the window.
 void move_card(LessonState& state);
 

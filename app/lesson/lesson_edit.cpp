@@ -13,6 +13,7 @@
 #include "app/ui/question.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_lacks.h"
+#include "model/lesson/lesson_languages.h"
 #include "model/text/file_stem.h"
 
 namespace tact {
@@ -20,17 +21,13 @@ namespace tact {
 namespace {
 
 void keep(LessonState& state, Lesson lesson) {
-    state.lesson = std::make_shared<const Lesson>(std::move(lesson));
-    state.tallies.resize(state.lesson->steps.size());
-    if (state.job) state.job->submit({state.lesson});
+    show_lesson(state, std::make_shared<const Lesson>(std::move(lesson)));
 }
 
 void show_kept(const LessonHands& hands, LessonState& state, std::shared_ptr<const Lesson> kept) {
     if (!kept || !state.step) return;
-    state.lesson = std::move(kept);
-    state.tallies.resize(state.lesson->steps.size());
+    show_lesson(state, std::move(kept));
     state.edited_at = hands.work.revision;
-    if (state.job) state.job->submit({state.lesson});
     go_to_step(hands, state, *state.step);
 }
 
@@ -65,7 +62,8 @@ void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
 void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
                  const std::string& what, bool joins) {
     Lesson lesson = *state.lesson;
-    lesson.steps[*state.step] = step;
+    LessonStep& stored = lesson.steps[*state.step];
+    stored = with_words(stored, *step_of(state), step, shown_language(state));
     change_lesson(hands, state, std::move(lesson),
                   what + " of step " + std::to_string(*state.step + 1), joins);
 }
@@ -153,7 +151,7 @@ void remove_step(const LessonHands& hands, LessonState& state) {
 void show_screen(const LessonHands& hands, LessonState& state) {
     if (!state.step) return;
     LessonStep step = step_from_screen(hands);
-    const LessonStep& was = state.lesson->steps[*state.step];
+    const LessonStep& was = *step_of(state);
     step.title = was.title;
     step.text = was.text;
     step.note = was.note;
@@ -165,7 +163,7 @@ void show_screen(const LessonHands& hands, LessonState& state) {
 
 void take_camera(const LessonHands& hands, LessonState& state, bool taken) {
     if (!state.step) return;
-    LessonStep step = state.lesson->steps[*state.step];
+    LessonStep step = *step_of(state);
     step.camera.reset();
     if (taken) step.camera = camera_on(hands);
     change_step(hands, state, step, "Camera");
@@ -179,6 +177,24 @@ void move_step(const LessonHands& hands, LessonState& state, int by) {
     std::swap(lesson.steps[*state.step], lesson.steps[static_cast<std::size_t>(to)]);
     change_lesson(hands, state, std::move(lesson), "Move step");
     go_to_step(hands, state, static_cast<std::size_t>(to));
+}
+
+void add_language(const LessonHands& hands, LessonState& state, const std::string& code) {
+    if (!state.step) return;
+    const bool names_none = state.lesson->languages.empty();
+    change_lesson(hands, state, with_language(*state.lesson, code), "Add " + language_name(code));
+    choose_language(hands.ui, state, code);
+    std::string text = "What is written now is " + language_name(code) +
+                       "; what is not written yet shows in the first language.";
+    if (names_none) text += " The texts so far are taken as English.";
+    say(hands.ui, text);
+}
+
+void remove_language(const LessonHands& hands, LessonState& state) {
+    const std::size_t place = shown_language(state);
+    if (!state.step || place == 0) return;
+    const std::string name = language_name(state.lesson->languages[place]);
+    change_lesson(hands, state, without_language(*state.lesson, place), "Remove " + name);
 }
 
 Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
@@ -230,7 +246,9 @@ bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesys
 void check_lesson(Ui& ui, const Workspace& work, const LessonState& state) {
     if (!state.step) return complain(ui, "Open a lesson first, or begin a new one.");
     constexpr std::size_t kMost = 12;
-    const std::vector<std::string> lacks = lesson_lacks(lesson_to_save(work, state));
+    const Lesson lesson = lesson_to_save(work, state);
+    std::vector<std::string> lacks = lesson_lacks(lesson);
+    for (std::string& lack : translation_lacks(lesson)) lacks.push_back(std::move(lack));
     if (lacks.empty()) return say(ui, "The lesson lacks nothing.");
     std::string text = "It can be saved and presented; what is listed here is left out in class.";
     for (std::size_t k = 0; k < std::min(lacks.size(), kMost); ++k) text += "\n" + lacks[k] + ".";
@@ -253,7 +271,7 @@ void save_sheet_dialog(Ui& ui, const Workspace& work, const LessonState& state) 
                   .use = ChooserUse::save,
                   .title = "Student sheet of the lesson",
                   .extensions = {".html"}},
-                 work.document.path.parent_path(), file_stem(state.lesson->name) + ".html");
+                 work.document.path.parent_path(), file_stem(state.shown->name) + ".html");
 }
 
 }  // namespace tact

@@ -24,7 +24,8 @@ void write_on_document(const LessonHands& hands, LessonState& state,
 
 void toggle_editing(const LessonHands& hands, LessonState& state);
 
-// A step of undo; with `joins` it is one with the last, where that was called the same.
+// A step of undo; with `joins` it is one with the last, where that was called the same. The step's
+// texts are in the language that is shown.
 void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
                    const std::string& what, bool joins = false);
 void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
@@ -44,6 +45,11 @@ void take_camera(const LessonHands& hands, LessonState& state, bool taken);
 void add_step(const LessonHands& hands, LessonState& state);
 void remove_step(const LessonHands& hands, LessonState& state);
 void move_step(const LessonHands& hands, LessonState& state, int by);
+
+// Shown at once, to be written in.
+void add_language(const LessonHands& hands, LessonState& state, const std::string& code);
+// The one that is shown, unless it is the first, with all that was written in it.
+void remove_language(const LessonHands& hands, LessonState& state);
 
 // With its set as it is now.
 Lesson lesson_to_save(const Workspace& work, const LessonState& state);

@@ -18,7 +18,7 @@ void make_lesson_job(const Ui& ui, LessonState& state) {
             return answered;
         },
         ui.wake);
-    if (state.step && state.lesson) state.job->submit({state.lesson});
+    if (state.step && state.shown) state.job->submit({state.shown});
 }
 
 void follow_lesson(LessonState& state) {
@@ -26,14 +26,14 @@ void follow_lesson(LessonState& state) {
     auto answered = state.job->latest();
     if (!answered || answered == state.answered) return;
     state.answered = std::move(answered);
-    if (!state.answered->with_pairs && state.answered->of == state.lesson) {
-        state.job->submit({state.lesson, true});
+    if (!state.answered->with_pairs && state.answered->of == state.shown) {
+        state.job->submit({state.shown, true});
     }
 }
 
 // Numbers of a lesson that is being edited stay until the new ones are there.
 const LessonAnswers* answers_of(const LessonState& state) {
-    if (!state.answered || (state.answered->of != state.lesson && !state.editing)) return nullptr;
+    if (!state.answered || (state.answered->of != state.shown && !state.editing)) return nullptr;
     return &state.answered->answers;
 }
 

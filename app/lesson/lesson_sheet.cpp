@@ -82,6 +82,7 @@ std::string sources_html(const LessonSheet& sheet) {
 std::string lesson_sheet(const LessonSheet& sheet) {
     HtmlPage page;
     page.title = sheet.lesson.name;
+    if (!sheet.lesson.languages.empty()) page.language = sheet.lesson.languages[0];
     page.lead =
         "<p>" + html_escaped(sheet.lesson.about) + " Name: <span class=\"name\"></span></p>";
     for (std::size_t k = 0; k < sheet.lesson.steps.size(); ++k) page.body += step_html(sheet, k);

@@ -74,6 +74,8 @@ inline constexpr float kPresentScale = 1.25F;  // of text, on a screen of 1280 x
 
 struct LessonState {
     std::shared_ptr<const Lesson> lesson;  // open; kept when it is left
+    std::shared_ptr<const Lesson> shown;   // the same in one language
+    std::string language;                  // wanted, by its code; empty: the lesson's first
     std::filesystem::path path;            // of its file; empty: it has none
     bool is_tour = false;
     std::optional<std::size_t> step;  // under way
@@ -104,6 +106,7 @@ struct LessonState {
     History<Lesson> history{};    // of what was written
     std::uint64_t edited_at = 0;  // the document's revision then
     bool shows_source = false;
+    std::u32string lacking;  // characters of the step's texts that no font here has
     DockSide dock = DockSide::right;
     float card_share = 0.24F;  // of the window's width, or of its height
     float low_card_px = 0.0F;  // what its words need along the top or the foot; 0: not known yet

@@ -129,7 +129,7 @@ bool edit_pairs(const LessonHands& hands, LessonQuestion& question) {
 }  // namespace
 
 void draw_question_editor(const LessonHands& hands, LessonState& state) {
-    LessonStep step = state.lesson->steps[*state.step];
+    LessonStep step = *step_of(state);
     ImGui::PushFont(hands.ui.theme.fonts.small);
     dim_text(hands.ui, "Question");
     ImGui::PopFont();

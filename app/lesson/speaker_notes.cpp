@@ -42,14 +42,14 @@ std::optional<SpeakerNotes> speaker_notes(const LessonState& state, double now_s
     const LessonNumbers& numbers = answers == nullptr ? none : answers->numbers;
     const std::size_t at = *state.step;
     SpeakerNotes notes;
-    notes.count = std::to_string(at + 1) + " of " + std::to_string(state.lesson->steps.size());
+    notes.count = std::to_string(at + 1) + " of " + std::to_string(state.shown->steps.size());
     notes.title = filled(step->title, numbers);
     notes.note = filled(step->note, numbers);
     if (step->question && answers != nullptr && at < answers->questions.size()) {
         notes.answer = right_of(answers->questions[at], numbers);
     }
-    if (at + 1 < state.lesson->steps.size()) {
-        notes.next = filled(state.lesson->steps[at + 1].title, numbers);
+    if (at + 1 < state.shown->steps.size()) {
+        notes.next = filled(state.shown->steps[at + 1].title, numbers);
     }
     notes.minutes = static_cast<int>(std::max(0.0, now_s - state.presenting_since_s) / kMinuteS);
     return notes;
@@ -59,7 +59,7 @@ std::string speaker_line(const LessonState& state) {
     const auto notes = speaker_notes(state, state.presenting_since_s);
     if (!notes) return {};
     std::string line = std::to_string(*state.step + 1) + "/" +
-                       std::to_string(state.lesson->steps.size()) + "  " +
+                       std::to_string(state.shown->steps.size()) + "  " +
                        (notes->note.empty() ? notes->title : notes->note);
     if (!notes->answer.empty()) line += "  | answer: " + notes->answer;
     if (!notes->next.empty()) line += "  | next: " + notes->next;

@@ -115,7 +115,7 @@ bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string
 }
 
 void draw_step_editor(const LessonHands& hands, LessonState& state) {
-    LessonStep step = state.lesson->steps[*state.step];
+    LessonStep step = *step_of(state);
     struct Text {
         const char* id;
         const char* label;
@@ -135,7 +135,7 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
     }
     draw_as_shown(hands.ui, state);
     draw_question_editor(hands, state);
-    step = state.lesson->steps[*state.step];
+    step = *step_of(state);
     if (shows_map(step)) draw_camera_row(hands, state, step);
     const std::vector<std::string> lacks = step_lacks(step, hands.work.document.set);
     if (!lacks.empty()) {

@@ -154,7 +154,8 @@ std::string html_of(const HtmlPage& page) {
     // What comes with the page may be shown and heard; nothing may be fetched, and nothing runs.
     const std::string policy =
         "default-src 'none'; style-src 'unsafe-inline'; img-src data:; media-src data:";
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+    std::string html = "<!DOCTYPE html>\n<html lang=\"" + html_escaped(page.language) +
+                       "\">\n<head>\n<meta charset=\"utf-8\">\n";
     html += "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\">\n";
     html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     html += "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +

@@ -51,6 +51,7 @@ struct HtmlPage {
     std::string body{};   // html
     std::string foot{};   // html: what made the page
     std::string style{};  // CSS beside the frame's own
+    std::string language = "en";
 };
 
 // The colours of the program's two themes are variables: --background, --pane, --field, --line,

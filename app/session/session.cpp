@@ -97,6 +97,7 @@ void take_settings(const json& from, Session& session) {
         }
     }
     take(from, "theme", session.theme);
+    take(from, "lesson_language", session.lesson_language);
     take(from, "text_scale", 0.75, 2.0, session.text_scale);
     take(from, "window_width", 320, 16'384, session.window_width);
     take(from, "window_height", 240, 16'384, session.window_height);
@@ -146,6 +147,7 @@ json settings_of(const Session& session) {
             {"recent_files", recent},
             {"layout", session.layout},
             {"theme", session.theme},
+            {"lesson_language", session.lesson_language},
             {"text_scale", session.text_scale},
             {"window_width", session.window_width},
             {"window_height", session.window_height},

@@ -40,6 +40,7 @@ struct Session {
     double full_scale_g = 1.0;
     // What was said of tables, as app/tables writes it, by the names of their columns.
     std::map<std::string, std::string> table_words;
+    std::string lesson_language;       // in which lessons are shown; empty: each in its first
     double whole_buffer_s = kBufferS;  // rendered ahead where nothing may have gaps
 
     // Of this run.

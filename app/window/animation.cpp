@@ -84,17 +84,17 @@ void draw_next_of_sheet(App& app) {
     LessonState& state = app.lesson;
     if (!state.lesson) return state.sheet_to.clear();
     const LessonAnswers* answers = answers_of(state);
+    const Lesson& lesson = *state.shown;
     if (state.job && state.job->busy()) return;  // they are on their way
     const std::size_t next = state.sheet_pictures.size();
-    if (next < state.lesson->steps.size()) {
-        state.sheet_pictures.push_back(step_picture(*state.lesson, next));
+    if (next < lesson.steps.size()) {
+        state.sheet_pictures.push_back(step_picture(lesson, next));
         return;
     }
     const fs::path file = std::exchange(state.sheet_to, {});
-    const LessonAnswers own = answers == nullptr ? lesson_answers(*state.lesson) : *answers;
-    const std::string page =
-        lesson_sheet({*state.lesson, own, std::exchange(state.sheet_pictures, {}),
-                      std::string("tactspace ") + TACT_VERSION});
+    const LessonAnswers own = answers == nullptr ? lesson_answers(lesson) : *answers;
+    const std::string page = lesson_sheet({lesson, own, std::exchange(state.sheet_pictures, {}),
+                                           std::string("tactspace ") + TACT_VERSION});
     if (const Expected<Done> written = write_atomically(file, page); !written) {
         return complain(app.ui, "Not written: " + written.error().message);
     }
@@ -117,9 +117,8 @@ std::string step_picture(const Lesson& lesson, std::size_t step_at) {
     const auto still = opened_view(lesson.set, choice);
     still->app.timeline.range = {step.from_s, step.to_s};
     if (places) {  // what is asked for is not to be seen
-        still->app.lesson.lesson = std::make_shared<const Lesson>(lesson);
+        show_lesson(still->app.lesson, std::make_shared<const Lesson>(lesson));
         still->app.lesson.step = step_at;
-        still->app.lesson.tallies.resize(lesson.steps.size());
     }
     PictureSize size;
     size.width = 1200;

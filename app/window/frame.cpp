@@ -464,8 +464,8 @@ void make_theme(App& app) {
     const float scale = wanted_scale(app);
     app.ui.theme = app.ui.dark ? dark_theme(scale) : light_theme(scale);
     app.ui.theme.bodies = std::make_shared<BodyCache>();
-    app.ui.theme.fonts =
-        load_fonts(*ImGui::GetIO().Fonts, scale, drawn_text(app.work.document.set));
+    app.ui.theme.fonts = load_fonts(*ImGui::GetIO().Fonts, scale,
+                                    drawn_text(app.work.document.set) + drawn_text(app.lesson));
     ImGui::GetStyle() = ImGuiStyle();
     apply(app.ui.theme, ImGui::GetStyle());
     app.ui.fonts_outdated = false;

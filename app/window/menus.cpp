@@ -13,10 +13,12 @@
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/document/rating_files.h"
+#include "app/lesson/lesson_edit.h"
 #include "app/study/study_follow.h"
 #include "app/ui/folder_listing.h"
 #include "app/ui/widgets.h"
 #include "app/window/commands.h"
+#include "model/lesson/lesson_languages.h"
 #include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"
 
@@ -130,6 +132,55 @@ void draw_examples(App& app) {
     if (!open) return;
     for (const Command& command : commands()) {
         if (std::string_view(command.menu) == kExampleMenu) draw_item(app, command);
+    }
+    ImGui::EndMenu();
+}
+
+// The languages of the lesson, and those that it can be written in as well.
+void draw_languages(App& app) {
+    LessonState& state = app.lesson;
+    const bool has_any = state.step && (state.editing || !state.lesson->languages.empty());
+    const bool open = ImGui::BeginMenu("Language", has_any);
+    note_item(app.ui.rects, "menu:Language");
+    if (!open) {
+        if (!state.step) return draw_tooltip(app.ui, "no lesson is open");
+        return has_any ? void() : draw_tooltip(app.ui, "the lesson is in one language");
+    }
+    const Lesson lesson = *state.lesson;  // a copy: choosing may change it
+    const std::size_t shown = shown_language(state);
+    const auto later = [&app](auto act) {
+        app.ui.waiting.emplace_back([&app, act] { act(hands_of(app), app.lesson); });
+    };
+    for (std::size_t k = 0; k < lesson.languages.size(); ++k) {
+        const std::string& code = lesson.languages[k];
+        if (ImGui::MenuItem(language_name(code).c_str(), k == 0 ? "first" : nullptr, k == shown)) {
+            later([code](const LessonHands& hands, LessonState& s) {
+                choose_language(hands.ui, s, code);
+            });
+        }
+        note_item(app.ui.rects, "language:" + code, k == shown ? "shown" : "");
+    }
+    if (!lesson.languages.empty() && state.editing) draw_divider(app.ui.theme);
+    const bool adds = state.editing && ImGui::BeginMenu("Add a language");
+    if (state.editing) note_item(app.ui.rects, "menu:Add a language");
+    if (adds) {
+        for (const NamedLanguage& one : kNamedLanguages) {
+            const bool is_there =
+                std::ranges::find(lesson.languages, one.code) != lesson.languages.end();
+            if (is_there) continue;
+            if (ImGui::MenuItem(one.name)) {
+                later([code = one.code](const LessonHands& hands, LessonState& s) {
+                    add_language(hands, s, code);
+                });
+            }
+            note_item(app.ui.rects, std::string("add language:") + one.code);
+        }
+        ImGui::EndMenu();
+    }
+    if (state.editing && lesson.languages.size() > 1 && shown > 0) {
+        const std::string label = "Remove " + language_name(lesson.languages[shown]);
+        if (ImGui::MenuItem(label.c_str())) later(remove_language);
+        note_item(app.ui.rects, "remove language");
     }
     ImGui::EndMenu();
 }
@@ -339,6 +390,7 @@ void draw_rows(App& app, std::string_view menu) {
         if (within && !open) continue;
         draw_item(app, command);
         if (std::string_view(command.name) == "Redo") draw_history(app);
+        if (std::string_view(command.name) == "Edit the lesson") draw_languages(app);
         if (std::string_view(command.name) == "Save workspace as...") draw_own_workspaces(app);
         if (std::string_view(command.name) != "Add to set...") continue;
         draw_recent(app);

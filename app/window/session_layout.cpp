@@ -151,6 +151,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     app.work.session = open_session(state_folder());
     app.ui.dismissed_hints = app.work.session.dismissed_hints;
     app.ui.dark = app.work.session.theme != "light";
+    app.lesson.language = app.work.session.lesson_language;
     app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
     app.of_document = 0;  // the views that were put back are of the document that follows
@@ -314,6 +315,7 @@ void end_session(App& app) {
     (void)keep_lesson(app.work, app.lesson);
     end_lesson(app);
     app.work.session.theme = app.ui.dark ? "dark" : "light";
+    app.work.session.lesson_language = app.lesson.language;
     app.work.session.dismissed_hints = app.ui.dismissed_hints;
     app.work.session.text_scale = static_cast<double>(app.ui.text_scale);
     app.work.session.document = app.work.document.path;

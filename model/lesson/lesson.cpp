@@ -28,10 +28,19 @@ std::string question_needs(const LessonStep& step, std::size_t patterns) {
 
 std::vector<std::string> texts_of(const LessonStep& step) {
     std::vector<std::string> texts{step.title, step.text, step.note};
-    if (!step.question) return texts;
-    texts.push_back(step.question->ask);
-    texts.insert(texts.end(), step.question->options.begin(), step.question->options.end());
-    texts.push_back(step.question->reveal);
+    const auto add_question = [&texts](const std::string& ask,
+                                       const std::vector<std::string>& options,
+                                       const std::string& reveal) {
+        texts.push_back(ask);
+        texts.insert(texts.end(), options.begin(), options.end());
+        texts.push_back(reveal);
+    };
+    const auto& question = step.question;
+    if (question) add_question(question->ask, question->options, question->reveal);
+    for (const StepWords& words : step.words) {
+        texts.insert(texts.end(), {words.title, words.text, words.note});
+        if (question) add_question(words.ask, words.options, words.reveal);
+    }
     return texts;
 }
 

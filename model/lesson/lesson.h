@@ -60,6 +60,26 @@ struct LessonCamera {
     bool operator==(const LessonCamera&) const = default;
 };
 
+// A step's texts in a further language; an empty one is the first language's.
+struct StepWords {
+    std::string title;
+    std::string text;
+    std::string note;
+    std::string ask;
+    std::vector<std::string> options;  // may be fewer than the question has
+    std::string reveal;
+
+    bool operator==(const StepWords&) const = default;
+};
+
+// The same of the lesson as a whole.
+struct LessonWords {
+    std::string name;
+    std::string about;
+
+    bool operator==(const LessonWords&) const = default;
+};
+
 struct LessonStep {
     std::string title;
     std::string text;
@@ -75,7 +95,8 @@ struct LessonStep {
     double to_s = 0.0;     // ... up to there; both 0: the whole pattern
     std::optional<LessonCamera> camera{};
     std::optional<LessonQuestion> question{};
-    std::string unknown_json{};  // keys of the step, its camera and its question, kept on save
+    std::vector<StepWords> words{};  // in the lesson's further languages, in their order
+    std::string unknown_json{};      // keys of the step, its camera and its question, kept on save
 
     bool operator==(const LessonStep&) const = default;
 };
@@ -88,6 +109,7 @@ inline constexpr Range kLessonZoom{0.1, 40.0};
 inline constexpr std::size_t kMaxSteps = 200;
 inline constexpr std::size_t kMaxOptions = 9;   // a number key each
 inline constexpr std::size_t kLeastPlaced = 4;  // patterns of a set in whose map one is placed
+inline constexpr std::size_t kMaxLanguages = 20;
 }  // namespace limits
 
 struct Lesson {
@@ -96,6 +118,10 @@ struct Lesson {
     std::string set_name;  // of a set that comes with the program; empty: the lesson's own
     PatternSet set;
     std::vector<LessonStep> steps;
+    // Of its texts, as "en" or "pt-BR" (lesson_languages.h): the first is that of the texts above;
+    // none: which it is is not told.
+    std::vector<std::string> languages;
+    std::vector<LessonWords> words;  // in the further ones, in their order
     std::string unknown_json;  // keys of the file that this version does not know, kept on save
 
     bool operator==(const Lesson&) const = default;
@@ -105,7 +131,7 @@ struct Lesson {
 // empty: nothing, or the step asks nothing.
 std::string question_needs(const LessonStep& step, std::size_t patterns);
 
-// Every text of a step in which numbers may stand, in order.
+// Every text of a step in which numbers may stand, in order; those of the further languages behind.
 std::vector<std::string> texts_of(const LessonStep& step);
 
 }  // namespace tact

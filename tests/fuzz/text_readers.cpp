@@ -83,6 +83,9 @@ Seeds lesson_seeds() {
     LessonQuestion& question = own.steps[1].question.emplace();
     question.ask = "Which?";
     question.options = {"this", "that"};
+    own.languages = {"en", "de"};
+    own.words = {{"Eine", ""}};
+    own.steps[1].words = {{"Titel", "", "", "Welche?", {"", "jene"}, ""}};
     return {print_lesson(own, {}), std::string(asset("lessons/twins.tactlesson.json"))};
 }
 
@@ -316,7 +319,10 @@ Seeds tables_seeds() {
 std::span<const Reader> text_readers() {
     static const std::vector<Reader> all{
         {"set", set, set_seeds, {"\"patterns\"", "\"rhythm\"", "\"carriers\"", "\"ratings\""}},
-        {"lesson", lesson, lesson_seeds, {"\"steps\"", "\"question\"", "\"pairs\"", "{nc | "}},
+        {"lesson",
+         lesson,
+         lesson_seeds,
+         {"\"steps\"", "\"question\"", "\"pairs\"", "{nc | ", "\"languages\"", "\"de\""}},
         {"model", model, model_seeds, {"\"training\"", "\"sets\"", "\"weights\""}},
         {"exclusions", exclusions, exclusion_seeds, {"\"excluded\"", "\"because\""}},
         {"study", study, study_seeds, {"\"answer\"", "\"sorting\"", "\"groups\"", "\"pair\""}},

@@ -24,7 +24,7 @@ struct Class : ProgramWithStages {
         const auto until = end_of_patience();
         const auto arrived = [this] {
             const auto& answered = app.lesson.answered;
-            return answered && answered->with_pairs && answered->of == app.lesson.lesson;
+            return answered && answered->with_pairs && answered->of == app.lesson.shown;
         };
         while (!arrived()) {
             REQUIRE(std::chrono::steady_clock::now() < until);

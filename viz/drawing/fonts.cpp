@@ -193,6 +193,31 @@ void paint_disc(ImFontAtlas& atlas, const ImFontAtlasCustomRect& rect) {
 
 }  // namespace
 
+std::u32string without_glyph(const ImFont& font, std::string_view text) {
+    std::set<char32_t> lacking;
+    for (const char* at = text.data(); at < text.data() + text.size();) {
+        unsigned int character = 0;
+        at += std::max(1, ImTextCharFromUtf8(&character, at, text.data() + text.size()));
+        if (character < 0x80 || is_steering(static_cast<char32_t>(character))) continue;
+        if (character > IM_UNICODE_CODEPOINT_MAX ||
+            font.FindGlyphNoFallback(static_cast<ImWchar>(character)) == nullptr) {
+            lacking.insert(static_cast<char32_t>(character));
+        }
+    }
+    return {lacking.begin(), lacking.end()};
+}
+
+const char* package_for(std::u32string_view characters) {
+    const auto is_hangul = [](char32_t c) {
+        return (c >= 0x1100 && c <= 0x11FF) || (c >= 0x3130 && c <= 0x318F) ||
+               (c >= 0xAC00 && c <= 0xD7A3);
+    };
+    const auto is_east_asian = [](char32_t c) { return c >= 0x2E80 && c <= 0xFFEF; };
+    if (std::ranges::all_of(characters, is_hangul)) return "The package fonts-nanum";
+    if (std::ranges::all_of(characters, is_east_asian)) return "The package fonts-noto-cjk";
+    return "The package fonts-noto-core";
+}
+
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text) {
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) library = nullptr;

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace tact {
 
@@ -32,6 +33,13 @@ struct Fonts {
     float em = 1.0F;                                    // of all fonts, over their line height
     std::array<ImVec4, kDiscRadiiPx.size()> disc_uv{};  // all zero: no discs, triangles are used
 };
+
+// The characters of a UTF-8 text that the font has no glyph for, each once, in order; steering
+// ones (model/text/shown_text.h) have none to be drawn.
+std::u32string without_glyph(const ImFont& font, std::string_view text);
+
+// The Debian package to install for such characters, in words: "The package fonts-nanum".
+const char* package_for(std::u32string_view characters);
 
 // Fills an empty atlas and builds it. Glyphs: Latin-1, Latin Extended-A, Greek, punctuation,
 // arrows, the shapes the program draws, and every character of `extra_text` (UTF-8) that some

@@ -10,8 +10,10 @@
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/recordings/recording.h"
+#include "model/lesson/lesson_languages.h"
 #include "model/text/atomic_file.h"
 #include "model/text/shown_text.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -24,6 +26,20 @@ Expected<Lesson> lesson_named(const std::string& name) {
         if (file.path == bundled) return parse_lesson(file.text, bundled, {});
     }
     return read_lesson_file(name);
+}
+
+// All of it where no language is asked for.
+Expected<Lesson> lesson_in(const Lesson& lesson, const std::string& language) {
+    if (language.empty()) return lesson;
+    const std::size_t place = language_place(lesson, language);
+    if (place < lesson.languages.size() && lesson.languages[place] == language) {
+        return *in_language(std::make_shared<const Lesson>(lesson), place);
+    }
+    std::string codes;
+    for (const std::string& code : lesson.languages) codes += (codes.empty() ? "" : ", ") + code;
+    return Error{"--language: expected " +
+                 (codes.empty() ? "nothing, as the lesson names no language" : "one of " + codes) +
+                 ", got " + in_quotes(language)};
 }
 
 void print_question(const LessonQuestion& question, const QuestionAnswer& answer,
@@ -69,7 +85,9 @@ Expected<Done> write_sheet(const std::filesystem::path& path, const Lesson& less
 }  // namespace
 
 Expected<Done> run(const LessonCommand& command) {
-    const Expected<Lesson> lesson = lesson_named(command.lesson);
+    const Expected<Lesson> whole = lesson_named(command.lesson);
+    if (!whole) return whole.error();
+    const Expected<Lesson> lesson = lesson_in(*whole, command.language);
     if (!lesson) return lesson.error();
     if (is_lesson_file(command.out)) return write_lesson_file(command.out, *lesson);
     const LessonAnswers answers = lesson_answers(*lesson);

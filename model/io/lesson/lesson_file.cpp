@@ -1,12 +1,15 @@
 #include "model/io/lesson/lesson_file.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_json.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/set_json.h"
 #include "model/lesson/lesson_lacks.h"
+#include "model/lesson/lesson_languages.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/json_fields.h"
@@ -53,6 +56,41 @@ void read_set(JsonObject& object, Lesson& lesson, const fs::path& folder) {
     }
 }
 
+// Each once, and such as can be one.
+void read_languages(JsonObject& object, Lesson& lesson) {
+    for (const Json* value : array_field(object, "languages", 0, limits::kMaxLanguages)) {
+        const std::string code = value->is_string() ? value->get<std::string>() : std::string();
+        const bool is_there = std::ranges::find(lesson.languages, code) != lesson.languages.end();
+        if (!is_language_code(code) || is_there) {
+            refuse(*object.reading, "/languages", "codes of languages, each once, as \"en\"",
+                   *value);
+            return;
+        }
+        lesson.languages.push_back(code);
+    }
+}
+
+LessonWords& words_at(Lesson& lesson, std::size_t place) {
+    if (lesson.words.size() <= place) lesson.words.resize(place + 1);
+    return lesson.words[place];
+}
+
+std::string lesson_text(JsonObject& object, std::string_view key, Lesson& lesson,
+                        std::string LessonWords::*translation) {
+    const PatternSet none;
+    return text_of_languages(object, key, {none, lesson.languages, true},
+                             [&](std::size_t place, std::string text) {
+                                 words_at(lesson, place).*translation = std::move(text);
+                             });
+}
+
+Json lesson_text_json(const std::string& text, const Lesson& lesson,
+                      std::string LessonWords::*translation) {
+    return json_of_languages(text, lesson.languages, [&](std::size_t place) {
+        return place < lesson.words.size() ? lesson.words[place].*translation : std::string();
+    });
+}
+
 Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& folder) {
     Lesson lesson;
     JsonObject object = object_at(reading, document, "");
@@ -61,8 +99,10 @@ Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& fol
     }
     whole_field(object, "tactlesson", kLessonFormat, {1.0, kLessonFormat});
     if (!reading.fault.empty()) return lesson;
-    lesson.name = name_field(object, "name", "");
-    lesson.about = text_field(object, "about", "");
+    read_languages(object, lesson);
+    const std::string name = lesson_text(object, "name", lesson, &LessonWords::name);
+    lesson.name = name_at(reading, Json(name), "/name");
+    lesson.about = lesson_text(object, "about", lesson, &LessonWords::about);
     read_set(object, lesson, folder);
     if (!reading.fault.empty()) return lesson;
     const bool is_draft = yes_no_field(object, "draft", false);
@@ -70,7 +110,7 @@ Lesson lesson_of(JsonReading& reading, const Json& document, const fs::path& fol
     if (steps.empty()) refuse(reading, "/steps", "at least one step", Json());
     for (std::size_t k = 0; k < steps.size(); ++k) {
         JsonObject step = object_at(reading, *steps[k], "/steps/" + std::to_string(k));
-        lesson.steps.push_back(step_of(step, lesson.set, is_draft));
+        lesson.steps.push_back(step_of(step, {lesson.set, lesson.languages, is_draft}));
     }
     const Json unknown = unknown_fields(object);
     if (!unknown.empty()) lesson.unknown_json = text_of_json(unknown);
@@ -102,8 +142,12 @@ Expected<Lesson> read_lesson_file(const fs::path& path) {
 }
 
 std::string print_lesson(const Lesson& lesson, const fs::path& folder) {
-    Json document = {{"tactlesson", kLessonFormat}, {"name", lesson.name}};
-    if (!lesson.about.empty()) document["about"] = lesson.about;
+    Json document = Json::object();
+    document["tactlesson"] = kLessonFormat;
+    if (!lesson.languages.empty()) document["languages"] = lesson.languages;
+    document["name"] = lesson_text_json(lesson.name, lesson, &LessonWords::name);
+    const Json about = lesson_text_json(lesson.about, lesson, &LessonWords::about);
+    if (about != "") document["about"] = about;
     if (lesson.set_name.empty()) {
         document["set"] = json_of(lesson.set, folder);
     } else {
@@ -111,7 +155,8 @@ std::string print_lesson(const Lesson& lesson, const fs::path& folder) {
     }
     if (!lesson_lacks(lesson).empty()) document["draft"] = true;
     document["steps"] = Json::array();
-    for (const LessonStep& step : lesson.steps) document["steps"].push_back(json_of(step));
+    for (const LessonStep& step : lesson.steps)
+        document["steps"].push_back(json_of(step, lesson.languages));
     if (!lesson.unknown_json.empty()) {
         restore_unknown(document, kept_json(lesson.unknown_json));
     }

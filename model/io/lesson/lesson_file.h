@@ -2,6 +2,9 @@
 //
 //     {
 //       "tactlesson": 1,                     the format
+//       "languages": ["en", "de"],       of its texts, the first of all of them; then each text may
+//                                       be {"en": "..", "de": ".."} in the place of "..": name,
+//                                       about, title, text, note, ask, options, reveal
 //       "name": "Gaps", "about": "Five minutes, for beginners",
 //       "set": {..}                     as in a set file (model/io/set/set_file.h), or the name of
 //                                       one that comes with the program: "pm_2023_twelve"

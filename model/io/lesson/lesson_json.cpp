@@ -1,6 +1,8 @@
 #include "model/io/lesson/lesson_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "model/lesson/lesson_numbers.h"
 #include "model/text/json_fields.h"
@@ -9,30 +11,47 @@ namespace tact {
 
 namespace {
 
-// What the names and numbers of a step have to be found in.
-struct LookUp {
-    const PatternSet& set;
-    bool is_draft;  // then they need not be there yet
-};
-
 // Options or pairs: those that a question of another kind left behind may be as few as they are.
 std::size_t least_of(const LookUp& look_up, bool is_asked) {
     return look_up.is_draft || !is_asked ? 0 : 2;
 }
 
-// A text whose numbers the model can give.
-std::string text_with_numbers(JsonObject& object, std::string_view key, const LookUp& look_up) {
-    const std::string text = text_field(object, key, "");
-    if (look_up.is_draft) return text;
+// Its numbers are such as the model can give.
+void need_numbers(JsonReading& reading, const std::string& place, const LookUp& look_up,
+                  const std::string& text) {
+    if (look_up.is_draft) return;
     for (const std::string& placeholder : placeholders_in(text)) {
         const std::string fault = placeholder_fault(placeholder, look_up.set);
         if (fault.empty()) continue;
-        refuse(*object.reading, place_of(object, key),
+        refuse(reading, place,
                "numbers that the model can give: {" + placeholder + "} cannot be (" + fault + ")",
                Json(text));
         break;
     }
-    return text;
+}
+
+// The words of the step in a further language.
+StepWords& words_at(LessonStep& step, std::size_t place) {
+    if (step.words.size() <= place) step.words.resize(place + 1);
+    return step.words[place];
+}
+
+std::string step_text(JsonObject& object, std::string_view key, const LookUp& look_up,
+                      LessonStep& step, std::string StepWords::*translation) {
+    return text_of_languages(object, key, look_up, [&](std::size_t place, std::string text) {
+        words_at(step, place).*translation = std::move(text);
+    });
+}
+
+// The step's text in a further language; empty: none.
+template <class Words, class Text>
+Text translation_of(const std::vector<Words>& words, std::size_t place, Text Words::*member) {
+    return place < words.size() ? words[place].*member : Text{};
+}
+
+std::string option_of(const LessonStep& step, std::size_t place, std::size_t option) {
+    const auto options = translation_of(step.words, place, &StepWords::options);
+    return option < options.size() ? options[option] : std::string();
 }
 
 void need_pattern(JsonReading& reading, const std::string& place, const LookUp& look_up,
@@ -61,31 +80,35 @@ PatternPair pair_of(JsonReading& reading, const Json& value, const std::string& 
     return pair;
 }
 
-void read_options(JsonObject& object, const LookUp& look_up, LessonQuestion& question) {
+// Texts, or objects with one in each language.
+void read_options(JsonObject& object, const LookUp& look_up, LessonStep& step,
+                  LessonQuestion& question) {
     const std::size_t least = least_of(look_up, question.kind == QuestionKind::choice);
-    for (const Json* option : array_field(object, "options", least, limits::kMaxOptions)) {
-        if (!option->is_string()) {
-            refuse(*object.reading, place_of(object, "options"), "texts", *option);
-            return;
-        }
-        question.options.push_back(option->get<std::string>());
-        for (const std::string& placeholder : placeholders_in(question.options.back())) {
-            if (look_up.is_draft || placeholder_fault(placeholder, look_up.set).empty()) continue;
-            refuse(*object.reading, place_of(object, "options"), "numbers that the model can give",
-                   *option);
-        }
+    const auto values = array_field(object, "options", least, limits::kMaxOptions);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        // As a field, so that it is read like any other text.
+        const std::string key = std::to_string(k);
+        Json one = Json::object();
+        one[key] = *values[k];
+        JsonObject option{object.reading, &one, place_of(object, "options"), {}};
+        question.options.push_back(
+            text_of_languages(option, key, look_up, [&](std::size_t place, std::string text) {
+                auto& options = words_at(step, place).options;
+                options.resize(std::max(options.size(), k + 1));
+                options[k] = std::move(text);
+            }));
     }
     const double last =
         question.options.empty() ? 0.0 : static_cast<double>(question.options.size() - 1);
     question.answer = static_cast<std::size_t>(whole_field(object, "answer", 0, {0.0, last}));
 }
 
-LessonQuestion question_of(JsonObject& object, const LookUp& look_up) {
+LessonQuestion question_of(JsonObject& object, const LookUp& look_up, LessonStep& step) {
     LessonQuestion question;
     question.kind = static_cast<QuestionKind>(choice_field(object, "kind", 0, kQuestionKinds));
-    question.ask = text_with_numbers(object, "ask", look_up);
-    question.reveal = text_with_numbers(object, "reveal", look_up);
-    read_options(object, look_up, question);
+    question.ask = step_text(object, "ask", look_up, step, &StepWords::ask);
+    question.reveal = step_text(object, "reveal", look_up, step, &StepWords::reveal);
+    read_options(object, look_up, step, question);
     const bool of_pairs =
         question.kind == QuestionKind::closest || question.kind == QuestionKind::farthest;
     const std::size_t least = least_of(look_up, of_pairs);
@@ -115,28 +138,83 @@ void restore(Json& fields, const std::string& unknown_json) {
     if (unknown.is_object()) restore_unknown(fields, unknown);
 }
 
-Json json_of(const LessonQuestion& question) {
+Json step_text_json(const std::string& text, const LessonStep& step,
+                    const std::vector<std::string>& languages,
+                    std::string StepWords::*translation) {
+    return json_of_languages(text, languages, [&](std::size_t place) {
+        return translation_of(step.words, place, translation);
+    });
+}
+
+Json question_json(const LessonStep& step, const std::vector<std::string>& languages) {
+    const LessonQuestion& question = *step.question;
     Json fields = {{"kind", kQuestionKinds[static_cast<std::size_t>(question.kind)]},
-                   {"ask", question.ask}};
+                   {"ask", step_text_json(question.ask, step, languages, &StepWords::ask)}};
     if (question.kind == QuestionKind::choice || !question.options.empty()) {
-        fields["options"] = question.options;
+        fields["options"] = Json::array();
+        for (std::size_t k = 0; k < question.options.size(); ++k) {
+            fields["options"].push_back(
+                json_of_languages(question.options[k], languages,
+                                  [&](std::size_t place) { return option_of(step, place, k); }));
+        }
         fields["answer"] = question.answer;
     }
     for (const PatternPair& pair : question.pairs) {
         fields["pairs"].push_back(Json::array({pair.a, pair.b}));
     }
-    if (!question.reveal.empty()) fields["reveal"] = question.reveal;
+    const Json reveal = step_text_json(question.reveal, step, languages, &StepWords::reveal);
+    if (reveal != "") fields["reveal"] = reveal;
     return fields;
 }
 
 }  // namespace
 
-LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft) {
-    const LookUp look_up{set, is_draft};
+std::string text_of_languages(JsonObject& object, std::string_view key, const LookUp& look_up,
+                              const std::function<void(std::size_t, std::string)>& translate) {
+    JsonReading& reading = *object.reading;
+    const Json* value = field(object, key);
+    if (value == nullptr || !value->is_object()) {
+        std::string text = text_field(object, key, "");
+        need_numbers(reading, place_of(object, key), look_up, text);
+        return text;
+    }
+    JsonObject texts = object_field(object, key);
+    std::string first;
+    for (std::size_t k = 0; k < look_up.languages.size(); ++k) {
+        const std::string& language = look_up.languages[k];
+        std::string text = text_field(texts, language, "");
+        need_numbers(reading, place_of(texts, language), look_up, text);
+        if (k == 0) {
+            first = std::move(text);
+        } else if (!text.empty()) {
+            translate(k - 1, std::move(text));
+        }
+    }
+    for (const auto& [language, text] : value->items()) {
+        if (std::ranges::find(look_up.languages, language) != look_up.languages.end()) continue;
+        refuse(reading, place_of(texts, language),
+               "a text in one of the lesson's \"languages\", which do not name this one", text);
+    }
+    return first;
+}
+
+Json json_of_languages(const std::string& text, const std::vector<std::string>& languages,
+                       const std::function<std::string(std::size_t)>& translation) {
+    Json texts = Json::object();
+    for (std::size_t k = 1; k < languages.size(); ++k) {
+        const std::string translated = translation(k - 1);
+        if (translated.empty()) continue;
+        if (texts.empty()) texts[languages[0]] = text;
+        texts[languages[k]] = translated;
+    }
+    return texts.empty() ? Json(text) : texts;
+}
+
+LessonStep step_of(JsonObject& object, const LookUp& look_up) {
     LessonStep step;
-    step.title = text_with_numbers(object, "title", look_up);
-    step.text = text_with_numbers(object, "text", look_up);
-    step.note = text_with_numbers(object, "note", look_up);
+    step.title = step_text(object, "title", look_up, step, &StepWords::title);
+    step.text = step_text(object, "text", look_up, step, &StepWords::text);
+    step.note = step_text(object, "note", look_up, step, &StepWords::note);
     step.source = text_field(object, "source", "");
     step.pattern = pattern_field(object, "pattern", look_up);
     step.partner = pattern_field(object, "partner", look_up);
@@ -154,9 +232,9 @@ LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft) {
     }
     if (object.value != nullptr && object.value->contains("question")) {
         JsonObject question = object_field(object, "question");
-        step.question = question_of(question, look_up);
-        const std::string needed = question_needs(step, set.vibrations.size());
-        if (!needed.empty() && !is_draft)
+        step.question = question_of(question, look_up, step);
+        const std::string needed = question_needs(step, look_up.set.vibrations.size());
+        if (!needed.empty() && !look_up.is_draft)
             refuse(*question.reading, question.place, needed, *question.value);
         note_unknown(unknown, "question", unknown_fields(question));
     }
@@ -165,15 +243,20 @@ LessonStep step_of(JsonObject& object, const PatternSet& set, bool is_draft) {
     return step;
 }
 
-Json json_of(const LessonStep& step) {
-    Json fields = {{"title", step.title}, {"text", step.text}};
+Json json_of(const LessonStep& step, const std::vector<std::string>& languages) {
+    const auto in_languages = [&](const std::string& text, std::string StepWords::*translation) {
+        return step_text_json(text, step, languages, translation);
+    };
+    Json fields = {{"title", in_languages(step.title, &StepWords::title)},
+                   {"text", in_languages(step.text, &StepWords::text)}};
+    const Json note = in_languages(step.note, &StepWords::note);
+    if (note != "") fields["note"] = note;
     const auto add_text = [&fields](const char* key, const std::string& text) {
         if (!text.empty()) fields[key] = text;
     };
     const auto add_number = [&fields](const char* key, double value) {
         if (value != 0.0) fields[key] = value;
     };
-    add_text("note", step.note);
     add_text("source", step.source);
     add_text("pattern", step.pattern);
     add_text("partner", step.partner);
@@ -188,7 +271,7 @@ Json json_of(const LessonStep& step) {
                             {"pitch_rad", step.camera->pitch_rad},
                             {"zoom", step.camera->zoom}};
     }
-    if (step.question) fields["question"] = json_of(*step.question);
+    if (step.question) fields["question"] = question_json(step, languages);
     restore(fields, step.unknown_json);
     return fields;
 }

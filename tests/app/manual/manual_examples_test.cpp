@@ -25,6 +25,7 @@
 #include "model/io/set/spec_file.h"
 #include "model/io/tables/coordinates_file.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/lesson/lesson_languages.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/times_in.h"
 
@@ -105,6 +106,12 @@ const std::map<std::string, Reader, std::less<>> kReaders{
      [](const std::string& t, const std::string& f) { return fault_of(parse_actuator(t, f)); }},
     {"exclusions.json",
      [](const std::string& t, const std::string& f) { return fault_of(parse_exclusions(t, f)); }},
+    {"lesson_de.json",
+     [](const std::string& t, const std::string& f) {
+         const auto lesson = parse_lesson(t, f, {});
+         if (!lesson) return lesson.error().message;
+         return std::string(translation_lacks(*lesson).size() == 1 ? "" : "expected one lack");
+     }},
     {"lesson.json",
      [](const std::string& t, const std::string& f) { return fault_of(parse_lesson(t, f, {})); }},
     {"S01.jsonl",

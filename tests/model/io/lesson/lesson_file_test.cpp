@@ -116,4 +116,80 @@ TEST_CASE("lesson file: keys of a newer version stay, in a step, its camera and 
     CHECK(parse_lesson(print_lesson(shorter, {}), "again", {}));
 }
 
+TEST_CASE(
+    "lesson file: texts in several languages come back, and one in the first alone is plain") {
+    const char* text = R"({
+  "tactlesson": 1,
+  "languages": [
+    "en",
+    "de"
+  ],
+  "name": {
+    "en": "Tones",
+    "de": "Töne"
+  },
+  "about": "Five minutes",
+  "set": "pm_2023_twelve",
+  "steps": [
+    {
+      "title": {
+        "en": "Low",
+        "de": "Tief"
+      },
+      "text": "Plain",
+      "note": {
+        "en": "",
+        "de": "Nur hier"
+      },
+      "question": {
+        "kind": "choice",
+        "ask": "Which?",
+        "options": [
+          "This",
+          {
+            "en": "That",
+            "de": "Jener, {frequency | L-0-half}"
+          }
+        ],
+        "answer": 1,
+        "reveal": {
+          "en": "That.",
+          "de": "Jener."
+        }
+      }
+    }
+  ]
+}
+)";
+    const auto lesson = parse_lesson(text, "l.json", {});
+    REQUIRE_MESSAGE(lesson, (lesson ? "" : lesson.error().message));
+    CHECK(lesson->languages == std::vector<std::string>{"en", "de"});
+    CHECK(lesson->words == std::vector<LessonWords>{{"Töne", ""}});
+    REQUIRE(lesson->steps[0].words.size() == 1);
+    CHECK(lesson->steps[0].words[0].title == "Tief");
+    CHECK(lesson->steps[0].words[0].note == "Nur hier");
+    CHECK(lesson->steps[0].words[0].options ==
+          std::vector<std::string>{"", "Jener, {frequency | L-0-half}"});
+    CHECK(print_lesson(*lesson, {}) == text);
+}
+
+TEST_CASE("lesson file: languages that are told wrong are refused with their place") {
+    const auto with = [](const std::string& languages, const std::string& title) {
+        return R"({"tactlesson": 1, "languages": )" + languages +
+               R"(, "set": "pm_2023_twelve", "steps": [{"title": )" + title + "}]}";
+    };
+    CHECK(holds(fault_of(with(R"(["en", "en"])", "\"T\"")), "/languages: expected codes"));
+    CHECK(holds(fault_of(with(R"(["english"])", "\"T\"")), "/languages: expected codes"));
+    CHECK(holds(fault_of(with("[3]", "\"T\"")), "/languages: expected codes"));
+    CHECK(holds(fault_of(with(R"(["en"])", R"({"en": "T", "de": "X"})")),
+                "/steps/0/title/de: expected a text in one of the lesson's \"languages\""));
+    CHECK(holds(fault_of(with(R"(["en", "de"])", R"({"en": 3})")), "/steps/0/title/en: expected"));
+    // Numbers are looked up in each language.
+    CHECK(holds(fault_of(with(R"(["en", "de"])", R"({"en": "T", "de": "{nc | A | B}"})")),
+                "/steps/0/title/de: expected numbers that the model can give"));
+    CHECK(holds(fault_of(R"({"tactlesson": 1, "set": "pm_2023_twelve",
+                             "steps": [{"title": {"en": "T"}}]})"),
+                "/steps/0/title/en"));
+}
+
 }  // namespace lesson_file_test
