@@ -187,7 +187,7 @@ void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
     const float s = ui.theme.scale;
     constexpr float kRoundingPx = 2.0F;
     const float around_px = kMarginPx + ui.theme.padding_px / s + kRoundingPx;
-    if (!begin_dialog(ui, "Mix on a pad", kPadPx + 2.0F * around_px)) return;
+    if (!begin_dialog(ui, "Mix on a pad", kPadPx + 2.0F * around_px, DialogSide::right)) return;
     keep_mix(work.document.set, pad);
     coloured_text(ui.theme.dim_text,
                   "Drag inside; rest with the button held to feel it there. Rhythms are morphed: "

@@ -113,7 +113,7 @@ void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen) {
 
 void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
     CLI::App& report = add_command(app, "report",
-                                   "one page to send: groups that people would confuse, the most "
+                                   "one page to send: groups that feel the same, the most "
                                    "distinct patterns, map, matrix, players",
                                    command, chosen);
     add_rendering(report, command.common);
@@ -179,9 +179,10 @@ void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen) {
                      "carrier_hz, second_carrier_hz, mix, modulation_hz, depth, rhythm_unit_s, "
                      "attack_s or release_s; default: all numbers in which the two differ");
     steps
-        .add_option("--metric", command.metric,
-                    "what is even: pm, the parts of PM before ranks are taken (ranks of "
-                    "neighbours cannot be equal), or one of the parts, nc or oc; default: pm")
+        .add_option(
+            "--metric", command.metric,
+            "what is even: pm, the parts of PM as they are before they are ranked (ranks of "
+            "neighbours cannot be equal), or one of the parts, nc or oc; default: pm")
         ->check(CLI::IsMember({"pm", "nc", "oc"}));
     steps.add_option("--out", command.out, "a set file for them")->required();
     steps.footer("Rhythms that differ are morphed: notes move, stretch, split and fade.");

@@ -70,31 +70,22 @@ void draw_actuator(Ui& ui, EffectExport& effects) {
     ImGui::PopFont();
 }
 
+constexpr std::array kRates{Choice{10'000.0, "10 kHz"}, Choice{44'100.0, "44.1 kHz"},
+                            Choice{48'000.0, "48 kHz"}};
+constexpr std::array kEncodings{Choice{WaveEncoding::int16, "16 bits"},
+                                Choice{WaveEncoding::int24, "24 bits"},
+                                Choice{WaveEncoding::float32, "Floats"}};
+
 // In the place of an actuator: samples are in g.
 void draw_sampled(Ui& ui, EffectChoice& choice) {
-    const auto radio = [&](const char* label, const char* key, bool is_on) {
-        const bool chosen = draw_radio(ui, label, is_on);
-        note_item(ui.rects, std::string("export:") + key, is_on ? "on" : "off");
-        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
-        return chosen;
-    };
     draw_label(ui, "Rate");
-    double& rate_hz = choice.sampled.rate_hz;
-    if (radio("10 kHz", "rate 10000", rate_hz == 10'000.0)) rate_hz = 10'000.0;
-    if (radio("44.1 kHz", "rate 44100", rate_hz == 44'100.0)) rate_hz = 44'100.0;
-    if (radio("48 kHz", "rate 48000", rate_hz == 48'000.0)) rate_hz = 48'000.0;
-    ImGui::NewLine();
+    draw_segments(ui, kRates, choice.sampled.rate_hz, "export:");
     draw_label(ui, choice.format == TargetFormat::wav ? "Samples" : "");
     if (choice.format != TargetFormat::wav) {
         return dim_text(ui, "A line a sample: time in s, acceleration in g.");
     }
-    WaveEncoding& encoding = choice.sampled.encoding;
-    const auto draw = [&](const char* label, const char* key, WaveEncoding one) {
-        if (radio(label, key, encoding == one)) encoding = one;
-    };
-    draw("16 bits", "bits 16", WaveEncoding::int16);
-    draw("24 bits", "bits 24", WaveEncoding::int24);
-    draw("Floats", "bits float", WaveEncoding::float32);
+    draw_segments(ui, kEncodings, choice.sampled.encoding, "export:");
+    ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
     dim_text(ui, "The loudest is full scale: a .wav.json beside each file says its g.");
 }
 
@@ -104,12 +95,12 @@ void draw_which(Ui& ui, EffectExport& effects) {
     const auto draw = [&](ExportWhich which, const char* name, std::size_t count) {
         const std::string label = std::string(name) + " (" + std::to_string(count) + ")";
         ImGui::BeginDisabled(count == 0);
-        if (draw_radio(ui, label.c_str(), effects.choice.which == which)) {
+        if (draw_segment(ui, label.c_str(), effects.choice.which == which)) {
             effects.choice.which = which;
         }
         ImGui::EndDisabled();
         note_item(ui.rects, std::string("export which:") + name, std::to_string(count));
-        ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
+        ImGui::SameLine(0.0F, 0.0F);
     };
     draw(ExportWhich::all, "All", ground.set->vibrations.size());
     draw(ExportWhich::selected, "Selected", ground.selected.size());
@@ -122,6 +113,7 @@ void draw_which(Ui& ui, EffectExport& effects) {
     } else if (note.empty() && effects.choice.which == ExportWhich::picked) {
         note = "all of the set is predicted, these are written";
     }
+    ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
     dim_text(ui, note);
     note_item(ui.rects, "export:left out", note);
 }

@@ -41,7 +41,7 @@ std::string patterns_section(const ExportPage& page) {
                      {"PSNR, dB", true},
                      {"PM from what was meant", true}},
                     {}};
-    for (std::size_t k = 0; k < page.loss.patterns.size(); ++k) {
+    for (const std::size_t k : written_first(page.loss, page.written)) {
         const PatternLoss& one = page.loss.patterns[k];
         const std::string file = file_of(page, k);
         table.rows.push_back({html_escaped(one.name) + "<br><span class=\"dim\">" +
@@ -113,7 +113,7 @@ std::string export_report(const ExportPage& page) {
     html.title = "What the export costs";
     html.lead = sentence(std::string("The patterns") +
                          (page.set.name.empty() ? "" : " of \"" + page.set.name + "\"") + " " +
-                         words_on(loss.target) + ". " + summary_of(loss));
+                         words_on(loss.target) + ". " + summary_of(loss, page.written));
     for (const std::string& line : lines_of(Labels{.mark = mark_of(page.set)})) {
         html.body += paragraph(sentence(line), "label");
     }

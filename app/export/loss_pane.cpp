@@ -55,12 +55,16 @@ void draw_before_after(Ui& ui, const ExportLoss& loss) {
     ImGui::EndTable();
 }
 
-void draw_pattern_losses(Ui& ui, const ExportLoss& loss) {
+// Those that are not written are in the set, of which the best for the target is chosen.
+void draw_pattern_losses(Ui& ui, const ExportLoss& loss, const std::vector<std::size_t>& written) {
     if (!ImGui::BeginTable("patterns", 4, kLossTable)) return;
     ImGui::TableSetupColumn("", 0, 3.4F);
     for (int k = 0; k < 3; ++k) ImGui::TableSetupColumn("", 0, 1.0F);
     head_row(ui, {"Pattern", "RMS error, g", "PSNR, dB", "PM from itself"});
-    for (const PatternLoss& one : loss.patterns) {
+    const std::vector<std::size_t> places = written_first(loss, written);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k == written.size()) head_row(ui, {"Not exported", "", "", ""});
+        const PatternLoss& one = loss.patterns[places[k]];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(shown_text(one.name).c_str());
@@ -93,21 +97,23 @@ void draw_moved_pairs(Ui& ui, const ExportLoss& loss) {
     ImGui::EndTable();
 }
 
-void draw_loss(Ui& ui, const ExportLoss& loss, const ModelOrigin& origin) {
+void draw_loss(Ui& ui, const LiveLoss& live, const ModelOrigin& origin) {
+    const ExportLoss& loss = live.loss;
     if (const std::string mark = phrase_of(mark_of(origin)); !mark.empty()) {
         coloured_text(ui.theme.warning, "Predicted " + mark + ".");
         note_item(ui.rects, "loss:mark", mark);
     }
     const std::string verdict = subset_verdict(loss) + ".";
-    wrapped_line(ui, summary_of(loss) + ".", false);
-    note_item(ui.rects, "export:summary", summary_of(loss));
+    const std::string summary = summary_of(loss, live.request.written);
+    wrapped_line(ui, summary + ".", false);
+    note_item(ui.rects, "export:summary", summary);
     ImGui::Spacing();
     wrapped_line(ui, verdict, false);
     note_item(ui.rects, "export:verdict", verdict);
     ImGui::Spacing();
     draw_before_after(ui, loss);
     ImGui::Spacing();
-    draw_pattern_losses(ui, loss);
+    draw_pattern_losses(ui, loss, live.request.written);
     ImGui::Spacing();
     draw_moved_pairs(ui, loss);
     ImGui::PushFont(ui.theme.fonts.small);
@@ -200,7 +206,7 @@ void draw_loss_pane(Ui& ui, const Workspace& work, EffectExport& effects, float 
         const bool has_map = live.loss.map && width > kNarrowPx * ui.theme.scale;
         const float map_px = has_map ? kMapShare * width : 0.0F;
         if (ImGui::BeginChild("loss", {width - map_px, height_px}))
-            draw_loss(ui, live.loss, work.document.set.model_origin);
+            draw_loss(ui, live, work.document.set.model_origin);
         ImGui::EndChild();
         if (has_map) draw_map_beside(ui, effects, live, {0.0F, height_px});
         if (stale) draw_stale(*ImGui::GetWindowDrawList(), ui.theme, area, ui.time_s);

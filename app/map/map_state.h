@@ -76,7 +76,7 @@ struct ShownLargest {
     double value = 0.0;
 };
 
-// How many pairs of the shown map people would confuse, by felt steps, kept while it stays.
+// How many pairs of the shown map may be confused, by felt steps, kept while it stays.
 struct ShownVerdicts {
     std::shared_ptr<const LiveMap> of;
     std::size_t same = 0;

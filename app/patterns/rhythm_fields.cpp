@@ -236,7 +236,7 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     const std::string name = current_vibration(work)->name;
     if (state.rhythm_typed_for != name) state.rhythm_text = pattern.rhythm.text;
     ImGui::SetNextItemWidth(-1.0F);
-    const char* long_hint = "one note throughout; x=-x note, hold, rest";
+    const char* long_hint = "e.g. x=--x- (x note, = hold, - rest)";
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
     draw_tooltip(ui,

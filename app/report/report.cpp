@@ -73,7 +73,7 @@ std::string tiles(const Report& report) {
            tile(grouped_digits(report.set.vibrations.size()), "patterns") +
            tile(grouped_digits(grouped_patterns(confused)),
                 "of them in " + counted(confused.groups.size(), "group", "groups") +
-                    " that people would confuse") +
+                    " that feel the same") +
            tile(grouped_digits(report.closer.pairs),
                 "of " + counted(report.dissimilarity.condensed.size(), "pair", "pairs") +
                     " closer than " + html_escaped(report.closer_than.words)) +
@@ -169,7 +169,7 @@ std::string map_section(const Report& report) {
     std::string caption = "Near is alike, far is told apart. Ringed: the " +
                           counted(report.answer.best.members.size(), "pattern", "patterns") +
                           " picked.";
-    if (!links.empty()) caption += " Lines hold groups together that people would confuse.";
+    if (!links.empty()) caption += " Lines hold groups together that feel the same.";
     caption += " From " + html_escaped(report.space_of) + " of all pairs, stress-1 " +
                significant_digits(report.space.stress1, 3) + ", " + fit_label(report.space) + ". " +
                html_escaped(verdict_text(report.space, report.set.vibrations.size()));
@@ -205,8 +205,8 @@ std::string groups_table(const Report& report, const CloseGroups& close) {
 }  // namespace
 
 std::string groups_section(const Report& report) {
-    constexpr const char* kTitle = "Groups that people would confuse";
-    std::string html = "<p>People would confuse two patterns where " + step_words(report) + ".";
+    constexpr const char* kTitle = "Groups that feel the same";
+    std::string html = "<p>Two patterns count as the same where " + step_words(report) + ".";
     if (report.confused.groups.empty()) {
         return html_section("groups", kTitle, html + " There are no two such patterns.</p>\n");
     }

@@ -1,4 +1,4 @@
-// The page about a set that one sends to a client: what people would confuse, whom to take instead.
+// The page about a set that one sends to a client: what feels the same, what to take instead.
 //
 // Input     what was computed of the set elsewhere; nothing here decides
 // Output    one HTML page that stands alone (html.h): map, groups, subset, table of patterns with
@@ -42,7 +42,7 @@ struct Report {
     std::optional<double> best_worth{};  // by the objective; where `answer.best` is an alternative
     const PerceptualSpace& space;        // of the whole set ...
     std::string space_of = "PM";         // ... by this
-    CloseGroups confused;                // within a felt step: what people would confuse
+    CloseGroups confused;                // within a felt step: the verdict "same"
     CloseGroups closer{};                // than a pair that was chosen: no sign of a confusion
     std::string left_out{};              // "1 not felt pattern left out"; of the picks
     CloserThan closer_than{};            // which

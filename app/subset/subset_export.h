@@ -1,7 +1,7 @@
 // The picked subset as files: the set itself, a page about it, and its map; or the page alone.
 //
 //     subset.tactspace.json   the picked patterns, with what people said of them
-//     report.html             what people would confuse, what was proven (app/report)
+//     report.html             what feels the same, what was proven (app/report)
 //     map.png, map.svg        the whole set, the picked ones bright
 //
 // Exact     same subset, same bytes.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include "app/compare/compare_follow.h"
@@ -220,9 +221,9 @@ void draw_change_choice(Ui& ui, const Workspace& work, const ShownMap& shown_map
         const std::string why = fixed_because(work, shown_map, row);
         const std::string name = shown_map.transition.shown->request.set->vibrations[row].name;
         const std::string text = name + (why.empty() ? "" : "  (" + why + ")");
-        flow_on(radio_width(ui, text.c_str()), ui.theme.gap_px);
+        flow_on(segment_width(ui, text.c_str()), row == rows.first ? ui.theme.gap_px : 0.0F);
         ImGui::BeginDisabled(!why.empty());
-        if (draw_radio(ui, text.c_str(), changed == row)) {
+        if (draw_segment(ui, text.c_str(), changed == row)) {
             picking.change_second = row == rows.second;
         }
         ImGui::EndDisabled();
@@ -231,9 +232,11 @@ void draw_change_choice(Ui& ui, const Workspace& work, const ShownMap& shown_map
     }
 }
 
-std::string number(double value, const char* unit) {
+// Times are in ms, as in the editor.
+std::string number(double value, std::string_view unit) {
+    if (unit == "s") return significant(1000.0 * value) + " ms";
     const std::string text = significant(value);
-    return *unit == '\0' ? text : text + " " + unit;
+    return unit.empty() ? text : text + " " + std::string(unit);
 }
 
 void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundSeparations& found,

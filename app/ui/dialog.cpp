@@ -48,7 +48,7 @@ float dialog_room_px() {
     return room_px(kept_px(ImGui::GetCurrentWindowRead()->RootWindow, kAround));
 }
 
-bool begin_dialog(const Ui& ui, const char* title, float width_px) {
+bool begin_dialog(const Ui& ui, const char* title, float width_px, DialogSide side) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGuiWindow* const before = ImGui::FindWindowByName(title);
@@ -56,7 +56,12 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px) {
     const float content = kept_px(before, kBody);
     const float room = room_px(around);
     const float body = content > 0.0F ? std::min(content, room) : room;
-    ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    if (side == DialogSide::middle) {
+        ImGui::SetNextWindowPos(screen * 0.5F, ImGuiCond_Always, {0.5F, 0.5F});
+    } else {
+        ImGui::SetNextWindowPos({screen.x - ui.theme.padding_px, 0.5F * screen.y}, ImGuiCond_Always,
+                                {1.0F, 0.5F});
+    }
     const float width = std::min(width_px * ui.theme.scale, screen.x * 0.9F);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y * kMostHeight});
     // ImGui's own fit would be that of the frame before the last one.

@@ -7,9 +7,16 @@
 
 namespace tact {
 
-// A dialog in the middle of the window. Where true, what is drawn next scrolls if the window is too
+// Where a dialog stands in the window.
+enum class DialogSide {
+    middle,
+    right  // clear of the map, which it is about
+};
+
+// A dialog over the window. Where true, what is drawn next scrolls if the window is too
 // low for it, up to begin_foot(); and the dialog ends by one of the functions below.
-bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F);
+bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F,
+                  DialogSide side = DialogSide::middle);
 
 // What follows stays in sight: buttons, and what they are about.
 void begin_foot(const Ui& ui);

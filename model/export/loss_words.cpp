@@ -133,27 +133,42 @@ std::string subset_verdict(const ExportLoss& loss) {
     return text + silent;
 }
 
-std::string summary_of(const ExportLoss& loss) {
-    std::size_t exported = 0;
+std::string summary_of(const ExportLoss& loss, std::span<const std::size_t> written) {
     std::size_t lossy = 0;
     std::size_t far = 0;
     std::size_t silenced = 0;
-    for (const PatternLoss& one : loss.patterns) {
-        if (one.recording) continue;
-        ++exported;
+    for (const std::size_t place : written) {
+        const PatternLoss& one = loss.patterns[place];
         if (!one.remarks.empty()) ++lossy;
         if (one.silenced) ++silenced;
         if (loss.closest_before && one.moved.value_or(0.0) > loss.closest_before->dissimilarity)
             ++far;
     }
-    const std::string of =
-        " of " + std::to_string(exported) + (exported == 1 ? " pattern " : " patterns ");
+    const std::string of = " of " + std::to_string(written.size()) +
+                           (written.size() == 1 ? " pattern " : " patterns ");
     std::string text = (lossy == 0 ? "None" : std::to_string(lossy)) + of +
                        (lossy > 1 ? "lose" : "loses") + (lossy == 0 ? " anything" : " something");
     if (silenced > 0) text += "; nothing can be felt of " + std::to_string(silenced);
     if (far == 0) return text;
     return text + "; " + std::to_string(far) + (far > 1 ? " are" : " is") +
            " farther from what was meant than the closest pair is apart";
+}
+
+std::string summary_of(const ExportLoss& loss) {
+    std::vector<std::size_t> written;
+    for (std::size_t k = 0; k < loss.patterns.size(); ++k) {
+        if (!loss.patterns[k].recording) written.push_back(k);
+    }
+    return summary_of(loss, written);
+}
+
+std::vector<std::size_t> written_first(const ExportLoss& loss,
+                                       std::span<const std::size_t> written) {
+    std::vector<std::size_t> places(written.begin(), written.end());
+    for (std::size_t k = 0; k < loss.patterns.size(); ++k) {
+        if (std::ranges::find(written, k) == written.end()) places.push_back(k);
+    }
+    return places;
 }
 
 }  // namespace tact

@@ -2,6 +2,7 @@
 // the page.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ std::string names_text(const ExportLoss& loss, const std::vector<std::size_t>& m
 std::string subset_verdict(const ExportLoss& loss);
 
 // "9 of 12 patterns lose something; 2 are farther from what was meant than the closest pair is
-// apart": the first thing to know.
-std::string summary_of(const ExportLoss& loss);
+// apart": the first thing to know. It counts the patterns at the places `written`.
+std::string summary_of(const ExportLoss& loss, std::span<const std::size_t> written);
+std::string summary_of(const ExportLoss& loss);  // of all that can be written
+
+// The places of all patterns: those that are written come first, in their order.
+std::vector<std::size_t> written_first(const ExportLoss& loss,
+                                       std::span<const std::size_t> written);
 
 // What PM after the export means: a sentence for the foot of each table.
 inline constexpr const char* kAfterScale =

@@ -174,11 +174,10 @@ std::string text_of(const CloseGroups& close, const std::vector<std::string>& na
 std::string text_of(const ReportAnswer& answer, const std::vector<std::string>& names) {
     const std::string pairs = " of " + grouped_digits(answer.pm.condensed.size()) + " pairs";
     const CloserThan& than = answer.closer_than;
-    return "people would confuse, within a felt step: " + grouped_digits(answer.confused.pairs) +
-           pairs + "\n" + text_of(answer.confused, names) + "\ncloser than " +
-           shown_text(than.words) + ", below PM " + significant_digits(than.dissimilarity, 6) +
-           ", " + than.source + ": " + grouped_digits(answer.closer.pairs) + pairs + "\n" +
-           text_of(answer.closer, names);
+    return "the same, within a felt step: " + grouped_digits(answer.confused.pairs) + pairs + "\n" +
+           text_of(answer.confused, names) + "\ncloser than " + shown_text(than.words) +
+           ", below PM " + significant_digits(than.dissimilarity, 6) + ", " + than.source + ": " +
+           grouped_digits(answer.closer.pairs) + pairs + "\n" + text_of(answer.closer, names);
 }
 
 }  // namespace

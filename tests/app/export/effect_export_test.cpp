@@ -190,6 +190,9 @@ TEST_CASE("export vibrations: of picked ones all is predicted, of selected ones 
     dialog.wait_for_loss();
     CHECK(effects.request.part->vibrations.size() == 5);
     CHECK(effects.request.written == std::vector<std::size_t>{1, 3});
+    CHECK(dialog.program.at("export:loss of p4").min.y <
+          dialog.program.at("export:loss of a/b <i>").min.y);
+    CHECK(contains(dialog.program.at("export:summary").value, " of 2 patterns "));
     dialog.program.click("export which:Selected");
     dialog.wait_for_loss();
     CHECK(effects.request.part->vibrations.size() == 3);
@@ -240,11 +243,11 @@ TEST_CASE(
     EffectDialog dialog(set);
     dialog.choose_format("wav");
     CHECK_FALSE(dialog.program.shows("export:actuator"));
-    CHECK(dialog.program.at("export:rate 48000").value == "on");
-    CHECK(dialog.program.at("export:bits 24").value == "on");
+    CHECK(dialog.program.at("export:48 kHz").value == "chosen");
+    CHECK(dialog.program.at("export:24 bits").value == "chosen");
     CHECK(dialog.program.at("export:left out").value.empty());
-    dialog.program.click("export:rate 10000");
-    dialog.program.click("export:bits 16");
+    dialog.program.click("export:10 kHz");
+    dialog.program.click("export:16 bits");
     dialog.wait_for_loss();
     const fs::path out = dialog.folder.path / "waves";
     dialog.answer_folder(out);
@@ -268,8 +271,8 @@ TEST_CASE(
     CHECK(bytes_of(dialog.folder.path / "again" / "p3.wav.json") == bytes_of(out / "p3.wav.json"));
     run_command(dialog.program, "Export vibrations...");
     dialog.choose_format("csv");
-    CHECK(dialog.program.at("export:rate 10000").value == "on");
-    CHECK_FALSE(dialog.program.shows("export:bits 16"));
+    CHECK(dialog.program.at("export:10 kHz").value == "chosen");
+    CHECK_FALSE(dialog.program.shows("export:16 bits"));
 }
 
 TEST_CASE("export vibrations: the map by which effects were read, where somebody chose it") {

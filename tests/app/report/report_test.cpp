@@ -74,7 +74,8 @@ TEST_CASE("report: a page alone, of all its parts, the same each time, and no na
     CHECK(times_in(page, "tactspace 1.2.3, 2026-11-22") == 1);
 }
 
-TEST_CASE("report: people would confuse nothing but felt steps; what is closer than your 3 is so") {
+TEST_CASE(
+    "report: only what is within a felt step feels the same; what is closer than your 3 is so") {
     const Five five;
     const Report report = five.report();
     REQUIRE((report.answer.best.members == std::vector<std::size_t>{0, 3, 4}));  // weakest 4
@@ -85,7 +86,7 @@ TEST_CASE("report: people would confuse nothing but felt steps; what is closer t
     CHECK(times_in(groups, ">one<") >= 1);
     CHECK(times_in(groups, ">two<") >= 1);
     CHECK(times_in(groups, ">&lt;three&gt;<") == 0);  // closer than the picked, and over a step
-    CHECK(times_in(page, "<b>2</b>of them in 1 group that people would confuse") == 1);
+    CHECK(times_in(page, "<b>2</b>of them in 1 group that feel the same") == 1);
     CHECK(times_in(page, "<b>3</b>of 10 pairs closer than your 3") == 1);
     const std::string closer = section(page, "closer");
     CHECK(times_in(closer, "<h2>Closer than your 3</h2>") == 1);

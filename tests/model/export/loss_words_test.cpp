@@ -78,6 +78,13 @@ TEST_CASE("loss in words: the summary counts patterns that lose, and those that 
     CHECK(summary_of(loss) == "None of 2 patterns loses anything");
 }
 
+TEST_CASE("loss in words: what is not written is not counted, and comes after what is") {
+    const ExportLoss loss = three_patterns();
+    const std::vector<std::size_t> written{1};
+    CHECK(summary_of(loss, written) == "None of 1 pattern loses anything");
+    CHECK(written_first(loss, written) == std::vector<std::size_t>{1, 0, 2});
+}
+
 TEST_CASE("loss in words: before and after with the pairs they are of") {
     const ExportLoss loss = three_patterns();
     CHECK(before_after_rows(loss) ==
