@@ -40,7 +40,7 @@ void draw_silent_row(const Ui& ui, Rect area, const StageSignal& signal, bool la
     draw_level_line(list, y, area.min.x, area.max.x, ui.theme.hairline_px, ui.theme.line);
     const std::string text = std::string(traits(*signal.receptor).name) + " silent";
     const float text_px = font_or_current(ui.theme.fonts.small).FontSize;
-    if (area.height() < 0.7F * text_px) return;
+    if (area.height() < text_px) return;
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     const ImVec2 corner{area.centre().x - size.x / 2.0F, y - text_px / 2.0F};
     const float margin = ui.theme.gap_px * 0.5F;
