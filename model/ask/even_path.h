@@ -1,14 +1,15 @@
 // The most even way through layers of places: one of each layer, in order, so that the distances
 // between neighbours are as alike as can be.
 //
-// Input     layers of ascending shares of a way; of two shares of neighbouring layers a distance
-// Output    of each layer the index of its place; of ways within the tolerance the one whose shares
-//           are spread most evenly, else the way with the smallest ratio of its largest distance to
-//           its smallest
+// Input     layers of ascending shares of a way; a distance for any two shares of neighbouring
+//           layers
+// Output    for each layer the index of its place: the way within the tolerance whose shares are
+//           spread most evenly; if there is no such way, the one with the smallest ratio of largest
+//           to smallest distance
 // Valid     distances at least 0
 // Exact     same input, same way. Dynamic programming for each distance that could be the smallest
-//           one (a bottleneck, then a sum of squares); of more than 1,500 distances, which is what
-//           narrowing is for, only every n-th is taken for the smallest.
+//           one (a bottleneck, then a sum of squares). If there are more than 1,500 distances, only
+//           every n-th is tried as the smallest; narrowing makes up for it.
 #pragma once
 
 #include <cstddef>

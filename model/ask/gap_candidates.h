@@ -3,7 +3,7 @@
 //
 // Source    ours
 // Exact     same input, same patterns.
-// Left out  patterns longer than the set's longest: all others would be compared anew
+// Left out  patterns longer than the set's longest: all others would have to be compared again
 #pragma once
 
 #include <cstddef>

@@ -1,12 +1,12 @@
 // Where a point of a map would go if its vibration were another, without making the map: one row is
-// predicted, and the map goes on from how it lies.
+// predicted, and the map continues from its present state.
 //
-// By an exact prediction that is where the map has the point afterwards, unless another minimum is
-// lower then; by coarse envelopes it is a preview, off by some percent of the map.
+// An exact prediction gives the point's place in the map made afterwards, unless another minimum is
+// lower then; coarse envelopes give a preview, off by some percent of the map.
 //
 // Output    a place in the frame of the given map: the others may move as they would, and all of it
 //           is turned back onto where they were
-// Left out  other minima, but for anew()
+// Left out  other minima, except in anew()
 // Exact     same input, same place, on any number of threads.
 #pragma once
 
@@ -26,7 +26,7 @@ struct MapAsItIs {
     std::vector<Waveform> waveforms;  // as they are felt, of one length
     PerceptualModelParams model;
     Eigen::MatrixXd points;  // n x k, as they are shown
-    // Of these waveforms: by its envelopes places are exact, or a preview. Null: one is made.
+    // Prediction of these waveforms: its envelopes make places exact, or previews. Null: makes one.
     std::shared_ptr<const Prediction> base{};
 };
 
@@ -36,7 +36,7 @@ class MovedPoint {
     static std::optional<MovedPoint> of(MapAsItIs map, std::size_t row, int threads,
                                         std::stop_token stop);
 
-    // Of a waveform that is padded to the others' length.
+    // The place of a waveform that is padded to the others' length.
     struct Place {
         Eigen::RowVectorXd at;
         Dissimilarity pm;  // of the set with the change
@@ -45,8 +45,8 @@ class MovedPoint {
     std::optional<Place> operator()(const Waveform& changed, std::stop_token stop,
                                     int threads = 0) const;
 
-    // The same with the map made anew from all its starts, as an exact one is: where the point will
-    // be, other minima and all, but in a hundred times the work.
+    // The same with the map made again from all its starts, as an exact one is: the point's final
+    // place, other minima included, for a hundred times the work.
     std::optional<Place> anew(const Waveform& changed, std::stop_token stop, int threads = 0) const;
 
     const Eigen::MatrixXd& points() const { return map_.points; }

@@ -21,8 +21,8 @@ class PathDistances {
     // Makes the codes of these places, those not yet known, on several threads. False when stopped.
     bool prepare(const std::vector<double>& shares);
 
-    // Of pairs of prepared places, in their order; with envelopes at 1 kHz, a hundredth of the
-    // work, or exact. Infinite for some when stopped.
+    // Distances of pairs of prepared places, in their order: exact, or with envelopes at 1 kHz for
+    // a hundredth of the work. Infinite for some when stopped.
     using Pairs = std::vector<std::pair<double, double>>;
     std::vector<double> of(const Pairs& pairs, bool exact) const;
 

@@ -40,7 +40,7 @@ std::optional<std::vector<Pattern>> varied(const VaryQuestion& question, int thr
 std::vector<PatternParameter> free_numbers(const Pattern& pattern,
                                            const std::vector<PatternParameter>& free);
 
-// A pattern so many felt steps away, in a direction drawn from the stream.
+// A pattern `how_far` felt steps away, in a direction drawn from the stream.
 Pattern stepped_at_random(const Pattern& pattern, const std::vector<PatternParameter>& free,
                           const FeltSteps& steps, double how_far, RandomStream& random);
 

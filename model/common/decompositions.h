@@ -10,7 +10,7 @@ struct SymmetricEigen {
     Eigen::MatrixXd vectors;  // a column each, of length 1
 };
 
-// Of a symmetric matrix, of which the lower triangle is read.
+// The matrix is symmetric; only its lower triangle is read.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& symmetric);
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric);
 
@@ -20,7 +20,7 @@ struct SingularValues {
     Eigen::MatrixXd left, right;
 };
 
-// Of a square matrix.
+// The matrix is square.
 SingularValues singular_values(const Eigen::MatrixXd& square);
 
 // x of a x = b, for a symmetric a that is semi-definite, by L D L'; not finite where a is singular.

@@ -15,7 +15,7 @@ struct DoubleDouble {
     double low = 0.0;  // at most half a unit in the last place of `high`
 };
 
-// Of |a| >= |b|, or a = 0.
+// Valid for |a| >= |b|, or a = 0.
 constexpr DoubleDouble quick_sum(double a, double b) {
     const double sum = a + b;
     return {sum, b - (sum - a)};

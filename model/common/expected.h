@@ -1,4 +1,4 @@
-// A value, or one sentence saying why there is none (std::expected is C++23).
+// A value, or one sentence saying why it is missing (std::expected is C++23).
 #pragma once
 
 #include <cassert>

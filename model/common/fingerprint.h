@@ -37,7 +37,7 @@ std::uint64_t mixed(std::uint64_t so_far, std::span<const Value> values) {
     return mixed(so_far, std::uint64_t{bytes.size()});
 }
 
-// As it is written into files: 16 hexadecimal digits.
+// The form written into files: 16 hexadecimal digits.
 inline std::string fingerprint_text(std::uint64_t number) {
     char digits[24];
     std::snprintf(digits, sizeof digits, "%016" PRIx64, number);

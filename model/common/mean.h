@@ -7,7 +7,7 @@
 
 namespace tact {
 
-// Of those that are no NaN; NaN of none.
+// Mean of the values that are not NaN; NaN if all are.
 inline double mean_known(std::span<const double> values) {
     double sum = 0.0;
     std::size_t known = 0;

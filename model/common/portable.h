@@ -29,7 +29,7 @@ double pow(double base, double exponent);
 double hypot(double a, double b);
 double erfc(double value);
 
-// Of a complex number: std::abs, std::polar and std::sqrt.
+// std::abs, std::polar and std::sqrt of complex numbers.
 double abs(std::complex<double> value);
 std::complex<double> polar(double length, double angle_rad);
 std::complex<double> sqrt(std::complex<double> value);

@@ -23,11 +23,11 @@ struct ProcessorLimits {
 // At least 1. Ranks share the processors, unless each is bound to some of its own.
 int usable_processors(const ProcessorLimits& limits);
 
-// The least quota of a control group and of those around it, in processors; infinity if there is
-// none. `own_groups` is the text of /proc/self/cgroup, `root` is /sys/fs/cgroup.
+// The least quota of a control group and of those around it, in processors; infinity without one.
+// `own_groups` is the text of /proc/self/cgroup, `root` is /sys/fs/cgroup.
 double processor_quota(const std::filesystem::path& root, std::string_view own_groups);
 
-// Of this process. The quota and the environment are read once.
+// Processors of this process. The quota and the environment are read once.
 int usable_processors();
 
 }  // namespace tact

@@ -13,7 +13,7 @@ namespace tact {
 // What TACTSPACE_SIMD names, or nothing. It is read once.
 std::string_view simd_wish();
 
-// The kernel of that name, or the first, which is the fastest, if there is none.
+// The kernel of that name; default: the first, which is the fastest.
 template <class Kernel>
 const Kernel& kernel_of(std::span<const Kernel> kernels, std::string_view name) {
     const auto named = std::ranges::find(kernels, name, &Kernel::name);

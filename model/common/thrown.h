@@ -1,11 +1,11 @@
-// What work threw, as the sentence a person reads: programs end with words, windows go on.
+// What work threw, as the sentence a person reads: programs end with words, windows continue.
 #pragma once
 
 #include "model/common/expected.h"
 
 namespace tact {
 
-// Of the exception being handled: to be called in a catch.
+// The exception being handled: call it in a catch.
 Error thrown_error();
 
 }  // namespace tact

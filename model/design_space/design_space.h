@@ -139,7 +139,7 @@ void set_value(Pattern& pattern, const DesignSpace& space, Factor factor, double
 // Combinations before any is left out, exact up to 2^53: levels multiplied, or samples.
 double combination_count(const DesignSpace& space);
 
-// Empty where the design can be run; else a sentence without its end stop that says what is wrong.
+// What is wrong with the design, as a sentence without its full stop; empty if it can be run.
 std::string design_fault(const DesignSpace& space);
 
 }  // namespace tact

@@ -39,9 +39,8 @@ std::vector<double> quantised(std::span<const double> values);
 
 // Values that differ by rounding noise alone, and so share a rank, become one of them: the one
 // farthest from `origin`, or `origin` where they are next to nothing. All others keep their bits,
-// so that ranks which others make of the values are ours. Of what is not finite, nothing is
-// changed. As much memory again is needed meanwhile. `origin`: what the quantised values are taken
-// from.
+// so that ranks computed elsewhere from the values equal ours. Values that are not finite stay.
+// Memory doubles meanwhile. `origin`: the zero of quantisation.
 void tie_rounding_noise(std::vector<double>& values, double origin = 0.0);
 
 // Whether a value is 0 among the others but for rounding noise, as its rank has it.

@@ -43,11 +43,11 @@ struct DtwKernel {
 // Those this processor can run, the fastest first.
 std::span<const DtwKernel> dtw_kernels();
 
-// The one of that name, or the fastest if there is none.
+// The kernel of that name; default: the fastest.
 const DtwKernel& dtw_kernel(std::string_view name);
 
-// The one in use: what the environment variable TACTSPACE_SIMD names (avx512, avx2 or baseline),
-// else the fastest. The variable is read once; a name that means nothing here is passed over.
+// The kernel in use, named by the environment variable TACTSPACE_SIMD (avx512, avx2 or baseline);
+// default: the fastest. The variable is read once; an unknown name is ignored.
 const DtwKernel& dtw_kernel();
 
 }  // namespace tact

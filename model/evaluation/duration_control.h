@@ -28,7 +28,7 @@ struct DurationControl {
     double rho_of_length = 0.0;   // of these differences alone
 };
 
-// Of three matrices of the same patterns; NaN ratings are left out.
+// The three are of the same patterns; NaN ratings are left out.
 DurationControl duration_control(const Dissimilarity& metric, const Dissimilarity& ratings,
                                  std::span<const double> lasting_s);
 

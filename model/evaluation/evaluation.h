@@ -98,7 +98,7 @@ struct Evaluation {
     std::vector<std::string> remarks;  // sentences without a full stop
 };
 
-// `metric` has the patterns of the ratings, in their order; those without ratings have no say.
+// `metric` has the patterns of the ratings, in their order; those without ratings are ignored.
 Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
                     const EvaluationParams& params);
 

@@ -29,7 +29,7 @@ struct Finding {
     std::string claim;   // as the table states it
     std::string source;  // where the publication says so
     FindingStatus status = FindingStatus::needs_ratings;
-    std::string evidence;  // the numbers, or why there are none
+    std::string evidence;  // the numbers, or why they are missing
 };
 
 struct PredictedSet {

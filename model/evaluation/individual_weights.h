@@ -1,4 +1,4 @@
-// What each participant goes by: one common map, of which each weighs the dimensions their own way.
+// Each participant's weights of the dimensions of one common map.
 //
 // Source    INDSCAL: Carroll & Chang 1970 (Psychometrika 35, 283-319), by alternating least squares
 //           on scalar products; weights not below 0. Unlike those of other maps its dimensions must
@@ -6,7 +6,7 @@
 // Input     a study; each one's mean over repetitions, of the patterns that anybody rated
 // Output    the common map, n x k, centred, each column with a sum of squares of 1; columns by how
 //           much all weigh them, the farthest pattern of each on the positive side
-// Valid     of two people at least who rated every pair, of k + 2 patterns at least; else nobody
+// Valid     at least two people who rated every pair of at least k + 2 patterns; otherwise empty
 // Left out  an additive constant, ordinal ratings, tests: weights are descriptions
 // Exact     same input, same bits.
 #pragma once
@@ -24,8 +24,8 @@ inline constexpr int kMostWeightedDimensions = 5;
 
 struct PersonWeights {
     std::string participant;
-    // How much of their ratings stands in each dimension: 0 none. Of one length for all people, as
-    // everyone's scalar products are brought to a sum of squares of 1.
+    // Part of their ratings in each dimension; 0: none. Comparable between people, since everyone's
+    // scalar products are scaled to a sum of squares of 1.
     std::vector<double> weights;
     double explained = 0.0;  // share of that sum, 0 to 1
 };

@@ -22,7 +22,7 @@
 
 namespace tact {
 
-// Of the values that are known.
+// Mean and spread of the known values.
 struct Spread {
     double mean = 0.0;
     double median = 0.0;
@@ -59,8 +59,8 @@ struct Individuals {
     std::vector<Spread> k;
 };
 
-// Of several participants; none of one. `metrics` with the patterns of the study and `evaluations`
-// of each by `rated`, which brings their maps.
+// Empty if there is only one participant. `metrics` have the patterns of the study; `evaluations`
+// are of each metric by `rated`, which brings their maps.
 Individuals individuals(const RatingStudy& study, const RatedSet& rated,
                         std::span<const Dissimilarity> metrics,
                         std::span<const Evaluation> evaluations, const EvaluationParams& params);

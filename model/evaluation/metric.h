@@ -57,7 +57,7 @@ struct MetricTraits {
 
 const MetricTraits& traits(Metric metric);
 
-// By its key. An Error lists the keys; that for vibromaf says why it is none.
+// The metric of a key. An Error lists the keys; for vibromaf it says why it is left out.
 Expected<Metric> metric_named(std::string_view key);
 
 }  // namespace tact

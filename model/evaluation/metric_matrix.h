@@ -28,7 +28,7 @@
 
 namespace tact {
 
-// Of a directional metric.
+// How a directional metric becomes symmetric.
 enum class Direction {
     mean_of_both,
     first_is_reference  // the upper triangle as it is, the earlier pattern the reference

@@ -3,14 +3,14 @@
 //
 // Patterns  paired bootstrap over patterns: the same are drawn for every metric, the maps stay; of
 //           up to kExactPatterns all ways to draw are counted in place of some
-// People    jackknife: each left out once, the map of the rest made anew. A bootstrap would not do:
-//           drawn twice, a person's noise weighs twice, and the mean agrees less with everything
-//           than that of as many people does; in simulations its intervals of rho held the truth
-//           in 0 to 80 of 100 cases.
+// People    jackknife: each left out once, the map of the rest made again. A bootstrap would not
+//           do: drawn twice, a person's noise weighs twice, and the mean agrees less with
+//           everything than that of as many people does; in simulations its intervals of rho held
+//           the truth in 0 to 80 of 100 cases.
 // Both      bootstrap over both at once, which overstates what is not known (Owen 2007)
 //
-// Output    standard errors; intervals of that many times Student's t of the people less one, else
-//           of the normal distribution; p two-sided by the same
+// Output    standard errors; intervals of Student's t (people less one) times the error, or of the
+//           normal distribution without people; p two-sided by the same
 // Source    Efron 1979; Tukey 1958; Holm 1979. Truth is what as many patterns and people would
 //           have on average: noise lowers every rho, and no interval takes that back.
 // Valid     rated pairs that are known of every metric. What cannot be known is NaN with its
@@ -86,8 +86,8 @@ struct Uncertainty {
     std::vector<MetricDifference> differences;  // none without a reference
 };
 
-// Of metrics and the evaluations of each by `rated`, which are those of `study`. `reference`: the
-// place of the metric that the others are subtracted from.
+// `evaluations` are of each metric by `rated`, the ratings of `study`. `reference`: the place of
+// the metric that the others are subtracted from.
 Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
                         std::span<const Dissimilarity> metrics,
                         std::span<const Evaluation> evaluations,

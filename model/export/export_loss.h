@@ -94,7 +94,7 @@ struct ExportLoss {
     std::optional<ConfusablePair> closest_after;
     std::vector<PairChange> most_moved;  // those that changed, the most first
     std::optional<SubsetChange> subset;
-    std::string no_subset;  // why there is none
+    std::string no_subset;  // why it is missing
     std::optional<MapChange> map;
 };
 
@@ -115,7 +115,7 @@ struct ExportLossOptions {
 // is farther apart, and of equals no sum is larger.
 bool is_best_there(const SubsetChange& change);
 
-// The best subset for the target: of equals the one that was meant. Empty where there is none.
+// The best subset for the target; ties: the intended one. Empty if there is no subset.
 std::vector<std::size_t> best_for_target(const ExportLoss& loss);
 
 // Eight, or half of a smaller set; 0 of fewer than three, where there is nothing to choose.

@@ -52,7 +52,7 @@ ExportTarget with_full_scale(ExportTarget target, const PatternSet& set, int thr
 
 struct ExportedSet {
     ExportTarget target{};  // with its full scale
-    // Of each vibration; none of a recording, but in samples.
+    // One per vibration; empty for a recording, except in samples.
     std::vector<std::optional<ExportedPattern>> patterns{};
     PatternSet back{};           // recordings that are not written as they are
     std::size_t recordings = 0;  // of these

@@ -1,9 +1,9 @@
 // Where values would stand among others that have ranks already.
 //
 // A value between two of the others stands halfway between their ranks, one below all at 1/2, one
-// above all half behind the last. Of the others themselves these are their average ranks, to the
-// bit: what was lost can be said in the ranks, and so in the PM, that people know of the set as it
-// was meant. Ranks among themselves would not do: their sum never changes, whatever was lost.
+// above all half behind the last. The others themselves get their average ranks, to the bit: so a
+// loss is told in the ranks, and in the PM, that people know of the intended set. Ranks among
+// themselves would not do: their sum never changes, whatever was lost.
 //
 // Source    ours; rounding and ties as in model/dissimilarity/dissimilarity.h
 #pragma once

@@ -2,7 +2,7 @@
 // comes back of each from the files of an export is held against what was meant.
 //
 // Source    ours; PM of a row: model/library/likeness.h, what comes back: model/export
-// Valid     what is compared has at most kMaxSetSamples in all, else an Error says to narrow it
+// Valid     at most kMaxSetSamples compared in all; with more, an Error says to narrow the search
 // Left out  what the device makes of its files: devices/calibration
 // Exact     same input, same bits, on any number of threads
 #pragma once

@@ -2,9 +2,8 @@
 // dissimilarities.
 //
 // Source    Kruskal 1964 (stress-1, primary and secondary approach to ties); de Leeuw 1977
-// (tertiary);
-//           Ayer et al. 1955 (pooling of adjacent violators).
-// Input     dissimilarities, quantised before they are compared; NaN pairs have no say
+//           (tertiary); Ayer et al. 1955 (pooling of adjacent violators).
+// Input     dissimilarities, quantised before they are compared; NaN pairs are ignored
 // Output    disparities in the order of the input, stress-1
 // Exact     same input, same bits.
 #pragma once

@@ -2,7 +2,7 @@
 //
 // Source    Kruskal 1964 (stress-1, primary ties); de Leeuw 1977, de Leeuw & Mair 2009 (SMACOF);
 //           Torgerson 1952 (classical start).
-// Input     a dissimilarity matrix; NaN pairs have no say
+// Input     a dissimilarity matrix; NaN pairs are ignored
 // Output    coordinates, centred, on principal axes, mean squared distance 1, with stress-1
 // Left out  metric and secondary-ties variants, weights, individual differences.
 // Exact     same input, same bits, on any number of threads.

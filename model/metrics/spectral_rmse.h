@@ -6,7 +6,7 @@
 // Source    Romano & Kuchenbecker 2012 (normalised error), Hernandez-Andres et al. 2001 as
 //           Culbertson & Kuchenbecker use it (goodness of fit); both from memory.
 // Input     spectra of two waveforms of one length and rate
-// Output    g where linear, dB where not, else no unit. A lone line that differs by a gives
+// Output    g where linear, dB where not, or no unit. A lone line off by a gives
 //           a / sqrt(K): small numbers are normal.
 // Left out  phase, and so shifts in time of periodic signals; windows.
 #pragma once

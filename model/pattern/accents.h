@@ -6,7 +6,8 @@
 // transients too: the sum of their products is 0. Two phases do that, half a turn apart; it is the
 // one that makes the first half of the transient the stronger one. Transients that begin at one
 // time are one accent: each is joined to what sounds under all of them. A carrier that could change
-// the transient's energy by no more than 4 % in any phase, as one that ends in its flank, is none.
+// the transient's energy by no more than 4 % in any phase, as one that ends in its flank, does not
+// count.
 //
 // Source    ours
 // Output    energy over a transient = energy under it + the transient's own

@@ -51,15 +51,15 @@ using FrequencyCurve = std::vector<FrequencyPoint>;
 namespace limits {
 inline constexpr Range kCurveValue{0.0, 1.0};
 inline constexpr Range kTransientS{0.001, 1.0};
-// So many that a minute of any rhythm keeps its notes.
+// Large enough that a minute of any rhythm keeps its notes.
 inline constexpr std::size_t kMaxCurvePoints = 100'000;  // of each curve
 inline constexpr std::size_t kMaxTransients = 10'000;
 }  // namespace limits
 
-// Of no points: 1.
+// 1 for an empty curve.
 double value_at(const AmplitudeCurve& curve, double t_s);
 
-// Of no points: none.
+// Nothing for an empty curve.
 std::optional<double> frequency_at(const FrequencyCurve& curve, double t_s);
 
 // A frequency curve with the turns until each of its points:

@@ -28,8 +28,8 @@ inline AmplitudeCurve heights_of(const FrequencyCurve& curve) {
     return heights;
 }
 
-// Keeps at most so many points (model/signal/thinning.h), and gives how far off those are that are
-// gone, in the curve's unit.
+// Keeps at most `most_points` (model/signal/thinning.h), and gives the error of those dropped, in
+// the curve's unit.
 template <class Point>
 Thinning thin_by(std::vector<Point>& curve, std::size_t most_points, double tolerance,
                  const ThinningWeight& weight) {

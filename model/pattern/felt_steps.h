@@ -18,7 +18,7 @@
 
 namespace tact {
 
-// In the order of kPatternParameters: a factor where traits().by_ratio, else a difference.
+// In the order of kPatternParameters: a factor if traits().by_ratio, otherwise a difference.
 using StepSizes = std::array<double, kPatternParameters.size()>;
 StepSizes usual_felt_steps();
 
@@ -40,9 +40,9 @@ Range step_range(PatternParameter parameter);
 
 double step_of(const FeltSteps& steps, PatternParameter parameter);
 
-// The value so many steps away, in range: a step up is more, a step down is less, wherever the
-// range goes on. From 0 of what goes by ratio, the first step leads to traits().first; what would
-// come to less than traits().least on the way down is 0.
+// The value `count` steps away, in range: a step up is more, a step down is less, unless the range
+// ends. By ratio, the first step from 0 leads to traits().first; a value below traits().least on
+// the way down is 0.
 double stepped(const FeltSteps& steps, PatternParameter parameter, double value, double count);
 
 // How many steps two values are apart, at least 0; not whole. From 0 of what goes by ratio to

@@ -1,4 +1,4 @@
-// Rhythm as text on a grid: x starts a note, 1 to 9 a note of so many ninths of its strength, =
+// Rhythm as text on a grid: x starts a note, 1 to 9 a note of that many ninths of its strength, =
 // holds it, - rests.
 //
 // Source    the notation is ours. Evenness: the first Fourier coefficient of the onsets on a circle
@@ -40,8 +40,8 @@ inline double velocity_of(char mark) { return mark == 'x' ? 1.0 : (mark - '0') /
 // The mark of the nearest velocity; of the whole one x.
 char note_mark(double velocity);
 
-// Empty where the text is a rhythm; else what is wrong with it, as the end of a sentence
-// ("step 3 is 'q', expected x, = or -").
+// What is wrong with the text as a rhythm, as the end of a sentence ("step 3 is 'q', expected x, =
+// or -"); empty if it is one.
 std::string rhythm_fault(std::string_view text);
 
 // The notes of a pattern, in order. The text repeats to fill the duration and the last note is
@@ -59,7 +59,7 @@ std::vector<std::size_t> onsets(std::string_view text);
 double evenness(std::string_view text);
 
 // The text with a note from step `first` held to step `last`, with the strength of one that begins
-// there. Of a note that it cuts, the beginning stays. Asserts that first <= last < steps.
+// there. The beginning of a note that it cuts stays. Asserts that first <= last < steps.
 std::string with_note(std::string text, std::size_t first, std::size_t last);
 
 }  // namespace tact

@@ -27,8 +27,8 @@ std::vector<NoteSteps> note_steps(std::string_view text);
 
 enum class NotePart { start, whole, end };
 
-// The text with a part of its k-th note moved by so many steps, or as many as there is room for: a
-// note keeps one step at least. Asserts that there is such a note.
+// The text with a part of its k-th note moved by `steps`, or as far as there is room: a note keeps
+// at least one step. Asserts that there is such a note.
 std::string with_note_moved(std::string text, std::size_t k, NotePart part, std::ptrdiff_t steps);
 
 // The text with rests for its k-th note. Asserts that there is such a note.

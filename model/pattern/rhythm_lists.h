@@ -1,7 +1,7 @@
 // Rhythms by the list: all there are of a length, and the most even ones.
 //
-// A necklace is a rhythm up to rotation. Of its rotations that begin with a note the list has the
-// one with the longest gaps first: x--x--x- stands for its eight rotations.
+// A necklace is a rhythm up to rotation. The list has the rotation that begins with a note and has
+// the longest gaps first: x--x--x- stands for its eight rotations.
 //
 // Source    necklaces: Fredricksen & Maiorana 1978, recursion of Ruskey, Savage & Wang 1992; their
 //           number: Burnside's lemma. Euclidean rhythms: Bjorklund 2003, Toussaint 2005.
@@ -18,7 +18,7 @@ namespace tact {
 
 inline constexpr std::size_t kMostListSteps = 24;
 
-// Necklaces of so many steps with so many notes: (1/n) sum_{d | gcd(n, k)} phi(d) C(n/d, k/d). 0 of
+// Number of necklaces of n steps with k notes: (1/n) sum_{d | gcd(n, k)} phi(d) C(n/d, k/d). 0 for
 // no steps, more notes than steps or more than kMostListSteps steps.
 std::uint64_t necklace_count(std::size_t steps, std::size_t notes);
 

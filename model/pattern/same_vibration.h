@@ -23,7 +23,7 @@ namespace tact {
 
 std::vector<double> essence(const Pattern& pattern);
 
-// Patterns that were seen, each kept by a few bytes and made anew to compare.
+// Patterns that were seen, each kept as a few bytes and made again to compare.
 struct SeenVibrations {
     std::unordered_multimap<std::uint64_t, Pattern> by_digest;
 

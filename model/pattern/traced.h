@@ -4,8 +4,8 @@
 // makes whole half cycles of the strongest frequency there, so that a steady tone comes out flat.
 // The strongest frequency is the peak of a spectrum of 40 ms or four cycles (Hann window; a
 // parabola through the logarithms of the three bins about it), wherever there is energy; elsewhere
-// the curve is straight. Of a recording in which no such window fits, it is the one sine that
-// explains most of it (least squares): a guess.
+// the curve is straight. If no such window fits a recording, it is the one sine that explains most
+// of it (least squares): a guess.
 //
 // Where it is asked for, what lasts less than 60 ms becomes transients
 // (model/signal/short_bursts.h), each of the strongest frequency in it, and the curves are those of
@@ -15,7 +15,7 @@
 // Source    ours
 // Input     a recording at any rate; between 20 and 1000 Hz there is something to be traced
 // Output    a pattern that is as long, and how far its curves are from what was measured
-// Valid     one strongest frequency at a time: of several at once it follows one
+// Valid     one strongest frequency at a time: it follows one of several
 // Left out  phase, noise, further carriers; transients by default.
 #pragma once
 
@@ -26,11 +26,11 @@
 namespace tact {
 
 struct TraceParams {
-    // Of each curve; fewer where all is within the tolerance of it already.
+    // Most points of each curve; fewer if all is within the tolerance already.
     std::size_t most_points = 60;
     double amplitude_tolerance = 0.01;  // of the largest amplitude
     double frequency_tolerance_hz = 1.0;
-    double section_s = 0.0;       // that has so many points; 0: the whole
+    double section_s = 0.0;       // the stretch that has `most_points`; 0: the whole
     Range band_hz{20.0, 1000.0};  // where the strongest frequency is looked for
     bool transients = false;
 };
@@ -40,8 +40,8 @@ struct TracedPattern {
     double amplitude_error_g = 0.0;     // the largest, from the 10 ms envelope
     double frequency_error_hz = 0.0;    // the largest, from the strongest frequencies
     bool frequency_is_a_guess = false;  // too short to be measured: the error is not known
-    // Of the energy where frequencies were measured, what is more than two bins (50 Hz of 40 ms)
-    // off the strongest one: other frequencies, and noise.
+    // Share of the energy that is more than two bins (50 Hz at 40 ms) off the strongest frequency,
+    // where one was measured: other frequencies, and noise.
     double other_share = 0.0;
 };
 

@@ -34,8 +34,8 @@ struct Tile {
     bool operator==(const Tile&) const = default;
 };
 
-// Patterns on a side: so few that a stop loses little, so many that lanes and caches are filled.
-// By the size of the set alone, or a stopped run could not go on with more threads.
+// Patterns on a side: few enough that a stop loses little, enough to fill lanes and caches. The
+// size of the set alone decides, so that a stopped run can continue with more threads.
 std::size_t tile_side(std::size_t patterns);
 
 std::size_t tile_count(std::size_t patterns);

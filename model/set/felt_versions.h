@@ -39,8 +39,7 @@ std::string mark_in_list(const StalePatterns& stale, const std::string& name);
 // Patterns that are others in `set` than when the ratings were given, into `study`.
 void note_edited(RatingStudy& study, const PatternSet& set);
 
-// Ratings that a set takes from a study are of the versions that the study tells, else of those
-// that the set has now.
+// Ratings that a set takes from a study are of the versions in the study (default: the set's now).
 void note_versions(std::vector<Ratings>& ratings, const RatingStudy& study, const PatternSet& set);
 
 // An edit made `after` of `before`: what was rated or measured in a version that is not recorded

@@ -29,8 +29,8 @@ Twin synthetic_twin(const Vibration& intended, const ActuatorParams& params);
 // gives its place. The pattern it measures must be there.
 std::size_t insert_twin(PatternSet& set, Vibration twin);
 
-// Synthetic twins of the vibrations at these places, of all where there are none, each with noise
-// of its own. What measures another itself is passed over.
+// Synthetic twins of the vibrations at these places (default: all), each with noise of its own. A
+// vibration that is itself a measurement is left out.
 std::vector<Twin> synthetic_twins(const PatternSet& set, const std::vector<std::size_t>& places,
                                   const ActuatorParams& params);
 

@@ -33,7 +33,7 @@ struct Measurement {
     bool operator==(const Measurement&) const;  // compares the samples, not the pointers
 };
 
-// Of a pattern that was read from an effect of another program (model/io/effects).
+// Origin of a pattern that was read from an effect of another program (model/io/effects).
 struct EffectOrigin {
     std::string format;    // "ahap"; empty: it was not
     std::string actuator;  // name of the map by which its 0 to 1 became Hz and g
@@ -64,7 +64,8 @@ struct Ratings {
     std::vector<double> condensed;  // (1,2),(1,3)..(2,3).. dissimilarities; kUnrated: not rated
     std::string unknown_json;
     std::string file{};  // they were read from, without its folder
-    // Of the patterns when they were felt, by label (felt_versions.h); empty: not recorded.
+    // Versions of the patterns when they were felt, by label (felt_versions.h); empty: not
+    // recorded.
     std::vector<std::string> versions{};
     NumberMark mark{};  // synthetic, and who of the study is left out
 
@@ -74,7 +75,7 @@ struct Ratings {
 // No NaN, which would make two equal sets differ.
 inline constexpr double kUnrated = std::numeric_limits<double>::infinity();
 
-// Of trained parameters of the model.
+// Origin of trained parameters of the model.
 struct ModelOrigin {
     std::string trained_on;        // a sentence; empty: they were not
     bool synthetic = false;        // nobody was asked, for some of the ratings at least
@@ -120,13 +121,13 @@ double longest_s(const PatternSet& set);
 // How long a vibration lasts by itself, before it is filled up to the longest of its set.
 double own_duration_s(const Vibration& vibration);
 
-// Of all vibrations, in their order.
+// Names of all vibrations, in their order.
 std::vector<std::string> names_of(const PatternSet& set);
 
 // How many patterns were read by each actuator map, by its name.
 std::map<std::string, std::size_t> actuators_of(const PatternSet& set);
 
-// Where the vibration of a name stands; none: there is none.
+// Place of the vibration of a name, if there is one.
 std::optional<std::size_t> place_named(const PatternSet& set, const std::string& name);
 
 // `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.

@@ -12,7 +12,7 @@
 
 namespace tact {
 
-// What becomes of those that were generated before, and not changed by hand since.
+// What happens to candidates generated before and not changed by hand since.
 enum class Before {
     kept,
     replaced  // but for locked ones

@@ -1,8 +1,9 @@
-// What people said of a set's patterns: as it is kept with the set, and as a study of its patterns.
+// What people said of a set's patterns: as kept with the set, and as a study of its patterns.
 //
-// Input     ratings by the names of the patterns; of those that nobody rated there are none
-// Exact     a study kept with its set comes back as it was, in the order of the set's patterns; of
-//           more than kMostKeptRatings passes each participant's mean, which says the same.
+// Input     ratings by the names of the patterns; patterns that nobody rated are missing
+// Exact     a study kept with its set comes back as it was, in the order of the set's patterns;
+//           from more than kMostKeptRatings passes each participant's mean is kept, which says the
+//           same.
 #pragma once
 
 #include <string>
@@ -20,9 +21,8 @@ inline constexpr std::size_t kMostKeptRatings = 1000;  // of a set file
 // are left out stays known.
 std::vector<Ratings> kept_ratings(const RatingStudy& study, const std::string& file);
 
-// The ratings of a set as a study in the order of its patterns, with what was edited since, and
-// what is gone and left out. Errors: there are none, they are of other patterns, or of fewer than
-// three.
+// The ratings of a set as a study in the order of its patterns, with patterns edited since, removed
+// and left out. Errors: no ratings, ratings of other patterns, or of fewer than three.
 Expected<RatingStudy> study_of(const PatternSet& set);
 
 }  // namespace tact

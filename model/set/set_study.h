@@ -8,8 +8,8 @@
 
 namespace tact {
 
-// Of the patterns that take part: their names and waveforms, as 16 hexadecimal digits. Another
-// amplitude is another study.
+// Fingerprint of the names and waveforms of the patterns that take part, as 16 hexadecimal digits.
+// Another amplitude is another study.
 std::string study_fingerprint(const PatternSet& set, const std::vector<std::string>& names);
 
 // Names of the patterns that take part, in the order of the set; those that are gone are left out.

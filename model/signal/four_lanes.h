@@ -1,7 +1,7 @@
 // Four doubles side by side, each computed as it would be alone.
 //
 // A function whose body is inlined into one for a wider instruction set takes one register for
-// them, else two. Pass them by reference: by value their place depends on the instruction set.
+// them, otherwise two. Pass them by reference: by value their place depends on the instruction set.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,7 @@ inline constexpr const char* kUsualActuator = "core-haptics";
 struct FromSoundOptions {
     ActuatorMap actuator = bundled_actuator(kUsualActuator);
     bool accents = true;
-    // g that 1 of the sound stands for; none: the file's sidecar, else the actuator's.
+    // g that 1 of the sound stands for; default: the sidecar's, then the actuator's.
     std::optional<double> full_scale_g{};
     bool without_pm = false;
     int threads = 0;  // 0: all cores

@@ -1,7 +1,7 @@
 // In which order to ask for pairs so that the map settles early, and whether it has.
 //
 // Not the publication's design: pairs are not asked in random order. Every pair still comes once a
-// pass, so that whoever goes on to the end has answered the full design's trials.
+// pass, so that whoever reaches the end has answered the full design's trials.
 //
 // Source    ours, from parts: cyclic designs of incomplete pairs (Spence & Domoney 1974), then the
 //           pair that maps which fit equally well disagree on (query by committee: Seung, Opper &

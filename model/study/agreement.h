@@ -65,14 +65,14 @@ struct OrderEffects {
     Shift practice;
 };
 
-// So many signs are drawn where there are more ways; fewer are counted, all of them.
+// Number of signs drawn if there are more ways; fewer ways are all counted.
 inline constexpr std::size_t kOrderDraws = 5000;
 
 // "5,000 drawn signs" or "all 256 signs"; where there is no p, the reason.
 std::string signs_text(const Shift& shift);
 
-// Of pairwise records whose participants count, as `excluded` of each summary says elsewhere: all
-// that are given. Answers that were not felt whole have no say.
+// Records are pairwise, of participants who count (elsewhere `excluded` of each summary says who
+// does): all are used. Answers that were not felt whole are ignored.
 OrderEffects order_effects(std::span<const StudyRecord> records);
 
 }  // namespace tact

@@ -26,7 +26,7 @@ using Sorting = std::vector<std::size_t>;
 
 std::size_t group_count(const Sorting& sorting);
 
-// Of one participant; sortings as long as there are patterns.
+// Sortings of one participant, each as long as there are patterns.
 Dissimilarity sorting_dissimilarity(std::size_t patterns, std::span<const Sorting> sortings);
 
 // The rounds of a study: first as many groups as the person likes (0), then 3, 6, 9, 12 and 15

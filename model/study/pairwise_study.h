@@ -34,7 +34,7 @@ struct TrialPlan {
 
 TrialPlan plan_of(const StudyDesign& design, std::size_t patterns, std::uint64_t seed);
 
-// Of one participant, by their code and the study's seed alone.
+// Seed of one participant, from their code and the study's seed alone.
 std::uint64_t participant_seed(int study_seed, const std::string& participant);
 
 // All patterns once, in any order: the buttons of the training.

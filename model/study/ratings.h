@@ -43,7 +43,7 @@ struct RatingStudy {
     std::vector<std::string> labels;
     bool is_named = true;  // false: the labels are only positions
     std::vector<Judgement> judgements;
-    std::vector<Standing> standings{};  // of those of whom there is something to be said
+    std::vector<Standing> standings{};  // only of people with something to report
     std::string fingerprint{};  // of what was felt (model/set/set_study.h); empty: not known
     std::vector<std::string>
         versions{};                     // of each label (model/set/felt_versions.h); empty: as well
@@ -61,7 +61,7 @@ std::string words_on_simulated(const RatingStudy& study);
 // Whether nobody was asked for some of the judgements.
 bool is_partly_synthetic(const RatingStudy& study);
 
-// Of every number that is made of these ratings.
+// The mark of every number made of these ratings.
 NumberMark mark_of(const RatingStudy& study);
 
 // A phrase on patterns that were edited or are gone since they were rated, with names: "edited
@@ -117,7 +117,7 @@ std::vector<VoiceAgreement> agreement_with_others(const RatingStudy& study);
 // Each participant's own mean over repetitions, in the order in which they came.
 std::vector<Judgement> participant_means(const RatingStudy& study);
 
-// Halves: every way to part them where that is at most 1,000 (12 voices), else 1,000 drawn ones.
+// Halves: every way to split the voices if at most 1,000 (12 voices), otherwise 1,000 drawn ones.
 Reliability reliability(const RatingStudy& study);
 
 }  // namespace tact

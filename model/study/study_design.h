@@ -24,7 +24,7 @@ enum class StudyOrder {
 // Who does not notice that two patterns are the same is not counted.
 struct AttentionRule {
     double above = 80.0;       // an identical pair is noticed with a similarity above this
-    int failures_allowed = 0;  // so many may be missed
+    int failures_allowed = 0;  // number that may be missed
 
     bool operator==(const AttentionRule&) const = default;
 };
@@ -48,7 +48,7 @@ struct StudyDesign {
     AttentionRule attention;
     std::string instructions;  // empty: instructions_of()
     std::string consent;       // empty: consent_of()
-    // Of sorting: groups in each round; 0: as many as the person likes. None: sorting_rounds().
+    // Groups in each round of sorting; 0: as many as the person likes. Empty: sorting_rounds().
     std::vector<int> groups;
 
     bool operator==(const StudyDesign&) const = default;
@@ -77,7 +77,7 @@ std::string words_on_chance(int attention_pairs, const AttentionRule& rule);
 std::string instructions_of(const StudyDesign& design);
 std::string consent_of(const StudyDesign& design);
 
-// Trials of the main phase with so many patterns: pairs x repetitions, and attention pairs.
+// Number of trials of the main phase: pairs x repetitions, and attention pairs.
 std::size_t trial_count(const StudyDesign& design, std::size_t patterns);
 
 // Minutes that a participant will take. 18 s a trial of two patterns of one second, as the

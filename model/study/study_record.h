@@ -26,15 +26,15 @@ struct Participant {
     bool operator==(const Participant&) const = default;
 };
 
-// The name of what stands in the place of a device where there is none.
+// The name in place of a device's if there is no device.
 inline constexpr const char* kNoDevice = "no device";
 
 // How the patterns reached the skin.
 struct StudyDevice {
     std::string name;
     std::string calibration;  // its name, or "uncalibrated"
-    std::string masking;  // the noise against hearing it, or why there was none; empty: not asked
-    double buffer_ms = 0.0;  // of a sound output, ahead of what is heard; 0: none, or not known
+    std::string masking;      // noise against hearing it, or why it was off; empty: not asked
+    double buffer_ms = 0.0;   // of a sound output, ahead of what is heard; 0: none, or not known
 
     bool operator==(const StudyDevice&) const = default;
 };
@@ -64,7 +64,7 @@ struct StudyHeader {
     Participant participant;
     bool consented = false;
     std::string begun;  // UTC, ISO 8601
-    // Of each pattern (model/set/felt_versions.h); empty in files of before.
+    // Version of each pattern (model/set/felt_versions.h); empty in older files.
     std::vector<std::string> versions{};
 
     bool operator==(const StudyHeader&) const = default;

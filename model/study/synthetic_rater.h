@@ -1,4 +1,4 @@
-// Participants who are none: ratings made from a given matrix, for testing and teaching.
+// Simulated participants: ratings made from a given matrix, for testing and teaching.
 //
 // Source    ours: similarity = 100 (1 - d / largest d) + bias + noise, whole numbers from 0 to 100.
 //           A lapse (of a person who does not attend) is any number, whatever the pair.

@@ -45,7 +45,7 @@ struct Counted {
 // What a rehearsal is left out for.
 inline constexpr const char* kNothingFelt = "a rehearsal, nothing was felt";
 
-// What someone is left out for whom whoever runs the study left out.
+// The reason for someone whom the experimenter left out.
 std::string excluded_because(const std::string& because);
 
 // An excluded participant counts if included by name; a rehearsal never does. Beside people who

@@ -1,4 +1,4 @@
-// The largest sum that so many of some objects could have, from a concave relaxation.
+// The largest sum that r of some objects could have, from a concave relaxation.
 //
 //     sum = C + c'x + 1/2 x'Dx,  x_i = 1 for those taken, else 0, sum of x = r;  as x_i^2 = x_i,
 //     s/2 sum (x_i - x_i^2) may be added for any s. With s no less than the largest eigenvalue of D
@@ -30,14 +30,14 @@ struct Relaxation {
     std::vector<double> slope;         // of the relaxed sum
     double chosen_sum = 0.0;           // C
     double shift = 0.0;                // s ...
-    std::size_t shift_of = 0;          // ... computed for so many objects
+    std::size_t shift_of = 0;          // ... computed for this many objects
 };
 
 // `chosen` are taken, of the others none yet.
 Relaxation relaxed(const Eigen::MatrixXd& distances, std::span<const std::size_t> chosen,
                    std::span<const std::size_t> objects);
 
-// Computes the shift anew for the objects left.
+// Computes the shift again for the objects left.
 void renew_shift(Relaxation& relaxation, const Eigen::MatrixXd& distances);
 
 // Removes the object at a place: chosen, or left out for good. The last one moves to its place.

@@ -18,8 +18,8 @@ struct ConfusablePair {
     bool operator==(const ConfusablePair&) const = default;
 };
 
-// The pairs not above the threshold, the closest first, at most so many; none where it is no finite
-// number.
+// Pairs not above the threshold, closest first, at most `most`; empty if the threshold is not
+// finite.
 std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity, double threshold,
                                              std::size_t most);
 

@@ -44,7 +44,7 @@ class BestSets {
 
     // No set of a lower sum would be kept.
     Units floor() const { return floor_; }
-    // Whether a set of that sum might still be kept whose members are none lower than these.
+    // Whether a set of that sum might still be kept whose members are not lower than these.
     bool would_keep(Units sum, std::span<const std::size_t> lowest) const;
 
   private:

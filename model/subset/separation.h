@@ -1,9 +1,8 @@
 // Pairs that people may confuse, and the smallest change of one pattern that would part it from all
 // others, or from those of a subset.
 //
-// PM depends on the set. Of a changed pattern it is that of the set with the change: all ranks are
-// taken anew. As there are as many pairs as before, PM keeps its scale, and a threshold its
-// meaning.
+// PM depends on the set. PM of a changed pattern is that of the set with the change: all ranks are
+// taken again. As the number of pairs stays, PM keeps its scale, and a threshold its meaning.
 //
 // Source    ours
 // Input     an exact prediction of a set of at least two patterns
@@ -42,8 +41,8 @@ struct Separation {
 
 struct SeparationOptions {
     std::vector<std::size_t> from{};  // the others that count, such as a subset's; empty: all
-    // Where the threshold is that of the closest pairs, so large a share of those that count: it is
-    // taken anew of the set with the change.
+    // Share of the closest pairs, of those that count, if it sets the threshold, which is then
+    // taken again in the set with the change.
     std::optional<double> share{};
     // No other that counts may be within a felt step then, besides what PM says.
     bool by_a_step = false;

@@ -1,8 +1,7 @@
-// The k most distinct of n objects, proven: whom to pick so that nobody confuses them.
+// The k most distinct of n objects, proven: what to pick so that nobody confuses them.
 //
 // Source    max-min and max-sum dispersion: Kuby 1987; Erkut 1990. See model/subset/widest_set.h
-// and
-//           model/subset/heaviest_sets.h for the searches.
+//           and model/subset/heaviest_sets.h for the searches.
 // Input     dissimilarities of any kind; pairs that are no numbers (not rated) count as 0
 // Output    the best subset, what is proven of it, and the next best ones
 // Exact     what is called optimal is the same on any number of threads: ties of the objective go
@@ -86,7 +85,7 @@ struct CurvePoint {
 };
 
 // From the smallest possible k to `most`, or as many as there are. Keeps and drops as the problem
-// does; its count and objective have no say. The time limit is for all.
+// does; its count and objective are ignored. The time limit is for all.
 std::vector<CurvePoint> weakest_by_count(const Dissimilarity& dissimilarity,
                                          const SubsetProblem& problem, std::size_t most,
                                          const SubsetOptions& options = {});

@@ -38,7 +38,7 @@ WholeDistances whole_distances(const Dissimilarity& dissimilarity);
 // Each value that some pair has, once, ascending.
 std::vector<Units> distinct_values(const WholeDistances& distances);
 
-// No value of so many pairs that sums up to so many units is larger than this.
+// No sum of `pairs` values that comes to `units` units is larger than this.
 double largest_meant(const WholeDistances& distances, Units units, std::size_t pairs);
 
 }  // namespace tact

@@ -7,8 +7,8 @@
 // Source    RFC 4180; R's write.csv, write.csv2 and write.table; Excel's "sep=" and Unicode text
 // Input     the bytes of a file
 // Output    its text in UTF-8, and what it was found to be, with words for remarks
-// Valid     UTF-8, UTF-16 with a mark or mostly of ASCII, else Windows-1252; lines that end by LF,
-//           CR LF or CR; comments that begin with # or %, before the first row
+// Valid     UTF-8, UTF-16 with a mark or mostly of ASCII, otherwise Windows-1252; lines that end by
+//           LF, CR LF or CR; comments that begin with # or %, before the first row
 // Left out  cells of fixed width; thousands with a sign between them, which are refused as doubtful
 #pragma once
 

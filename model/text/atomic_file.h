@@ -9,8 +9,7 @@
 // Valid     reading: at most kMaxFileBytes, which readers that need more memory than the bytes
 //           themselves lower, so that no file makes the program use more than 1 GB
 // Left out  locks of what is written whole, access control lists, extended attributes. Another hard
-// link to a file goes on
-//           naming the old content, as renaming replaces the name and not the content.
+//           link to a file keeps the old content, as renaming replaces only the name.
 #pragma once
 
 #include <filesystem>
@@ -81,7 +80,7 @@ std::string head_of_file(const std::filesystem::path& path, std::size_t bytes = 
 
 // A regular file that grows while a program runs, to be read and appended to: its descriptor, for
 // the caller to close. Until then no other program gets one: that, and whatever else the path
-// names, is an Error at once. `make`: a new one where there is none.
+// names, is an Error at once. `make`: a missing file is made.
 Expected<int> open_alone(const std::filesystem::path& path, bool make);
 
 // All of the bytes; false, with errno, where that is not possible.

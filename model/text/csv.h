@@ -30,9 +30,8 @@ struct CsvReader {
 
 CsvRecord next_record(CsvReader& reader);
 
-// A text that a spreadsheet would run as a formula (it begins with = + - @, and is no number),
-// behind an apostrophe, by which spreadsheets tell text; and the text again. Every other text stays
-// as it is.
+// Puts an apostrophe, by which spreadsheets tell text, before a text that one would run as a
+// formula (it begins with = + - @, and is not a number); and takes it away. Every other text stays.
 std::string guarded(std::string_view text);
 std::string unguarded(std::string text);
 

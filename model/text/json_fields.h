@@ -1,8 +1,8 @@
 // JSON of files that people edit: parsed with limits, read field by field, every fault with its
 // place.
 //
-// A reading keeps the first fault and goes on with defaults, so that the code that reads a document
-// is as plain as the document.
+// A reading keeps the first fault and continues with defaults, so that the code that reads a
+// document is as plain as the document.
 //
 // Source    RFC 8259; places are JSON pointers (RFC 6901)
 // Valid     at most kMaxJsonDepth levels, kMaxJsonKeys keys an object; text and values together at
@@ -42,7 +42,7 @@ std::string text_of_json(const nlohmann::json& document, int indent = -1);
 // The document of a text that text_of_json made; a discarded value if it is not JSON.
 Json kept_json(std::string_view text);
 
-// What becomes of keys that nobody asked for.
+// What happens to keys that nobody asked for.
 enum class UnknownKeys {
     passed_over,  // another program's
     kept,         // a document's, for the version that knows them; a misspelt one is refused

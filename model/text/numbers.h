@@ -18,10 +18,10 @@ std::optional<double> finite_number_in(std::string_view text);
 void append_digits(std::string& text, double value);
 std::string shortest_digits(double value);
 
-// So many digits that count, with no zeros behind: "0.25", "1.2e-05".
+// A number with this many significant digits, without trailing zeros: "0.25", "1.2e-05".
 std::string significant_digits(double value, int digits);
 
-// So many steps as the number that a person would write: 33 times 0.05 is 1.65, where the product
+// `count` steps as the number that a person would write: 33 times 0.05 is 1.65, where the product
 // of the two is 1.6500000000000001.
 double multiple_of(double step, double count);
 

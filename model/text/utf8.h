@@ -20,7 +20,7 @@ std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 // The text with every byte that is not UTF-8 replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
 
-// As many whole characters from the head of a UTF-8 text as fit into so many bytes.
+// As many whole characters from the head of a UTF-8 text as fit into `bytes`.
 std::string_view whole_characters(std::string_view text, std::size_t bytes);
 
 struct TextPosition {

@@ -4,8 +4,8 @@
 // is, how it does on each set, and how on a set or a person that it has not seen.
 //
 // Source    Lim & Park 2023, sections 4.3, 5.3: the grid, and the mean of Spearman's rho over sets.
-//           Of equally good combinations [ours] the nearest to the parameters before, in steps of
-//           the grid, then the first.
+//           Ties [ours]: the combination nearest to the parameters before, in steps of the grid,
+//           then the first.
 // Input     sets with ratings; the model's other choices, which stay
 // Output    see Training
 // Valid     L_E, L_I 0 to 4, weights 0 to 1 by equal steps

@@ -17,7 +17,7 @@
 
 namespace tact {
 
-// Of a symmetric 4 x 4 form: w'Fw = sum_t form_t product_t.
+// Terms of a symmetric 4 x 4 form: w'Fw = sum_t form_t product_t.
 inline constexpr std::size_t kFormTerms = 10;
 
 // Mixtures of NC and OC side by side: the paper's 63 proportions of two weights, and NC alone.
@@ -35,8 +35,8 @@ struct FormBatch {
 // PM of the rated pairs of a set, and how well it agrees with columns of ratings, for kMixes
 // mixtures side by side.
 //
-// The pairs come by ascending OC. Of two pairs k < j the first then has the smaller PM in every
-// mixture with a share of NC, unless its NC is at least that of the second: only those are counted.
+// The pairs come by ascending OC. Pair k < j then has the smaller PM in every mixture with a share
+// of NC, unless its NC is at least that of pair j: only those are counted.
 struct MixBatch {
     std::size_t pairs = 0;
     const std::int32_t* nc_rank = nullptr;  // twice the rank
@@ -70,7 +70,7 @@ constexpr bool fits_narrow_mixes(std::size_t pairs, int units) {
 // Those this processor can run, the fastest first.
 std::span<const TrainingKernel> training_kernels();
 
-// The one in use: what the environment variable TACTSPACE_SIMD names, else the fastest.
+// The kernel in use, named by the environment variable TACTSPACE_SIMD; default: the fastest.
 const TrainingKernel& training_kernel();
 
 }  // namespace tact

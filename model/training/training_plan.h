@@ -67,7 +67,7 @@ struct SetRoom {
 
 SetRoom room_for(const PlannedSet& planned, const Plan& plan);
 
-// How many lines hold so many bytes.
+// Number of lines that hold `bytes`.
 std::size_t lines_of(std::size_t bytes);
 
 // Points room.rho at the rhos of the order in room.nc, found or made.

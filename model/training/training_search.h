@@ -5,16 +5,16 @@
 // For each pair of layer counts two patterns have a form of whole numbers (nc_matrix.h), so that
 // NC^2 is a whole number in squared steps of the weights: ranks need no root, and ties are exact.
 // Ranks are counted for many mixtures of NC and OC at once (training_kernel.h). What is ranked and
-// what that is compared with are apart, so leaving a set or a participant out ranks nothing anew.
+// what that is compared with are apart, so leaving a set or a participant out needs no new ranks.
 //
 // Source    Lim & Park 2023, sections 4.3 and 5.3
 // Input     forms and OC of sets, columns of ratings of their pairs; not finite: not rated
 // Output    for every objective its best value and each class of combinations that reaches it
 // Valid     time grows with the square of the pairs of a set: made for as many as people rate
-// Exact     rho is to the bit that of the model with these parameters (rho_at). One exception: of
-//           brain waveforms so long that squared NC passes 2e8 (12 s by steps of a tenth), weights
-//           in the same proportion are taken as equal, which quantisation may see otherwise.
-//           Same input, same bits, on any number of threads and any instruction set.
+// Exact     rho is to the bit that of the model with these parameters (rho_at). One exception: if
+//           brain waveforms are so long that squared NC passes 2e8 (12 s by steps of a tenth),
+//           weights in the same proportion are taken as equal, which quantisation may see
+//           otherwise. Same input, same bits, on any number of threads and any instruction set.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +55,7 @@ struct ColumnPlace {
 
 struct SearchProblem {
     std::vector<SearchSet> sets;
-    // Of each the best mean over its columns is searched. Marginals are kept of the first.
+    // The search finds the best mean over each one's columns. Marginals are kept for the first.
     std::vector<std::vector<ColumnPlace>> objectives;
 };
 
@@ -93,7 +93,7 @@ struct SearchOptimum {
 struct SearchResult {
     TrainingGrid grid;
     std::vector<SearchOptimum> optima;  // of each objective
-    // Of the first objective: the best of each; minus infinity if none has an order.
+    // Best values of the first objective; minus infinity if no combination has an order.
     std::vector<double> best_of_layers;
     std::vector<double> best_of_channel;
     std::vector<double> best_of_mix;

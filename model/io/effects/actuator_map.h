@@ -1,8 +1,8 @@
-// What the 0..1 of an effect file means on an actuator: Hz, g, and what becomes of a transient.
+// What the 0..1 of an effect file means on an actuator: Hz, g, and what a transient becomes.
 //
 // Most formats hold shares of what a device can do. How these meet Hz is published for a few of
-// their players; how they meet g for none: `full_scale_g` is assumed everywhere, and `source`,
-// which goes into the note of every pattern that is read, says so.
+// their players; how they meet g, for no player: `full_scale_g` is assumed everywhere, and
+// `source`, which goes into the note of every pattern that is read, says so.
 //
 // Source    `source` of each; formulas in the functions below
 // Left out  the response of an actuator: devices/calibration.

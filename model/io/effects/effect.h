@@ -52,16 +52,14 @@ double needed_number_of(JsonObject& object, std::string_view key, Range range);
 // Refuses in the words of the caller, who has no value to show.
 void refuse_plainly(JsonReading& reading, const std::string& place, const std::string& sentence);
 
-// A key that means something to its owner and nothing here. Of many remarks the first hundred are
-// kept.
+// A remark on a key that only its owner knows. The first hundred remarks are kept.
 void remark_once(std::vector<std::string>& remarks, const std::string& remark);
 
 // The sketch as an effect of this name; an Error gets the file's name.
 Expected<Effect> finished(const EffectFile& file, const std::string& name, const Sketch& sketch,
                           std::vector<std::string> remarks);
 
-// `f` of the curve's values, with so many points between that straight lines stay within
-// `tolerance` of it.
+// `f` of the curve's values, with points added until straight lines stay within `tolerance` of it.
 AmplitudeCurve mapped(const AmplitudeCurve& curve, const std::function<double(double)>& f,
                       double tolerance);
 

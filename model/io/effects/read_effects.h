@@ -27,7 +27,7 @@ struct EffectFormatTraits {
 };
 const EffectFormatTraits& traits(EffectFormat format);
 
-// Of its key; null: none has it.
+// The format of a key; null if no format has it.
 const EffectFormatTraits* format_named(std::string_view key);
 
 // Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla.

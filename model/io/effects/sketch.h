@@ -43,7 +43,7 @@ struct Sketch {
 // Without fault (model/pattern/drawn_fault.h). An Error has no file's name.
 Expected<Pattern> pattern_of(const Sketch& sketch, std::vector<std::string>& remarks);
 
-// What is wrong with so many vibrations and points, or empty: readers ask while they read.
+// What is wrong with this number of vibrations and points, or empty; readers ask while they read.
 std::string size_fault(const Sketch& sketch, std::size_t points);
 
 // Without the points outside of its time, which many voices of one control would keep each.

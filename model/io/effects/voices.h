@@ -16,7 +16,7 @@ struct MergedVoices {
     bool overlap = false;  // some of them sound at once
 };
 
-// Of voices in the order of their starts; `end_s` of the whole. An Error has no file's name.
+// Voices come in the order of their starts; `end_s` is the whole's. An Error has no file's name.
 Expected<MergedVoices> merged(const std::vector<Voice>& voices, double end_s);
 
 // When they begin, end and have points, ascending.

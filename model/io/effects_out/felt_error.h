@@ -15,7 +15,7 @@
 
 namespace tact {
 
-// So many points of a curve are weighed by it where fewer may be written: it is dear.
+// The most points of a curve that are weighed by it where fewer may be written: it is costly.
 inline constexpr std::size_t kMostWeighed = 4000;
 
 struct FeltTone {

@@ -1,8 +1,8 @@
 // Amplitude and frequency in the same points, few and far between: for formats that have them so.
 //
 // From the two ends on, a point is added where the lines are farthest off for who feels them, if
-// there is room for it: Ramer, Douglas and Peucker's way, with a least distance between points. Of
-// what nobody feels, the numbers decide.
+// there is room for it: Ramer, Douglas and Peucker's way, with a least distance between points.
+// Where nothing is felt, the numbers decide.
 //
 // A player that begins in silence gets there within the first gap: what is loudest in it and over
 // before is played at its end.
@@ -45,7 +45,7 @@ struct FittedKnots {
     std::size_t ramps = 0;    // in the place of a jump, a beginning at once among them
 };
 
-// Of curves from 0 s to `duration_s`, which becomes a whole number of ticks and a gap at least.
+// Curves run from 0 s to `duration_s`, which becomes a whole number of ticks, at least one gap.
 FittedKnots fitted_knots(const AmplitudeCurve& amplitude, const AmplitudeCurve& frequency,
                          double duration_s, const KnotRules& rules);
 

@@ -7,7 +7,7 @@
 // where the map's burst is longer or shorter or of another shape.
 //
 // Source    model/io/effects/actuator_map.h
-// Output    exact where the map's laws are linear; else straight lines within 0.1 %
+// Output    exact where the map's laws are linear; otherwise straight lines within 0.1 %
 #pragma once
 
 #include <optional>
@@ -32,10 +32,10 @@ struct Shares {
     std::vector<TapShares> taps;  // by time
 };
 
-// Of the map's full scale, 0 where it has none.
+// Intensity of a share of the map's full scale; 0 if the map has no full scale.
 double intensity_01(const ActuatorMap& map, double share_of_full_scale);
 
-// Of the map's band; the middle where that is a single frequency.
+// Share of the map's band; the middle if the band is a single frequency.
 double frequency_01(const ActuatorMap& map, double hz);
 
 // What multiplies all, at most 1, so that the loudest is full scale; `loudest` is a share of it.
@@ -50,11 +50,11 @@ double energy_g2_s(const Transient& transient);
 
 Shares as_shares(const PlainCurves& curves, const ActuatorMap& map, WrittenEffect& written);
 
-// At most so many points in each curve, those that are felt first.
+// Keeps at most `most` points of each curve, those that are felt first.
 void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
                  std::vector<std::string>& coarse);
 
-// At most so many taps, the strongest of all.
+// Keeps at most `most` taps, the strongest.
 void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
                     std::vector<std::string>& remarks);
 

@@ -9,10 +9,10 @@
 //     row a participant (or one column: the mean)
 //
 // Source    quoting as in RFC 4180
-// Input     a cell that is empty, "NaN", "NA" or "-" is a pair that was not rated. Of a square,
-// both
-//           triangles count: their mean, or the one that is known. A pair that a participant rated
-//           again is a repetition. A file without participants is one participant, by its name.
+// Input     a cell that is empty, "NaN", "NA" or "-" is a pair that was not rated. Both triangles
+//           of a square count: their mean, or the one that is known. A pair that a participant
+//           rated again is a repetition. A file without participants is one participant, by its
+//           name.
 // Output    dissimilarities; of similarities from 0 to 100, 100 minus each. Errors as
 //           "FILE:LINE: expected .."
 //           The columns excluded, synthetic, rehearsal, whole, why, fingerprint and scaled, as
@@ -34,7 +34,7 @@
 
 namespace tact {
 
-// Of the tables of a study's report the one with the answers (study_csv.h).
+// The table of a study's report that has the answers (study_csv.h).
 inline constexpr const char* kAnswersFile = "answers.csv";
 
 struct LoadedRatings {

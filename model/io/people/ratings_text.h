@@ -28,8 +28,8 @@ inline constexpr std::size_t kMaxPasses = 100;
 // has a place for every pair, rated or not.
 inline constexpr std::size_t kMostUnratedCells = 25'000'000;
 
-// What is wrong with so many passes through the pairs of n patterns in a text of so many bytes, or
-// empty. It is asked before their places are made.
+// What is wrong with this many passes through the pairs of n patterns in a text of this size, or
+// empty. It is asked before memory for them is taken.
 std::string passes_fault(std::size_t passes, std::size_t patterns, std::size_t text_bytes);
 
 struct RatingsText {
@@ -99,7 +99,7 @@ void note_marks(MarkedAnswers& answers, const Marks& marks);
 // out is a remark.
 void note_standing(RatingsText& into, const std::string& participant, const MarkedAnswers& answers);
 
-// A rating, NaN where the cell says that there is none, nothing where it is neither.
+// A rating, NaN if the cell says that it is missing, nothing if it is neither.
 std::optional<double> rating_in(const std::string& field);
 
 // What to say where there is neither.

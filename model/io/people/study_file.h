@@ -7,8 +7,8 @@
 //     {"device": {..}, "at": ".."}      where it is another from the next trial on
 //
 // Every line is on the disk before append() returns; the last one may be torn by a power cut and is
-// then left out. A file of another participant is never written over: it is made anew, or continued
-// by who began it.
+// then left out. A file of another participant is never written over: a file is new, or its own
+// participant continues it.
 //
 // Output    errors as "FILE: what is wrong" or "FILE:LINE: expected .."
 // Left out  encryption; several writers: the file is locked.

@@ -11,8 +11,8 @@
 //
 // Output    "NA" where there is no number; the shortest digits that read back as the same.
 //           <marks>: synthetic,left_out,rehearsals; `synthetic` is 1 where nobody was asked for
-//           some of the ratings that a line rests on, `left_out` how many participants do not
-//           count, of whom `rehearsals` felt nothing
+//           some of the ratings that a line rests on, `left_out` is the number of participants who
+//           do not count; `rehearsals` of them felt nothing
 // Exact     same input, same bytes.
 #pragma once
 

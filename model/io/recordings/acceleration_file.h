@@ -8,8 +8,8 @@
 // Valid     a rate of 100 Hz to 10 MHz, 60 s, kMaxDecodedSamples; tables of at most kMaxTableBytes,
 //           WAV files of at most kMaxWaveBytes. Times that stray from even ones by 1 % of a step
 //           and more are evened out by straight lines between samples
-//           Where nothing names a unit, values are refused that are none of g, and times that two
-//           units would make a recording of. Silence is refused
+//           Where nothing names a unit, values that cannot be g are refused, and times that would
+//           make a recording in either of two units. Silence is refused
 // Left out  filters of the sensor, gaps in the recording, its temperature.
 #pragma once
 
@@ -26,7 +26,7 @@ namespace tact {
 
 // What is given and not used is refused: it was given for a reason.
 struct AccelerationOptions {
-    std::optional<AccelerationUnit> unit;  // none: as the file says, else g with a remark
+    std::optional<AccelerationUnit> unit;  // default: the file's, or g with a remark
     double sensitivity_v_per_g = 0.0;      // of volts, which need it; 0: not known ...
     double offset_v = 0.0;                 // ... which stand for 0 g
     std::size_t axis = 0;                  // from 1; 0: the only one, or three as one
@@ -40,7 +40,7 @@ inline constexpr Range kSensitivityVPerG{1e-6, 1e6};
 inline constexpr Range kOffsetV{-1e6, 1e6};
 }  // namespace limits
 
-// Of several files together: what only those of another kind can use is not asked of this one.
+// Options of one of several files: those that only files of another kind can use are left out.
 AccelerationOptions options_among(const std::filesystem::path& file,
                                   std::span<const std::filesystem::path> all,
                                   AccelerationOptions options);

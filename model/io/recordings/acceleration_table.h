@@ -12,8 +12,8 @@
 //           together.
 // Output    errors as "FILE:LINE: expected .."
 // Valid     1 sample and more of any number of axes, kMaxDecodedSamples in all (recording.h); NaN
-//           is refused; so is a unit that a name writes and that is none of ours ("x (mg)", "gal"),
-//           for a time as for an axis, and axes of different units
+//           is refused; so is an unknown unit in a name ("x (mg)", "gal"), for a time as for an
+//           axis, and axes of different units
 // Left out  more than one time column; text between the numbers.
 #pragma once
 

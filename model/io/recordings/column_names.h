@@ -1,7 +1,7 @@
 // What the names of a recording's columns say: time or axis, and in what unit.
 //
 // Input     names as loggers write them, in any case: "Time [ms]", "ax_g", "linear acceleration x"
-// Output    lower case; units that are none of ours are told as they are written
+// Output    lower case; unknown units as they are written
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ struct SoundFile {
 
 Expected<SoundFile> read_sound_file(const std::filesystem::path& path);
 
-// Whether it is a sound by what it begins with; tables are none.
+// Whether its first bytes are those of a sound, not of a table.
 bool is_sound_file(const std::filesystem::path& path);
 
 }  // namespace tact

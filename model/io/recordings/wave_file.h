@@ -31,7 +31,7 @@ struct WaveText {
     std::string sidecar;  // empty: none
 };
 
-// The scale is that of the options, else of the sidecar, else 1 g with a remark; so is the channel.
+// The options decide the scale, then the sidecar; default: 1 g with a remark. So for the channel.
 Expected<Recording> read_wave_file(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});
 

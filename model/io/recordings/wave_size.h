@@ -11,8 +11,8 @@
 
 namespace tact {
 
-// Empty where all of the data chunk is there; else the end of a sentence ("has 10 of the 400 bytes
-// of samples that its header promises"). Sizes that a stream's writer left open are accepted.
+// Empty if all of the data chunk is there; otherwise the end of a sentence ("has 10 of the 400
+// bytes of samples that its header promises"). Sizes that a stream's writer left open are accepted.
 std::string wave_size_fault(std::istream& stream, std::uint64_t file_bytes);
 
 }  // namespace tact

@@ -14,8 +14,8 @@
 namespace tact {
 
 // By kind: a folder or zip file (its .txt and .wav files and effects), .txt and .wav (a set of
-// one), a set file, and by its content an effect file (model/io/effects/read_effects.h), which
-// meets g and Hz by `actuator`, else by its format's own map.
+// one), a set file, and by its content an effect file (model/io/effects/read_effects.h), whose
+// shares become g and Hz by `actuator` (default: its format's map).
 Expected<Loaded> load_set(const std::filesystem::path& path,
                           const std::optional<ActuatorMap>& actuator = {});
 Expected<Loaded> load_set(const std::filesystem::path& path, const LoadOptions& options);

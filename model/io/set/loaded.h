@@ -13,13 +13,13 @@
 
 namespace tact {
 
-// Of all recordings of a set, in memory: 10,000 of one second, 0.8 GB.
+// All recordings of a set in memory: 10,000 of one second, 0.8 GB.
 inline constexpr std::size_t kMaxSetSamples = 100'000'000;
 
 std::size_t recorded_samples(const Vibration& vibration);
 std::size_t recorded_samples(const PatternSet& set);
 
-// What is wrong with so many, as the end of a sentence; or empty.
+// What is wrong with this number of samples, as the end of a sentence; or empty.
 std::string samples_fault(std::size_t samples);
 
 struct Loaded {

@@ -36,8 +36,8 @@ struct TrainedOn {
     double rho_before = 0.0;
     double rho_after = 0.0;
     NumberMark mark{};  // of the ratings
-    // Of the patterns that were felt, as participants' files and their CSV have it
-    // (model/set/set_study.h); empty: not known.
+    // Fingerprint of the patterns that were felt, as in participants' files and their CSV
+    // (model/set/set_study.h); empty: unknown.
     std::string felt{};
 
     bool operator==(const TrainedOn&) const = default;

@@ -27,7 +27,7 @@ Expected<Loaded> read_set_file(const std::filesystem::path& path);
 Expected<PatternSet> parse_set(std::string_view text, const std::string& name_for_messages,
                                const std::filesystem::path& folder);
 
-// The text of a set, with the paths of recordings as they are.
+// The text of a set, with unchanged paths of recordings.
 std::string print_set(const PatternSet& set);
 
 // The same with paths relative to `folder`, as a set file in it has them.

@@ -1,4 +1,4 @@
-// Finished tiles in a file, so that a stopped computation can go on.
+// Finished tiles in a file, so that a stopped computation can continue.
 //
 //     header   "tactspace tiles\n", version, byte order, patterns, side of a tile, fingerprints
 //     record   part, tile, number of values, checksum; the values as 64-bit floats
