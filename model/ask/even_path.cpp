@@ -16,7 +16,7 @@ struct Step {
     double extent = 0.0;  // of shares, squared
 };
 
-// By layer, only those that go on.
+// By layer, only those that continue.
 using Steps = std::vector<std::vector<Step>>;
 
 Steps steps_of(const std::vector<std::vector<double>>& layers, const LayerDistance& distance) {

@@ -20,7 +20,7 @@ double largest_of(const Dissimilarity& pm) {
     return largest;
 }
 
-// Pairs of picked ones are as strong as the strongest: they have no say in which pair is weakest.
+// Pairs of picked ones are as strong as the strongest: they never count as the weakest pair.
 Dissimilarity without_picked_pairs(Dissimilarity pm, std::size_t picked) {
     const double largest = largest_of(pm);
     for (std::size_t i = 0; i < picked; ++i) {

@@ -21,7 +21,7 @@ SeenVibrations seen_of(const PatternSet& set, const std::vector<std::size_t>& pi
     return seen;
 }
 
-// Which of so many: a shuffle's beginning, in order.
+// `wanted` places among `all`: the beginning of a shuffle, in order.
 std::vector<std::size_t> some_of(std::size_t all, std::size_t wanted, std::uint64_t seed) {
     std::vector<std::size_t> places(all);
     for (std::size_t k = 0; k < all; ++k) places[k] = k;

@@ -21,7 +21,7 @@ struct Best {
     double off = 0.0;
 };
 
-// Of equals the first; false when stopped.
+// Ties: the first. False when stopped.
 bool improve(Best& best, const std::vector<Pattern>& tried, const ReachQuestion& question,
              const MovedPoint& map, const ReachOptions& options) {
     std::vector<Eigen::RowVectorXd> places(tried.size());

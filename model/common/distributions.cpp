@@ -64,7 +64,7 @@ double log_gamma(double z) {
     return (z - 0.5) * portable::log(z) - z + kLogSqrtTwoPi + series - portable::log(product);
 }
 
-// Of I_x(a, b), where x is below the mean: the fraction converges there at once.
+// The continued fraction of I_x(a, b), for x below the mean, where it converges at once.
 double beta_fraction(double x, double a, double b) {
     constexpr double kTiny = 1e-300;
     constexpr int kMostSteps = 100'000;

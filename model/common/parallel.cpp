@@ -62,7 +62,7 @@ bool parallel_for(std::size_t count, int threads, std::stop_token stop,
         try {
             for (std::size_t k = 1; k < workers; ++k) others.emplace_back(take_work);
         } catch (const std::system_error&) {
-            // No more threads are to be had; those that are there do the work.
+            // The system gives no more threads; those started do the work.
         }
         take_work();
     }

@@ -129,7 +129,7 @@ DoubleDouble log_of(double value) {
 
 bool has_log(double value) { return value > 0.0 && value < kInfinite; }
 
-// Of what has none: infinity, 0, numbers below and NaN.
+// Logarithms that are not finite: of 0, infinity, negative numbers and NaN.
 double odd_log(double value) {
     if (value == 0.0) return -kInfinite;
     return value > 0.0 ? kInfinite : kNoNumber;

@@ -28,7 +28,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The first whole number above 0 of a text; 0 if there is none.
+// The first whole number above 0 of a text; 0 without one.
 double number_of(std::string_view text) {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -51,7 +51,7 @@ double quota_v1(const fs::path& folder) {
     return quota > 0.0 && period > 0.0 ? quota / period : kNoQuota;
 }
 
-// Of a group and all around it, up to the root.
+// The least quota of a group and all around it, up to the root.
 template <class Quota>
 double least_quota(const fs::path& root, std::string_view group, const Quota& quota) {
     double least = kNoQuota;

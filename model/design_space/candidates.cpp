@@ -14,7 +14,7 @@ namespace tact {
 
 namespace {
 
-// Of every combination, how far along each factor it is: 0 to 1.
+// How far every combination is along each factor, 0 to 1.
 using Shares = std::vector<std::vector<double>>;
 
 // Levels lie in the middle of equal parts of the way; a range's steps have its ends among them.

@@ -17,7 +17,7 @@ struct Direction {
     std::array<std::uint32_t, kMostDegrees> number;  // m_1 .. m_s
 };
 
-// Of the second dimension on; the first one is van der Corput's sequence.
+// From the second dimension on; the first is van der Corput's sequence.
 constexpr std::array<Direction, kSobolDimensions - 1> kDirections{{
     {1, 0, {1}},
     {2, 1, {1, 3}},

@@ -91,7 +91,7 @@ std::vector<double> reordered(const Dissimilarity& a, std::span<const std::size_
     condensed.reserve(a.condensed.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
-            // Of a drawn object and its copy nothing is known.
+            // The dissimilarity of a drawn object and its copy is unknown.
             condensed.push_back(order[i] == order[j] ? kNone : a(order[i], order[j]));
         }
     }

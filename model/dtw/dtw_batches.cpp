@@ -97,7 +97,8 @@ DtwBatch alone(std::size_t place, const TrimmedPair& pair, const DtwKernel& kern
     return {place, 1, false, cost_of(kernel.one_pair, shape(pair))};
 }
 
-// The register that begins at a place, if it costs less than its pairs one by one; else that pair.
+// The register that begins at a place, if it costs less than its pairs one by one; otherwise that
+// pair.
 DtwBatch batch_at(std::size_t first, std::span<const TrimmedPair> pairs,
                   std::span<const std::size_t> order, const DtwKernel& kernel) {
     const TrimmedPair& leader = pairs[order[first]];

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Of one pair: with D of the row above 128 KiB, a part of any second-level cache.
+// Columns of one pair: with D of the row above 128 KiB, a part of any second-level cache.
 constexpr std::size_t kCachedColumns = 8192;
 
 // Doubles from the start of a cache line on: a register that lies across two takes two loads.

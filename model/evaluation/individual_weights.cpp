@@ -103,7 +103,7 @@ void bring_to_length_one(Matrix& columns) {
     }
 }
 
-// The best `side` for the other one and the weights; what nobody weighs stays as it is.
+// The best `side` for the other one and the weights; what nobody weighs stays.
 void fit_side(Matrix& side, const Matrix& other, const Fit& fit,
               const std::vector<Matrix>& people) {
     Matrix seen = Matrix::Zero(side.rows(), side.cols());
@@ -168,7 +168,7 @@ Matrix start_drawn(Index n, Index k, std::uint64_t stream) {
     return start.rowwise() - start.colwise().mean();
 }
 
-// Of a fit whose sides are one.
+// Both sides of the fit are the same.
 void order_dimensions(Fit& fit) {
     std::vector<Index> order;
     std::vector<double> sizes;

@@ -109,8 +109,8 @@ std::vector<double> mean_over(const Sample& sample, const Places& people) {
     return mean;
 }
 
-// Of drawn patterns those pairs that are rated and known of all metrics. Of a pattern and its copy
-// nothing is known.
+// Pairs of drawn patterns that are rated and known of all metrics. A pattern and its copy are no
+// pair.
 Places pairs_of(const Sample& sample, const Places& patterns, std::span<const double> ratings) {
     Places pairs;
     for (std::size_t i = 0; i < patterns.size(); ++i) {

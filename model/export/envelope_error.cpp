@@ -20,7 +20,7 @@ constexpr double kToleranceDb = 0.1;
 constexpr double kToleranceS = 0.001;
 constexpr double kRounding = 1e-9;
 
-// Of each ms.
+// Values of each ms.
 struct FeltCourse {
     std::vector<double> level_db;      // above threshold; 0: not felt
     std::vector<double> frequency_db;  // 20 log10 of Hz

@@ -30,8 +30,9 @@ double rms_error_g(const Waveform& a, const Waveform& b) {
     return rms_g(difference);
 }
 
-// Of the largest of a set: below it two dissimilarities are one. Steps of 24 bits and the ends of a
-// filter stay below it. Pairs that were equal would else get other ranks, though nothing is felt.
+// Share of a set's largest dissimilarity: closer ones are taken as equal. Steps of 24 bits and the
+// ends of a filter stay below it. Otherwise equal pairs would get other ranks, though nothing is
+// felt.
 constexpr double kSame = 1e-4;
 
 double same_of(const Dissimilarity& meant) {
@@ -92,7 +93,7 @@ std::optional<BothSides> both_sides(const PatternSet& set, const PatternSet& bac
     return BothSides{*std::move(meant), *std::move(came)};
 }
 
-// Of pairs by their NC and OC, on the scale of what was meant.
+// PM of pairs from their NC and OC, on the scale of the intended set.
 std::vector<double> pm_among(const Prediction& meant, std::span<const double> nc,
                              std::span<const double> oc) {
     const std::vector<double> nc_ranks = ranks_among(nc, meant.nc.condensed);

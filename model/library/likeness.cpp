@@ -14,7 +14,7 @@ namespace tact {
 
 namespace {
 
-// Codes of so many are in memory at once.
+// Number of codes in memory at once.
 constexpr std::size_t kAtOnce = 64;
 
 // Coding is about this share of the work.

@@ -49,7 +49,7 @@ Expected<std::vector<double>> unit_distances(const MatrixXd& points) {
     }
     if (!points.allFinite()) return Error{"alienation: expected finite coordinates"};
     const MatrixXd centred = points.rowwise() - points.colwise().mean();
-    // An extent that is rounding noise beside the distance from the origin is none.
+    // An extent that is rounding noise beside the distance from the origin counts as 0.
     const double extent = centred.cwiseAbs().maxCoeff();
     if (extent <= 1e-14 * points.cwiseAbs().maxCoeff()) {
         return Error{"alienation: expected points that differ, got all on one spot"};

@@ -66,7 +66,7 @@ class Linkage {
             std::ranges::find_if(weight_, [](double w) { return w > 0.0; }) - weight_.begin());
     }
 
-    // Of ties the one that the chain came from, else the first: chains then end.
+    // Ties: the one that the chain came from, then the first, so that chains end.
     std::size_t nearest(std::size_t i, std::size_t preferred) const {
         std::size_t best = preferred;
         for (std::size_t j = 0; j < size_; ++j) {

@@ -111,7 +111,7 @@ MatrixXd framed(const MatrixXd& points) {
     return result;
 }
 
-// The smallest distance of a pair although others are more alike; infinite: there is none.
+// The smallest distance of a pair although others are more alike; infinite without such a pair.
 // Ascending order: the first level is the least.
 double nearest_unlike(const PairOrder& order, std::span<const double> d) {
     const bool tied = !order.ties.empty() && order.ties.front().first == 0;

@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 // as none.
 constexpr double kEqualVariance = 1e-9;
 
-// Of the rows, the first that is at least half as long as the longest: not the longest itself,
-// which rounding would choose among equals.
+// The first row at least half as long as the longest: not the longest itself, which rounding would
+// choose among equals.
 Index first_long_row(const MatrixXd& rows) {
     double longest = 0.0;
     for (Index i = 0; i < rows.rows(); ++i) longest = std::max(longest, rows.row(i).norm());

@@ -17,8 +17,8 @@ struct Path {
     std::size_t length = 0;
 };
 
-// Of equal costs the diagonal's; between the two others the choice must not depend on which signal
-// is called x.
+// Ties: the diagonal's path; between the two others the choice must not depend on which signal is
+// called x.
 const Path& best_of(const Path& diagonal, const Path& above, const Path& left) {
     const Path* straight = &above;
     if (left.cost < above.cost || (left.cost == above.cost && left.length < above.length)) {

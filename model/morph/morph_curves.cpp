@@ -54,7 +54,7 @@ BentLine line_of(const Pattern& pattern, const NoteSide& side) {
     if (ramps_s > note.length_s) {
         times_s = {note.onset_s + note.length_s * pattern.attack_s / ramps_s};
     }
-    // Of many notes and many points each note takes its own.
+    // Many notes with many points: each note takes its own.
     const auto first = std::ranges::lower_bound(pattern.amplitude_curve, side.begin_s, {},
                                                 &AmplitudePoint::time_s);
     for (auto point = first; point != pattern.amplitude_curve.end(); ++point) {
@@ -74,7 +74,7 @@ BentLine line_of(const Pattern& pattern, const NoteSide& side) {
     return line;
 }
 
-// Of points at one time the first and the last are the jump; where both are alike, one is enough.
+// The first and the last of the points at one time are the jump; if both are alike, one is enough.
 void add_point(AmplitudeCurve& curve, AmplitudePoint point) {
     const std::size_t n = curve.size();
     if (n > 0) point.time_s = std::max(point.time_s, curve.back().time_s);

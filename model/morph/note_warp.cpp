@@ -24,7 +24,7 @@ std::vector<Span01> shares_of(const std::vector<Note>& notes, double duration_s)
     return shares;
 }
 
-// So many notes of either side, up to here, that become each other; 0 of one side: they fade.
+// Notes of either side, up to these, that become each other; 0 on one side: they fade.
 struct Group {
     std::size_t from = 0;
     std::size_t to = 0;

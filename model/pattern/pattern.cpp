@@ -45,7 +45,7 @@ double swept_carriers_at(const std::vector<Carrier>& carriers, const Sweep& swee
     return sum;
 }
 
-// Of a note, so long after its onset and before its end.
+// Gain of a note at a time after its onset and before its end.
 double ramp_gain(const Pattern& pattern, double since_onset_s, double until_end_s) {
     double gain = 1.0;
     if (pattern.attack_s > 0.0) gain = std::min(gain, since_onset_s / pattern.attack_s);
@@ -77,7 +77,7 @@ void keep_rules(std::vector<Point>& curve) {
         latest_s = std::max(latest_s, clamp_to({0.0, limits::kDurationS.high}, point.time_s));
         point.time_s = latest_s;
     }
-    // Of more than two, the first and the last are the jump.
+    // If there are more than two, the first and the last are the jump.
     std::vector<Point> kept;
     for (const Point& point : curve) {
         const std::size_t n = kept.size();

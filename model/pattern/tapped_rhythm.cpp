@@ -16,7 +16,7 @@ constexpr double kNormalS = 0.125;
 constexpr double kLeastS = 0.02;
 constexpr int kMostParts = 8;
 constexpr double kOnGrid = 0.125;   // rms, in steps
-constexpr double kRestFrom = 0.25;  // of a step: less between two notes is none
+constexpr double kRestFrom = 0.25;  // of a step: less between two notes does not count
 
 // Onsets against the steps nearest to them: t = phase + step k.
 struct Grid {

@@ -234,7 +234,7 @@ FrequencyCurve curve_of(const Track& frequency) {
     return curve;
 }
 
-// So many points of every section, the first and the last of each among them.
+// At most `most_points` of every section, its first and last among them.
 Thinning thinned_by_sections(const Track& track, double tolerance, const TraceParams& params) {
     if (!(params.section_s > 0.0)) {
         return thinned(track.times_s, track.heights, params.most_points, tolerance);

@@ -15,10 +15,10 @@ constexpr std::size_t kRegisters =
     4;  // at a time: their sums wait for their last terms, not others
 constexpr std::size_t kAtOnce = kRegisters * kLanes;
 
-// sums[k] = sizes[k] + .. + sizes[k + kEnvelopeSamples - 1], each summed anew and in this order: a
-// running sum would drift away from silence. A multiple of kAtOnce of them.
+// sums[k] = sizes[k] + .. + sizes[k + kEnvelopeSamples - 1], each summed by itself and in this
+// order: a running sum would drift away from silence. A multiple of kAtOnce of them.
 //
-// One body, compiled anew for each instruction set it is inlined into.
+// One body, compiled for each instruction set it is inlined into.
 [[gnu::always_inline]] inline void sum_windows(const double* sizes, std::span<double> sums) {
     for (std::size_t k = 0; k < sums.size(); k += kAtOnce) {
         FourLanes sum[kRegisters] = {};

@@ -12,7 +12,7 @@ namespace tact {
 
 namespace {
 
-// Of the waveforms of a set, each made once.
+// Versions of a set's waveforms, each made once.
 class Versions {
   public:
     explicit Versions(const PatternSet& set) : set_(set) {

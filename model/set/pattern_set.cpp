@@ -84,7 +84,7 @@ std::string unused_name(const PatternSet& set, const std::string& wanted) {
                                    [&name](const Vibration& v) { return v.name == name; });
     };
     if (!taken(wanted)) return wanted;
-    // A copy of "tick 2" is "tick 3": its number goes on.
+    // A copy of "tick 2" is "tick 3": its number continues.
     std::string stem = wanted;
     int number = 2;
     const std::size_t space = wanted.find_last_of(' ');

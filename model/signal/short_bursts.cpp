@@ -17,7 +17,7 @@ constexpr double kDeepValley = 0.7;   // of the lower of two heights: so they ar
 constexpr double kWindowS = 0.010;    // by which the envelope is smeared
 constexpr std::size_t kTremor = 4;
 
-// Of the window of a transient of 1 s, squared: its integral, and the spread of its times.
+// The squared window of a transient of 1 s: its integral, and the spread of its times.
 constexpr double kWindowEnergy = 0.6875;
 constexpr double kWindowSpread = 0.20346;
 

@@ -52,7 +52,7 @@ std::vector<Difference> differences_of(
     return differences;
 }
 
-// Of all people's differences that of pairs: the sum of the squared mean shifts.
+// Spread of all people's differences by pair: the sum of the squared mean shifts.
 double spread_of_pairs(const std::vector<Difference>& differences, std::vector<Sum>& of_pair,
                        const std::function<bool(std::size_t)>& is_turned) {
     std::ranges::fill(of_pair, Sum{});
@@ -84,9 +84,9 @@ struct Signs {
 // Equal sums may differ by rounding.
 bool is_as_large(double value, double observed) { return value >= observed * (1.0 - 1e-12); }
 
-// How often `statistic` of drawn signs of `count` numbers is as large as without: of all signs
-// where they are few. Of drawn ones (as large + 1) / (draws + 1), as what was observed is one of
-// them (Phipson & Smyth 2010).
+// How often `statistic` of drawn signs of `count` numbers is as large as without: over all signs if
+// they are few. For drawn ones (as large + 1) / (draws + 1), as what was observed is one of them
+// (Phipson & Smyth 2010).
 void test_signs(std::size_t count, std::uint64_t seed,
                 const std::function<double(const std::function<bool(std::size_t)>&)>& statistic,
                 Shift& shift) {

@@ -58,7 +58,7 @@ double rho_of_halves(const std::vector<std::vector<double>>& voices,
                     mean_of(pointers(voices, first, false), pairs));
 }
 
-// Mean over ways to part the voices; a half whose rho is NaN has no say.
+// Mean over ways to part the voices; a half whose rho is NaN is ignored.
 double mean_half_rho(const std::vector<std::vector<double>>& voices) {
     constexpr std::size_t kMostHalves = 1000;
     const std::size_t count = voices.size();
@@ -74,7 +74,7 @@ double mean_half_rho(const std::vector<std::vector<double>>& voices) {
     if (count <= 12) {  // at most 924 ways
         std::fill_n(first.begin(), count / 2, true);
         do {
-            // Of an even number each way comes twice, with the halves exchanged.
+            // With an even number each way comes twice, with the halves exchanged.
             if (count % 2 == 1 || first[0]) take(first);
         } while (std::prev_permutation(first.begin(), first.end()));
     } else {
@@ -89,7 +89,7 @@ double mean_half_rho(const std::vector<std::vector<double>>& voices) {
     return known > 0 ? sum / static_cast<double>(known) : kNoRating;
 }
 
-// Of every voice with the mean of the others.
+// Rho of every voice with the mean of the others.
 std::vector<double> rho_with_others(const std::vector<std::vector<double>>& voices) {
     std::vector<double> rho(voices.size());
     std::vector<bool> own(voices.size(), false);

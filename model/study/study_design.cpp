@@ -34,7 +34,7 @@ double chance_to_pass(int attention_pairs, const AttentionRule& rule) {
     constexpr double kAnswers = 101.0;  // 0 .. 100
     const double above = std::clamp(100.0 - std::floor(rule.above), 0.0, kAnswers);
     const double passes = above / kAnswers;
-    // The chance of so many misses and no more, from that of none on.
+    // Sums the chances of exactly 0, 1, 2 ... misses.
     double sum = 0.0;
     double ways = 1.0;
     for (int misses = 0; misses <= std::min(rule.failures_allowed, attention_pairs); ++misses) {

@@ -19,7 +19,7 @@ std::vector<ConfusablePair> confusable_pairs(const Dissimilarity& dissimilarity,
             if (value <= threshold) pairs.push_back({i, j, value});
         }
     }
-    // Of half a million pairs a few hundred are wanted.
+    // A few hundred of half a million pairs are wanted.
     const auto end = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(most, pairs.size()));
     std::ranges::partial_sort(pairs, end, {}, [](const ConfusablePair& pair) {
         return std::tuple(pair.dissimilarity, pair.a, pair.b);

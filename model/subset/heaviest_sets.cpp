@@ -13,8 +13,8 @@ namespace tact {
 
 namespace {
 
-// When so small a share of the candidates is left, the shift is computed anew, unless so few are
-// still to be chosen that it is not worth it.
+// When only this share of the candidates is left, the shift is computed again, unless too few are
+// still to be chosen for it to be worth it.
 constexpr double kRenewAt = 0.75;
 constexpr std::size_t kRenewFor = 4;
 
@@ -38,8 +38,8 @@ class HeaviestSearch {
           distances_(problem.real),
           divisor_(problem.distances.divisor) {}
 
-    // Works a node off, and gives each of its branches to `take`. The bound of what is left when
-    // the limit is reached; else none.
+    // Works a node off, and gives each of its branches to `take`. Gives the bound of what is left
+    // when the limit is reached, otherwise nothing.
     template <class Take>
     std::optional<Units> work_off(Node& node, const Take& take) const {
         for (;;) {
@@ -277,7 +277,7 @@ HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const 
     assert(problem.kept.size() <= problem.count && "more to keep than to choose");
     const HeaviestSearch search(problem, best, limit);
     Node root = search.root();
-    // The branches of the root are the tasks; each goes on from what the others have found.
+    // The branches of the root are the tasks; each continues from what the others have found.
     std::vector<Branch> tasks;
     HeaviestRun run;
     const std::optional<Units> left = search.work_off(root, [&tasks](Branch branch) {

@@ -39,7 +39,7 @@ struct Outcome {
     bool parts = false;
 };
 
-// The set with one pattern changed, as the model sees it: one row is computed, all is ranked anew.
+// The set with one pattern changed, as the model sees it: one row is computed, all is ranked again.
 class Trial {
   public:
     Trial(const PatternSet& set, const PerceptualModelParams& params, std::size_t place,
@@ -122,7 +122,7 @@ double with_three_digits(double value, double past) {
                          : (std::round(value / whole) + past) * whole;
 }
 
-// One number in one direction, so many felt steps.
+// One number in one direction, by a number of felt steps.
 struct Way {
     PatternParameter parameter;
     double from = 0.0;

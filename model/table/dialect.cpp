@@ -12,7 +12,7 @@ namespace tact {
 
 namespace {
 
-// Of the text that is looked at.
+// Limits of the text that is looked at.
 constexpr std::size_t kMostSampledBytes = 1 << 18;
 constexpr std::size_t kMostSampledRows = 200;
 

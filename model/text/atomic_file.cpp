@@ -39,7 +39,7 @@ Error not_read(const fs::path& path, int code) {
     return Error{path.string() + ": cannot be read: " + reason(code)};
 }
 
-// What a path names instead of a file, as a sentence goes on after it; empty: a file.
+// What a path names instead of a file, as the end of a sentence; empty: a file.
 std::string kind_fault(const struct stat& about) {
     if (S_ISDIR(about.st_mode)) return "is a folder, expected a file";
     if (S_ISFIFO(about.st_mode)) return "is a pipe, expected a file";
@@ -48,7 +48,7 @@ std::string kind_fault(const struct stat& about) {
     return {};
 }
 
-// Why a file is none that is read, or empty.
+// Why a file cannot be read, or empty.
 std::string reading_fault(const struct stat& about, std::size_t most_bytes) {
     if (std::string fault = kind_fault(about); !fault.empty()) return fault;
     if (about.st_size <= static_cast<off_t>(most_bytes)) return {};
@@ -70,7 +70,7 @@ struct Descriptor {
 constexpr std::string_view kTemporaryBegin = ".tactspace-";
 constexpr std::string_view kTemporaryEnd = ".part";
 
-// The process that a temporary file's name says made it; 0: it is none of ours.
+// The process that a temporary file's name says made it; 0: another program's.
 pid_t maker_of(std::string_view name) {
     if (!name.starts_with(kTemporaryBegin) || !name.ends_with(kTemporaryEnd)) return 0;
     name.remove_prefix(kTemporaryBegin.size());

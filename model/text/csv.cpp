@@ -53,7 +53,7 @@ bool is_run_behind(std::string_view text, std::size_t first) {
     });
 }
 
-// Fields of a line; one whose quotes are open at its end goes on in the next line.
+// Fields of a line; one whose quotes are open at its end continues in the next line.
 void take_fields(CsvReader& reader, std::string_view line, CsvRecord& record) {
     std::string field;
     bool quoted = false;

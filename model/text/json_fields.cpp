@@ -238,7 +238,7 @@ bool yes_no_field(JsonObject& object, std::string_view key, bool fallback) {
 
 namespace {
 
-// A text of at most so many bytes; empty where it is refused.
+// A text of at most `most_bytes`; empty if refused.
 std::string text_at(JsonReading& reading, const Json& value, const std::string& place,
                     const char* what, std::size_t most_bytes) {
     const auto* text = value.get_ptr<const std::string*>();

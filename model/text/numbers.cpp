@@ -44,7 +44,7 @@ std::string significant_digits(double value, int digits) {
 }
 
 double multiple_of(double step, double count) {
-    // Of a step that is a whole share of 1 the quotient is the one nearest to the decimal.
+    // If the step is a whole share of 1, the quotient is nearest to the decimal.
     const double shares = std::round(1.0 / step);
     return step < 1.0 && shares * step == 1.0 ? count / shares : count * step;
 }

@@ -18,7 +18,7 @@ constexpr double kMixtureS = 1.8e-11;
 constexpr double kCodeS = 1.5e-3;
 constexpr double kWarpS = 8e-3;
 
-// Of the listed classes the nearest to the model before, then the first.
+// The listed class nearest to the model before; ties: the first.
 PerceptualModelParams chosen(const TrainingGrid& grid, const SearchOptimum& optimum,
                              const PerceptualModelParams& before) {
     PerceptualModelParams nearest = before;

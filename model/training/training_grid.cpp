@@ -27,7 +27,7 @@ double channel_steps(const PerReceptor<double>& a, const PerReceptor<double>& b,
     return steps;
 }
 
-// Of the first `count` multiples of whole weights the one that `steps` finds nearest.
+// The one of the first `count` multiples of whole weights that `steps` finds nearest.
 template <class Steps>
 int nearest_multiple(std::uint32_t count, const Steps& steps) {
     int nearest = 1;

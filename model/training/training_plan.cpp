@@ -50,7 +50,7 @@ PlannedSet planned(const SearchSet& set, int units) {
     return plan;
 }
 
-// Of each rated pair, in the order of OC, which later ones have an NC that is not above its own.
+// Finds for each rated pair, in the order of OC, the later ones whose NC is not above its own.
 void find_mixed(SetRoom& room, std::size_t all_pairs) {
     const std::size_t pairs = room.rated_nc.size();
     const std::size_t words = (pairs + 63) / 64;

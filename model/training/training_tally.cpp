@@ -40,7 +40,7 @@ void raise(std::vector<double>& best, const std::vector<double>& values) {
     for (std::size_t k = 0; k < best.size(); ++k) raise(best[k], values[k]);
 }
 
-// Where the values of the first objective lie; NaN, of no order, is none.
+// Where the values of the first objective lie; NaN, which has no order, is skipped.
 void take_marginals(SearchTally& tally, const TrainingGrid& grid, const GridPoint& first,
                     std::span<const double> values, double top) {
     for (std::size_t k = 0; k < values.size(); ++k) {

@@ -138,7 +138,7 @@ double shape_at(BurstShape shape, double turns) {
     return 0.0;
 }
 
-// Of squares, in g^2 s; at middle points, so that steps of a square wave do no harm.
+// Energy in g^2 s, sampled at middle points, so that steps of a square wave do no harm.
 template <class Sample>
 double energy_of(double duration_s, int steps, const Sample& sample) {
     double sum = 0.0;
@@ -149,10 +149,11 @@ double energy_of(double duration_s, int steps, const Sample& sample) {
     return sum * duration_s / steps;
 }
 
-// What ours has to be, in g, to have the energy of theirs: `theirs` at a time and so many turns.
+// What ours has to be, in g, to have the energy of theirs: `theirs` takes a time and a number of
+// turns.
 template <class Theirs>
 double equal_energy_g(Transient ours, double their_length_s, const Theirs& theirs) {
-    // Of more periods these tell as much, in as many steps as a square wave needs.
+    // More periods would tell no more; the steps are as many as a square wave needs.
     constexpr double kEnoughPeriods = 16.0;
     constexpr double kStepsAPeriod = 32.0;
     const double hz = std::min(ours.frequency_hz, kEnoughPeriods / their_length_s);

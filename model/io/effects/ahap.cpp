@@ -8,7 +8,7 @@
 //           first point of every curve that begins late is at the curve's own time.
 // Guessed   defaults of 1 for intensity and 0.5 for sharpness; a control is held behind its last
 //           point.
-// Refused   an entry of the pattern that is none of the three, as Meta's reader does; no event.
+// Refused   an entry of the pattern that is not one of the three, as in Meta's reader; no event.
 // Left out  sounds; attack, decay and release.
 
 #include <algorithm>

@@ -27,7 +27,7 @@ struct HapsReading {
     std::vector<std::string> remarks;
 };
 
-// Of a note that begins at `start_s`.
+// The note begins at `start_s`.
 AmplitudeCurve keyframes_of(JsonObject& effect, std::string_view key, double start_s, Range values,
                             HapsReading& haps) {
     AmplitudeCurve curve;

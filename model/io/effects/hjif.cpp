@@ -53,7 +53,7 @@ struct Band {
     Sketch& sketch;
 };
 
-// Of a basis effect: what each keyframe says, in the file's time.
+// The keyframes of a basis effect, in the file's time.
 struct Keyframes {
     AmplitudeCurve amplitude;
     FrequencyCurve frequency;

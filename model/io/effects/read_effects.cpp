@@ -33,7 +33,7 @@ char first_sign(std::string_view text) {
     return first == rest.npos ? '\0' : rest[first];
 }
 
-// Of the first entry of "Pattern" that has one: what AHAP and the first version of .he differ by.
+// Whether an event of "Pattern" has the key, which tells AHAP from the first version of .he.
 bool has_event_with(const Json& document, const char* key) {
     const Json& entries = document["Pattern"];
     if (!entries.is_array()) return false;

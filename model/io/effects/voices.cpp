@@ -45,7 +45,7 @@ struct Moment {
     Together behind;
 };
 
-// Of voices in the order of their starts.
+// Voices come in the order of their starts.
 Expected<std::vector<Moment>> moments(const std::vector<Voice>& voices,
                                       const std::vector<double>& times) {
     std::vector<Moment> result;

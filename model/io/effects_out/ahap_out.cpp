@@ -30,7 +30,7 @@ struct Stretch {
     double end_s = 0.0;
 };
 
-// Of a curve at 0 from one point to another.
+// Stretches of a curve that stay at 0 from one point to another.
 std::vector<Stretch> silent_stretches(const AmplitudeCurve& curve) {
     std::vector<Stretch> all;
     for (std::size_t k = 0; k + 1 < curve.size(); ++k) {

@@ -31,7 +31,7 @@ std::int64_t ticks(double t_s) { return std::llround(t_s * kTicksPerS); }
 
 std::int64_t whole_hz(double hz) { return std::max<std::int64_t>(std::llround(hz), 1); }
 
-// Of amplitude and frequency apart from each other, in the order of their positions.
+// Keyframes of amplitude and of frequency, apart from each other, in the order of their positions.
 Json keyframes_json(const AmplitudeCurve& amplitude, const FrequencyCurve& frequency) {
     std::vector<std::pair<std::int64_t, Json>> frames;
     for (const AmplitudePoint& point : amplitude) {
@@ -188,7 +188,7 @@ AmplitudeCurve silent_above(const AmplitudeCurve& amplitude, const FrequencyCurv
         result.push_back({to_s, gain * sides_at(amplitude, to_s).before});
     }
     if (result.empty()) result.push_back({last_s, 0.0});
-    // What goes on as it was needs one point.
+    // A value that does not change needs one point.
     const auto same = std::unique(result.begin(), result.end());
     result.erase(same, result.end());
     return result;

@@ -118,7 +118,7 @@ struct Candidate {
     double felt_db = 0.0;
 };
 
-// Of those between two knots that follow each other.
+// Measures the candidates between two successive knots.
 void measure_between(std::vector<Candidate>& candidates, const Knot& left, const Knot& right,
                      const KnotRules& rules) {
     const double least_s = rules.least_gap_s - 1e-9;

@@ -16,7 +16,7 @@ namespace {
 
 int bits_of(WaveEncoding encoding) { return encoding == WaveEncoding::int16 ? 16 : 24; }
 
-// So many steps are there from 0 to the largest number.
+// Steps from 0 to the largest number.
 double largest_whole(WaveEncoding encoding) { return std::ldexp(1.0, bits_of(encoding) - 1) - 1.0; }
 
 // Whether half a step may be a hundredth, 0.1 dB, of what is just felt where the skin feels best.

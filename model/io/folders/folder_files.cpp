@@ -127,7 +127,7 @@ bool is_passed_over(const fs::path& within, const std::set<fs::path>& of_sets) {
     return false;
 }
 
-// What of a zip file can be read, by its path; the rest is left out.
+// The readable files of a zip file, by their paths; the rest is left out.
 ZipPaths paths_in(const ZipFile& zip, std::vector<std::string>& left_out) {
     std::set<fs::path> of_sets;
     for (const ZipEntry& entry : zip.entries) {

@@ -133,7 +133,7 @@ std::string name_in(std::string_view bytes) {
     return name;
 }
 
-// A name that leads out of the archive, or is none.
+// What is wrong with a name: it is empty, or leads out of the archive.
 std::string fault_of_name(std::string_view name) {
     const bool has_drive = name.size() > 1 && name[1] == ':';
     bool is_bad = name.empty() || name[0] == '/' || has_drive;
@@ -178,7 +178,7 @@ bool is_link(std::string_view record) {
     return is_of_unix && (number_at(record, 40, 2) & 0xF000U) == 0xA000U;
 }
 
-// Takes the first record from the list; false: there is none.
+// Takes the first record from the list; false if the list is empty.
 bool take_entry(std::string_view& list, ZipEntry& entry) {
     if (list.size() < kEntryBytes || !list.starts_with("PK\x01\x02")) return false;
     const std::size_t name_bytes = number_at(list, 28, 2);

@@ -71,7 +71,7 @@ std::string turn(RatingStudy& study, RatingScale scale, bool is_scaled) {
     return {};
 }
 
-// Of those who count.
+// Ratings of those who count.
 Expected<LoadedRatings> gated(RatingStudy study, std::vector<std::string> remarks,
                               const std::string& file, const CountRule& who) {
     auto counted = who_counts(std::move(study), who);

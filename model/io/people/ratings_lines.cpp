@@ -36,7 +36,7 @@ LineColumns line_columns(const CsvRecord& head) {
 using Pair = std::pair<std::size_t, std::size_t>;
 using Pass = std::vector<std::pair<Pair, double>>;
 
-// The ratings of one participant; a pair that is rated again begins, or goes on with, a pass.
+// The ratings of one participant; a pair that is rated again begins or continues a pass.
 struct Passes {
     std::unordered_map<std::size_t, std::size_t> times;  // a pair was rated
     std::vector<Pass> passes;

@@ -110,7 +110,7 @@ Expected<RatingsText> labelled_square(const std::string& file,
     return into;
 }
 
-// The number of patterns that have so many pairs; 0 if there is none.
+// The number of patterns that have `pairs` pairs; 0 if no number has.
 std::size_t patterns_of(std::size_t pairs) {
     std::size_t n = 2;
     while (pair_count(n) < pairs) ++n;
@@ -244,7 +244,7 @@ Expected<RatingsText> ratings_text(std::string_view text, const std::string& fil
     return answer;
 }
 
-// A rating, NaN where the cell says that there is none, nothing where it is neither.
+// A rating, NaN if the cell says that it is missing, nothing if it is neither.
 std::optional<double> rating_in(const std::string& field) {
     if (says_unknown(field)) return std::numeric_limits<double>::quiet_NaN();
     return finite_number_in(trimmed(field));

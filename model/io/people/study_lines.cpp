@@ -183,7 +183,7 @@ PairAnswer pair_answer_of(JsonObject& object, const StudyHeader& header) {
     return answer;
 }
 
-// The group of every pattern; groups without patterns are none.
+// The group of every pattern; groups without patterns do not count.
 Sorting groups_of(JsonObject& object, const StudyHeader& header) {
     Sorting sorting(header.patterns.size(), kUnsorted);
     const auto groups = array_field(object, "groups", 0, limits::kMaxStudyPatterns);

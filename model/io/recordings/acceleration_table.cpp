@@ -109,7 +109,7 @@ bool names_something(const Fields& names) {
     });
 }
 
-// The names of so many columns that a comment holds, as "# t, x, y" does; empty: it is another one.
+// Names of `columns` columns in a comment such as "# t, x, y"; empty: another comment.
 Fields names_in_comment(std::string_view comment, char separator, std::size_t columns) {
     comment = trimmed(comment);
     comment.remove_prefix(std::min(comment.find_first_not_of("#% \t"), comment.size()));

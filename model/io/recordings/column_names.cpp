@@ -10,7 +10,7 @@ namespace tact {
 
 namespace {
 
-// Units behind an underscore; those that are none of ours are known so that they can be refused.
+// Units behind an underscore; unsupported ones are listed so that they can be refused.
 bool is_unit_word(std::string_view text) {
     constexpr std::array kUnits{"s",     "ms",   "us",   "ns",       "min",    "g",     "v",
                                 "mps2",  "ms2",  "m/s2", "m/s^2",    "mg",     "ug",    "gal",

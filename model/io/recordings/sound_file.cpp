@@ -83,7 +83,7 @@ double energy_of(const std::vector<double>& x) {
     return sum;
 }
 
-// At both ends of the range: the rest position of clicks is none of them.
+// At both ends of the range: the rest position of clicks does not count.
 std::size_t clipped_samples(const std::vector<double>& x) {
     if (x.empty()) return 0;
     const auto [least, most] = std::ranges::minmax(x);

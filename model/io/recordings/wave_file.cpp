@@ -110,7 +110,7 @@ std::string header_fault(const OpenWave& wave, Wanted wanted) {
     return {};
 }
 
-// Both files; the sidecar is empty where there is none.
+// Both files; a missing sidecar is empty.
 Expected<WaveText> read_wave_text(const fs::path& path) {
     auto bytes = read_text_file(path, kMaxWaveBytes);
     if (!bytes) return bytes.error();

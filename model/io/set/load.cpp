@@ -180,7 +180,7 @@ std::string merge(Merging& merging, Loaded&& more, const fs::path& path, bool pa
     return {};
 }
 
-// Of one file among several: its share of the whole.
+// Options for one file among several: its share of the whole.
 LoadOptions part_of(const LoadOptions& options, std::size_t k, std::size_t count) {
     LoadOptions part = options;
     if (!options.progress) return part;

@@ -35,8 +35,7 @@ bool lies_below(const fs::path& folder, const fs::path& file) {
     return !way.empty() && *way.begin() != "..";
 }
 
-// What may be told of a recording that is none: of a file outside of the set's folder, nothing that
-// stands in it.
+// What may be told of an unreadable recording: no content of a file outside of the set's folder.
 std::string told(const Error& error, const fs::path& file, const fs::path& folder) {
     if (lies_below(folder, file)) return error.message;
     if (const auto size = readable_size(file); !size) return size.error().message;

@@ -21,7 +21,7 @@ namespace {
 // As many as files of ratings can bring together; what they need is bounded by their memory.
 constexpr std::size_t kMaxRatings = 100'000;
 
-// Text of unknown fields as a value of the set keeps them: empty where there are none.
+// Text of unknown fields as a value of the set keeps them: empty without any.
 std::string kept_text(const Json& unknown) {
     return unknown.empty() ? std::string() : text_of_json(unknown);
 }

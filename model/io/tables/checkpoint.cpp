@@ -74,7 +74,7 @@ struct Record {
     std::vector<double> values;
 };
 
-// The whole record at a place; false where there is none, or a torn one.
+// The whole record at a place; false if it is missing or torn.
 bool read_record(int descriptor, std::uint64_t place, std::uint64_t patterns, Record& record) {
     RecordHead& head = record.head;
     if (read_at(descriptor, place, &head, sizeof head) != sizeof head) return false;
