@@ -16,8 +16,8 @@ namespace tact {
 // Takes up to some seconds: not for a thread that draws.
 std::vector<DeviceInfo> list_devices(AudioHost& host);
 
-// The one of an id; else of a name, or the only one with these words in its name. Case does not
-// matter. An Error names what there is.
+// The device with this id, then with this name, then the only one with these words in its name.
+// Case does not matter. An Error names what there is.
 Expected<DeviceInfo> find_device(const std::vector<DeviceInfo>& devices, const std::string& wanted);
 
 // The channel of a number, counted from 1, or of a name ("left actuator"). An Error names them.

@@ -41,7 +41,7 @@ struct NumberedOutput {
     DeviceInfo info;
 };
 
-// Of a sound server, by ALSA's configuration or by its name; empty: its usual one.
+// The output of a sound server, by ALSA's configuration or by its name; empty: its usual one.
 std::optional<std::string> wanted_output(const std::string& interface, const std::string& name) {
     if (interface != "ALSA") return {};
     if (auto written = server_output_behind(name)) return written;
@@ -195,7 +195,7 @@ bool AudioHost::refresh() {
     }
     for (const auto& stream : open_) stream->close();
     open_.clear();
-    // The list is made once, at the start of the library: for a new one it has to start anew.
+    // The list is made once, at the start of the library: a new one needs a new start.
     if (is_initialised_) Pa_Terminate();
     silence_libraries();
     const bool is_safe = has_alsa_configuration();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kPlace = " (hw:";
 
-// Of ALSA's own configuration: converters, and parts of cards under other names.
+// Names from ALSA's own configuration: converters, and parts of cards under other names.
 constexpr auto kAliases = std::to_array<std::string_view>(
     {"sysdefault", "front",   "rear",       "center_lfe", "side",      "iec958",
      "spdif",      "hdmi",    "modem",      "dmix",       "dsnoop",    "null",

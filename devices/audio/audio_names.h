@@ -27,8 +27,8 @@ bool is_sound_server(std::string_view interface, std::string_view name);
 // "audio/ALSA/UMC204HD: USB Audio"; of several alike the second has " 2" after it, and so on.
 std::string audio_id(std::string_view interface, std::string_view name, int which);
 
-// Of a card of so many channels: places of loudspeakers in ALSA's order, and what is known of
-// single models; "7" where a place has no name. JACK numbers them.
+// Names of a card's `count` channels: loudspeakers in ALSA's order, and what is known of single
+// models; "7" if a channel has no name. JACK numbers them.
 std::vector<std::string> channel_names(std::string_view interface, std::string_view name,
                                        int count);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kWantedRateHz = 48'000.0;
 constexpr std::string_view kJackIds = "audio/JACK/";
-// A callback each of so many parts of the buffer: it is what a stop waits for.
+// Time between callbacks, a part of the buffer: a stop waits for the next one.
 constexpr double kPeriodS = 0.005;
 
 Error other_channels(const std::string& on, std::size_t now, std::size_t chosen) {
@@ -115,7 +115,7 @@ Expected<Done> AudioStream::open(AudioHost& host) {
     }
     if (output_numbered(place_.id) < 0) host.refresh();
     Expected<Done> opened = open_once(host.server());
-    // A server that was started anew, a card that was taken out and put back.
+    // A server that was restarted, a card that was taken out and put back.
     if (!opened && !port_ && host.refresh()) opened = open_once(host.server());
     if (!opened) close();
     return opened;
@@ -136,7 +136,7 @@ Expected<Done> AudioStream::claim_channels() {
     return Done{};
 }
 
-// No callback runs: all of it may be made anew.
+// No callback runs: all of it may be made again.
 void AudioStream::lay_out(double rate_hz) {
     playback_.layout = {rate_hz, place_.channels, place_.channel, kCeiling, place_.everywhere};
     playback_.own = {};

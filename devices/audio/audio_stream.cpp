@@ -37,7 +37,7 @@ std::uint64_t AudioStream::ask() {
     return serial;
 }
 
-// Behind what plays. Of what has ended nobody has to be told twice.
+// Behind what plays. An end that was told is not told twice.
 std::uint64_t AudioStream::ask_after() {
     const std::lock_guard lock(mutex_);
     const bool is_over = plays_.empty() || has_told_end_ || plays_.front().serial <= stopped_;
@@ -118,7 +118,7 @@ DeviceStatus AudioStream::status_of(const Asked& asked, DeviceStatus status) {
     const bool is_felt = !has_ended || now_s < notes.end_s.load();
     if (asked.looping) {
         status.playing = is_felt;
-        // Before the first round is heard there is none to be at the end of.
+        // Before the first round is heard it cannot be at its end.
         if (asked.duration_s <= 0.0 || (since_s < 0.0 && notes.rounds.load() == 0)) return status;
         const double rest_s = std::fmod(since_s, asked.duration_s);
         status.position_s = rest_s < 0.0 ? rest_s + asked.duration_s : rest_s;
@@ -261,7 +261,7 @@ StreamState AudioStream::lose(const std::string& why) {
 }
 
 // A halted program renders nothing, and a server may then repeat its last sound for good. A play
-// from before the halt does not come back when the program goes on.
+// from before the halt does not come back when the program continues.
 void AudioStream::rest_if_halted() {
     if (halts() == halts_.load() || !is_sounding()) return;
     tell(place_.name + kHalted);  // first: what ends without a word is followed by the next one

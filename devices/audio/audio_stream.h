@@ -44,14 +44,15 @@ class AudioStream {
 
     explicit AudioStream(Place place) : place_(std::move(place)) {}
 
-    // Of any one thread. The serial of a play to come, in place of all others; of one after them.
+    // For any one thread. ask() gives the serial of a play to come, in place of all others;
+    // ask_after() that of one after them.
     std::uint64_t ask();
     std::uint64_t ask_after();
     void set_level(double level);
     void stop();
     DeviceStatus status();
 
-    // Of the host's thread.
+    // For the host's thread.
     // True: it is open, and needs to be polled. `rest_s`: after the end of what plays.
     bool play(AudioHost& host, const Drive& drive, bool loop, std::uint64_t serial,
               std::optional<double> rest_s = {});

@@ -23,7 +23,7 @@ namespace tact {
 inline constexpr double kTakenBackS = 0.008;
 
 // `playback`, laid out for this output before, lives as long as the port. `buffer_s` is rendered
-// ahead. An Error if the server does not take the stream as it is. Waits for up to two seconds.
+// ahead. An Error if the server does not take exactly this stream. Waits for up to two seconds.
 Expected<OutputPort> open_pulse_output(const ServerOutput& output, double buffer_s,
                                        Playback& playback);
 

@@ -28,8 +28,8 @@ struct ServerOutput {
     bool operator==(const ServerOutput&) const = default;
 };
 
-// Of one thread. Each question waits for half a second at most; where no server answers there is
-// no answer.
+// For one thread. Each question waits for half a second at most; without a server there is no
+// answer.
 class SoundServer {
   public:
     SoundServer() = default;
@@ -43,7 +43,7 @@ class SoundServer {
     std::optional<ServerOutput> output_named(const std::string& name);
     // The streams of this process that make sound there.
     std::set<std::uint32_t> own_streams();
-    // Of one of them; none: it or the server is gone, or does not answer.
+    // The output of one stream; nothing if it or the server is gone, or does not answer.
     std::optional<ServerOutput> output_of(std::uint32_t stream);
 
   private:

@@ -5,8 +5,7 @@
 // a sweep fits. Each is taken out and looked at again.
 //
 // Output    none: the signal is not there, or the clock is off by more than kMostClockOff
-// Exact     a clock to 1e-4; less than 5e-4 (tones) or 2e-3 (sweep) is left as it is, as it does no
-//           harm
+// Exact     a clock to 1e-4; less than 5e-4 (tones) or 2e-3 (sweep) is left, as it does no harm
 // Left out  a clock that drifts.
 #pragma once
 

@@ -28,7 +28,7 @@ double octaves_outside(const Calibration& calibration, double frequency_hz) {
     return std::max({0.0, below, above});
 }
 
-// Below the table S may go on rising, as above a resonance: it is taken to rise as it does between
+// Below the table S may keep rising, as above a resonance: it is taken to rise as it does between
 // the lowest two, so that nothing is driven harder there than the actuator's own slope allows.
 double below_table_g(const std::vector<ResponsePoint>& points, double frequency_hz) {
     const double lowest_g = points.front().g_per_full_scale;
@@ -205,7 +205,7 @@ void soften_end(std::vector<double>& samples, double rate_hz) {
     }
 }
 
-// What of the energy meant the actuator will not give.
+// The share of the intended energy that the actuator will not give.
 double share_lost(const Waveform& waveform, const Calibration& calibration) {
     const Spectrum spectrum = amplitude_spectrum(waveform.samples_g, waveform.rate_hz);
     const double floor_g = strongest_g(calibration) / kLargestBoost;

@@ -41,7 +41,7 @@ struct ResponsePoint {
     bool operator==(const ResponsePoint&) const = default;
 };
 
-// Of one actuator on one channel, with its amplifier and as it was mounted.
+// Response of one actuator on one channel, with its amplifier and as it was mounted.
 struct Calibration {
     std::string device;  // its id (devices/device/device_info.h)
     int channel = 1;

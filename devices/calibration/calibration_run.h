@@ -42,7 +42,7 @@ struct CalibrationParams {
     bool operator==(const CalibrationParams&) const = default;
 };
 
-// Of the plan, where one frequency at one level is measured.
+// A part of the plan that measures one frequency at one level.
 struct CalibrationTone {
     double frequency_hz = 0.0;
     double level = 0.0;

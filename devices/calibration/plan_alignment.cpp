@@ -117,7 +117,7 @@ std::vector<double> quickened(const std::vector<double>& strengths, double clock
     }
 }
 
-// Of every `step`th frequency of the plan.
+// Likeness over every `step`th frequency of the plan.
 Likeness likeness(const CalibrationPlan& plan, std::span<const double> samples, double clock_off,
                   std::size_t step) {
     const std::vector<double>& drive = plan.drive.samples;

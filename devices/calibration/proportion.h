@@ -24,7 +24,7 @@
 
 namespace tact {
 
-// Of one frequency.
+// What was measured at one frequency.
 struct MeasuredPoint {
     ResponsePoint point;                 // says so where it is not known
     CalibrationTone tone;                // by which it was measured

@@ -44,7 +44,7 @@ double by_line(const ResponsePoint& a, const ResponsePoint& b, double f_hz) {
     return a.g_per_full_scale * std::pow(b.g_per_full_scale / a.g_per_full_scale, share);
 }
 
-// Of points[k] and points[k + 1], what the parabolas make of a frequency between.
+// What the parabolas of points[k] and points[k + 1] give at a frequency between.
 struct Guess {
     double g = 0.0;
     double doubt_db = 0.0;  // how far they are apart
@@ -145,7 +145,7 @@ std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, double t
     return text.data();
 }
 
-// Of a point that gives out a peak beside it is not to be told.
+// A peak beside a point that gives out cannot be known.
 bool is_bent(const ResponsePoint& point) { return point.nonlinearity > kBent; }
 
 // Points of the interval k as strong as the actuator may be there, so that nothing is driven too

@@ -16,7 +16,7 @@ struct ToneFit {
     double standard_error = 0.0;
 };
 
-// Of a recording that begins the plan at `start`.
+// Fit to a recording that begins the plan at `start`.
 ToneFit fit_of(const CalibrationPlan& plan, const CalibrationTone& tone,
                std::span<const double> samples, std::size_t start);
 

@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-// Of this user, gone with the session where there is one.
+// A folder of this user, gone with the session if there is one.
 std::string lock_folder() {
     const char* runtime = std::getenv("XDG_RUNTIME_DIR");  // NOLINT(concurrency-mt-unsafe)
     if (runtime != nullptr && *runtime == '/') return std::string(runtime) + "/tactspace";

@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// Of one actuator, while it lives; by default of none.
+// Locks one actuator while it lives; default: none.
 class ActuatorLock {
   public:
     ActuatorLock() = default;

@@ -8,11 +8,11 @@
 
 namespace tact {
 
-// A share, 0 to 1. A level that is no number is none, a limit that is no number is no limit.
+// A share, 0 to 1. A level that is NaN becomes 0; a limit that is NaN is ignored.
 double kept_level(double level, double largest_level = 1.0);
 
 // How long a drive of `duration_s` plays on end, s: a loop without a limit for ever. A limit below
-// 0 is 0, and one that is no number is none.
+// 0 is 0; one that is NaN is ignored.
 double kept_s(double duration_s, bool loop, double longest_s);
 
 }  // namespace tact

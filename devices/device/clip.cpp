@@ -52,7 +52,7 @@ double largest_of(const std::vector<double>& samples, std::size_t from, std::siz
     return largest;
 }
 
-// Of `count` samples from `from` on, and between them.
+// The peak of `count` samples from `from` on, and between them.
 double true_peak(const Waveform& played, std::size_t from, std::size_t count) {
     const double sampled = largest_of(played.samples_g, from, count);
     const double fine_hz = kOversampling * played.rate_hz;
@@ -64,7 +64,7 @@ double true_peak(const Waveform& played, std::size_t from, std::size_t count) {
 
 std::uint64_t frames_in(double seconds, double rate_hz) {
     const double frames = seconds * rate_hz;
-    // A limit that is no number is none.
+    // A limit that is NaN is ignored.
     if (!(frames < 1e18)) return std::numeric_limits<std::uint64_t>::max();
     return static_cast<std::uint64_t>(std::max(0.0, frames));
 }

@@ -23,7 +23,7 @@ struct Drive {
         1.0;  // a level above it counts as this one: more would harm the actuator
     double longest_s = std::numeric_limits<double>::infinity();  // on end; then it fades
     double rms_limit = 0.0;  // of full scale over any second, others' plays too; 0: not known
-    // Of driving, less the rests between; then it fades (devices/device/ledger.h).
+    // Driving, less the rests between, after which it fades (devices/device/ledger.h).
     double rest_after_s = std::numeric_limits<double>::infinity();
     double lead_s = 0.0;  // in it before what is meant begins ...
     double tail_s = 0.0;  // ... and after it
@@ -59,9 +59,9 @@ class Device {
     // not cut off; its end is told by one status that plays no more before the next ones are of
     // `drive`.
     virtual Expected<Done> play_after(const Drive& drive, double rest_s) = 0;
-    // What plays over and over becomes `drive` from where it is in it, without a step and without
-    // starting anew; where that has ended, nothing. Devices differ in how soon: an output fades one
-    // into the other (devices/device/playback.h), a controller is told with its next packet.
+    // What plays over and over becomes `drive` from where it is in it, without a step and without a
+    // new start; if that has ended, nothing happens. Devices differ in how soon: an output fades
+    // one into the other (devices/device/playback.h), a controller is told with its next packet.
     virtual void change(const Drive& drive) = 0;
     // How strong, as a share of the drive signal: 0 is silence, 1 all of it; what is no number is
     // 0. Also while playing.

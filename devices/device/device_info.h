@@ -19,9 +19,9 @@ struct DeviceInfo {
     std::string name;
     std::string interface;              // that it is reached by: "ALSA", "JACK", "Bluetooth"
     std::vector<std::string> channels;  // their names; empty: it has none to choose from
-    // A sound server takes any number of channels, and mixes what its output has not. Where it says
-    // which output that is, `channels` are those of it, in its order, and that output alone is
-    // played on; else a person has to know.
+    // A sound server takes any number of channels, and mixes those that its output lacks. If it
+    // says which output that is, `channels` are that output's, in its order, and only it is played
+    // on; otherwise a person has to know.
     bool is_server = false;
     std::string server_output{};  // empty: it does not say
     std::string output_name{};    // of that output, as a person knows it

@@ -1,5 +1,5 @@
 // Ctrl+Z and its like: a program that is halted drives nothing, so all that plays is put to rest
-// before, and stays at rest when the program goes on.
+// before, and stays at rest when the program continues.
 //
 // Source    signal-safety(7); SIGTSTP, SIGTTIN and SIGTTOU, where nobody else answers them
 // Left out  SIGSTOP, which no program hears: a controller keeps doing what it was told last, JACK

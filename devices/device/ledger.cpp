@@ -9,7 +9,7 @@ namespace tact {
 
 namespace {
 
-// Of a single pass, up to a time within it.
+// The sum of a single pass, up to a time within it.
 double sum_until(const Load& load, double time_s) {
     if (time_s <= 0.0) return 0.0;
     if (time_s >= load.length_s) return load.sums_s.back();
@@ -21,7 +21,7 @@ double sum_until(const Load& load, double time_s) {
     return load.sums_s[whole] + share * (load.sums_s[whole + 1] - load.sums_s[whole]);
 }
 
-// Of its repetition, from its first pass on.
+// The sum of its repetition, from its first pass on.
 double sum_of_rounds(const Load& load, double time_s) {
     const double rounds = std::floor(time_s / load.length_s);
     return rounds * load.sums_s.back() + sum_until(load, time_s - rounds * load.length_s);

@@ -76,7 +76,7 @@ void note_rest(Ledger& ledger, double rest_s);
 double left_s(const Ledger& ledger, double rest_after_s);
 
 // The largest level at which no second has more than `rms_limit` of what was given and of `load`,
-// which goes on at `from_s`; a limit of 0 is not known. Seconds of the load alone are held to the
+// which continues at `from_s`; a limit of 0 is not known. Seconds of the load alone are held to the
 // limit by its largest level, which is that of its repetition.
 double allowed_level(const Ledger& ledger, const Load& load, double from_s, bool loop,
                      double rms_limit);

@@ -96,8 +96,8 @@ void end_clip(Playback& playback) {
     playback.quiet_frames.store(0, std::memory_order_relaxed);
 }
 
-// The level that plays before this one leave it, from where it is. Of one that is a second old only
-// itself is left.
+// The level that plays before this one leave it, from where it is. After a second only the play
+// itself counts.
 void ask_ledger(Playback& playback) {
     Playback::Own& own = playback.own;
     const Clip& clip = *own.clip;
@@ -185,7 +185,7 @@ void begin_change(Playback& playback, const Clip* wanted) {
     ask_ledger(playback);
 }
 
-// Of the clip, and of what fades under it.
+// A sample of the clip, and of what fades under it.
 float mixed_sample(Playback::Own& own, float cross_step) {
     const float sample = own.clip->samples[own.at] * own.gain;
     ++own.unsettled;
@@ -209,7 +209,7 @@ float mixed_sample(Playback::Own& own, float cross_step) {
 }
 
 // The next frame of the clip, faded while another one is wanted, or none, or it is over its time.
-// Of one that ends by itself the last `spare` frames are left out.
+// If the clip ends by itself, its last `spare` frames are left out.
 float next_sample(Playback& playback, bool leaving, const Steps& steps, std::size_t spare) {
     Playback::Own& own = playback.own;
     if (own.has_ended) {

@@ -8,13 +8,13 @@
 // Output    interleaved frames: silence on all channels but one, or the same on all; never NaN.
 //           No sound in the first kPadS of a stream, as servers lose some of it. A clip that is
 //           stopped fades out in kRampS where the output is short enough for that to be heard in
-//           time, or takes back what is on its way; else the stream is cut. A lower level
+//           time, or takes back what is on its way; otherwise the stream is cut. A lower level
 //           takes about as long as a fade, a higher one up to kRiseS, changes or not. What plays
 //           before have left of an actuator's limits (devices/device/ledger.h) holds all of a clip
-//           back until they are a second back. A loop that is changed goes
-//           on from where it is: with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before
-//           + w after, which is never above the larger one, nor steps by more than the two do and
-//           their difference / 600.
+//           back until they are a second back. A loop that is changed continues from where it is:
+//           with w rising smoothly from 0 to 1 within kCrossS, (1 - w) before + w after, which is
+//           never above the larger one, nor steps by more than the two do and their difference /
+//           600.
 // Left out  gaps that nobody tells (devices/device/supply.h); starting in the middle of a clip;
 //           ramps of a pattern's own start and end (devices/device/protection.h).
 // Exact     at a settled level each frame is sample * level, rounded once; where nothing was played
@@ -40,7 +40,7 @@ inline constexpr double kRiseS = 0.2;     // of a level from nothing to all: one
 // Between a frame's rendering and its being heard: with more of it a stop has to cut the stream.
 inline constexpr double kLongestFadedS = 0.0125;
 
-// Of a stream, fixed while it runs.
+// Properties of a stream, fixed while it runs.
 struct StreamLayout {
     double rate_hz = 48'000.0;
     std::size_t channels = 1;
@@ -49,7 +49,7 @@ struct StreamLayout {
     bool everywhere = false;  // on all channels instead
     double latency_s = 0.0;   // between a frame's rendering and its being heard
     // Whoever renders can still change what is on its way. A stop then writes a fade over it, and
-    // the stream goes on in silence.
+    // the stream continues in silence.
     bool takes_back = false;
 };
 

@@ -18,7 +18,7 @@ constexpr double kNothingBelowHz = 7.0;  // 1/4 at 10 Hz
 constexpr double kEdgeRampS = 0.005;
 constexpr double kRingS = 0.1;   // of the filter, at either end of ...
 constexpr double kShortS = 0.3;  // ... a shorter drive; what a longer one gives back is 1 % at most
-// Of the energy: what a sudden start alone loses is not worth a word.
+// Share of the energy: what a sudden start alone loses is not worth a word.
 constexpr double kToldShare = 0.005;
 
 double energy(const std::vector<double>& samples) {

@@ -35,8 +35,8 @@ struct ProtectedDrive {
     std::string remark;  // "loses ..." without a subject and a full stop; empty: as it was meant
 };
 
-// `is_on` false: the drive as it is. `longest_s`: on end, above 0; it holds where protection is off
-// as well. Default: kLongestOnEndS where that is on.
+// `is_on` false: the drive unchanged. `longest_s`: on end, above 0; it holds where protection is
+// off as well. Default: kLongestOnEndS where that is on.
 ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
                                std::optional<double> longest_s = {});
 

@@ -53,8 +53,8 @@ Motion driven_on(Motion now, const Travel& travel, double from_s, double to_s, d
 // The drive's own part of that motion. The parts of drives that play at once add up.
 Motion driven_by(const Travel& travel, double from_s, double to_s, double level);
 
-// The largest level at which a drive that goes on at `from_s` moves nothing farther than its limit,
-// together with the motion that is there; 2 % to spare, for rounding.
+// The largest level at which a drive that continues at `from_s` moves nothing farther than its
+// limit, together with the motion that is there; 2 % to spare, for rounding.
 double level_within_travel(Motion now, const Travel& travel, double from_s);
 
 }  // namespace tact

@@ -52,8 +52,8 @@ std::optional<HapticPage> haptic_page(std::span<const std::uint8_t> descriptor);
 inline constexpr int kWaveformNone = 1;  // the two ordinals that no list names
 inline constexpr int kWaveformStop = 2;
 
-// The ordinal of a waveform that goes on until stopped, from an answer to the waveform report, its
-// number first: rumble, else buzz. Nothing where the device has none.
+// The ordinal of a waveform that continues until stopped, rumble before buzz, from an answer to the
+// waveform report, its number first. Nothing if the device has no such waveform.
 std::optional<int> continuous_waveform(const HapticPage& page,
                                        std::span<const std::uint8_t> waveform_report);
 

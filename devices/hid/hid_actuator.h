@@ -24,7 +24,7 @@ struct HidActuator {
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
     std::string kernel_driver;  // that has it besides us: "nintendo"; may be empty
-    Packet descriptor;          // of a simple haptic device; else empty
+    Packet descriptor;          // of a simple haptic device; or empty
 
     bool operator==(const HidActuator&) const = default;
 };

@@ -234,8 +234,7 @@ double HidDevice::risen_to(double level) {
     return risen_;
 }
 
-// What the loop is changed into goes on from where that is: of a shorter one, as if it had always
-// been that.
+// The new drive continues from where the loop is; if it is shorter, as if it had always played.
 void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
     std::optional<Drive> change;
     double level = 0.0;
@@ -260,7 +259,7 @@ void HidDevice::take_change(Pass& pass, RumblePlan& plan) {
     duration_s_ = pass.duration_s;
 }
 
-// Of a play that does not end, frames are counted on from pass to pass. False: interrupted.
+// In a play that does not end, the count of frames continues from pass to pass. False: interrupted.
 bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_token& quit) {
     const double hop_s = frame_hop_s(actuator_);
     Pass pass;
@@ -327,7 +326,7 @@ void HidDevice::prepare(RumblePlan& plan, std::size_t k, Clock::time_point deadl
     }
 }
 
-// Of the next packet: a period after the last one.
+// The earliest time of the next packet: a period after the last one.
 HidDevice::Clock::time_point HidDevice::soonest() const {
     return last_sent_at_ + nanoseconds(packet_period_s(actuator_));
 }
@@ -422,8 +421,8 @@ void HidDevice::end_in_silence(const std::stop_token& quit) {
     if (port_) owes_rest_ = false;
 }
 
-// Whether this port is of no use any more, or there is no time. What stays behind a node that was
-// plugged in again meanwhile refuses everything: it is opened anew.
+// Whether this port is of no use any more, or there is no time. The old node of a controller
+// plugged in again meanwhile refuses everything: the new one is opened.
 bool HidDevice::is_given_up(int refused, Clock::time_point since, const std::stop_token& quit) {
     if (!port_->is_there()) {
         lose(actuator_.name + " was unplugged, or is out of reach");

@@ -1,18 +1,18 @@
 // A game controller that plays a drive signal, packet by packet.
 //
 // A thread of its own opens the controller at the first play, and sends. Frame k of a pass has its
-// deadline k hops after the beginning of the pass, whatever became of the ones before it. Between
+// deadline k hops after the beginning of the pass, whatever happened to those before it. Between
 // any two packets lies at least the period that the controller stands: over the seam of a loop,
 // from one play to the next, before and between neutral ones. What goes out is the frame of that
 // moment; those that the wait has passed by are skipped rather than queued, as the controller has
-// no clock to catch up with. A packet goes out when it differs from the last, or after 50 ms, lest
-// the controller thinks it forgotten. A play ends, by itself, by stop() or with the device, with
-// five neutral packets: the first of them comes a period after the last packet at the latest. Where
-// they are not taken they are sent again and again, as long as the controller is there, and at once
-// when it is back; a write that does not return is left to itself. From
-// the first packet of a play to the last the controller is this program's alone; how strong and for
-// how long a drive may be holds here as for an output (devices/device/bounds.h), and for plays
-// in turn (devices/device/ledger.h).
+// no clock to catch up with. A packet goes out when it differs from the last, or after 50 ms, so
+// that the controller does not think it forgotten. A play ends, by itself, by stop() or with the
+// device, with five neutral packets: the first of them comes a period after the last packet at the
+// latest. Where they are not taken they are sent again and again, as long as the controller is
+// there, and at once when it is back; a write that does not return is left to itself. From the
+// first packet of a play to the last the controller is this program's alone; how strong and for how
+// long a drive may be holds here as for an output (devices/device/bounds.h), and for plays in turn
+// (devices/device/ledger.h).
 //
 // Source    the pace of the drivers that rumble_packets.h names
 // Left out  two plays at a time; the time that a packet takes through the air. What opens a

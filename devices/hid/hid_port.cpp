@@ -81,7 +81,7 @@ Expected<HidPort> open_hid_port(const std::string& path) {
     HidPort port;
     port.write = [open](std::span<const std::uint8_t> report) {
         if (has_said_last_words()) return false;
-        // A part of a report is none: what the controller makes of it nobody knows.
+        // A part of a report does not count: nobody knows what the controller makes of it.
         return hid_write(open->device, report.data(), report.size()) == std::ssize(report);
     };
     port.read = [open](int wait_ms) { return read_report(open->device, wait_ms); };

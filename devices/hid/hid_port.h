@@ -21,9 +21,9 @@ namespace tact {
 struct HidPort {
     // A report, its number first. False: it was not taken whole.
     std::function<bool(std::span<const std::uint8_t>)> write;
-    // The next report that comes, within so many milliseconds; empty: none did.
+    // The next report that comes within a number of milliseconds; empty: none did.
     std::function<Packet(int)> read;
-    // A feature report of a number and a length without it; empty: there is none.
+    // A feature report of a number and a length without it; empty: no such report.
     std::function<Packet(int, std::size_t)> feature;
     // False once it is unplugged or out of reach.
     std::function<bool()> is_there;

@@ -19,8 +19,8 @@ void HidDevice::lose(const std::string& why) {
     fail(why);
 }
 
-// One that was lost while it vibrated goes on with that where it is out of reach, or only its node
-// was another one meanwhile.
+// A controller that was lost while it vibrated keeps vibrating if it is out of reach, or if only
+// its node changed meanwhile.
 void HidDevice::put_to_rest(const std::stop_token& quit) {
     if (!port_ && !is_back()) return;
     const Expected<ActuatorLock> alone = door_.claim(actuator_);

@@ -1,7 +1,7 @@
 // What is written to a controller if the program dies by a signal, is halted by one, or exits
 // without having closed it: that it shall be still.
 //
-// A controller goes on with what it was told last. When the program crashes, or is ended from
+// A controller continues with what it was told last. When the program crashes, or is ended from
 // outside, nobody is left to tell it but the signal's handler, and a handler may do little: here
 // write() on a descriptor that is open already, with bytes that were laid out before. A write that
 // does not return is waited for a fifth of a second.

@@ -17,7 +17,7 @@ namespace tact {
 // Ranks this thread ahead of what draws and computes, where the system allows it to this program.
 void rank_before_drawing();
 
-// So long a packet may take: drivers have been seen to stall for three seconds and go on.
+// Longest time a packet may take: drivers have been seen to stall for three seconds and recover.
 inline constexpr std::chrono::milliseconds kWritePatience{3500};
 
 // ... and so long where the program is to end, or while an earlier one is still under way.

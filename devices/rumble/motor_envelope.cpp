@@ -30,7 +30,7 @@ double duty_to_reach(const Motor& motor, double speed, double wanted, double hop
     return duty_towards(motor, (wanted - kept * speed) / (1.0 - kept));
 }
 
-// Of one band what is not the filters' remainder of the other; see the head of the header.
+// The part of one band that is not the filters' remainder of the other; see the head of the header.
 double without_leakage(double strength, double other) {
     constexpr double kLeakage = 0.25;
     const double leaked = kLeakage * other;

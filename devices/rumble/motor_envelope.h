@@ -65,7 +65,7 @@ Strengths motor_pair_strengths(const Drive& drive, double hop_s);
 std::vector<RumbleFrame> motor_pair_frames(const Strengths& strengths, double hop_s, double level);
 
 // The whole envelope. Starts where it rises above 5 % of full scale and ends where it falls below
-// 3 %, lest a faint end flutters: at any level, so that a low one leaves nothing out.
+// 3 %, so that a faint end does not flutter: at any level, so that a low one leaves nothing out.
 Strengths intensity_strengths(const Drive& drive, double hop_s);
 std::vector<RumbleFrame> intensity_frames(const Strengths& strengths, double level);
 

@@ -30,7 +30,7 @@ class RumblePlan {
     // millisecond or some: less than the time until the next one.
     RumbleFrame rumble(std::size_t k);
 
-    // What became of the signal in frame k of two bands, at level 1.
+    // What frame k of two bands makes of the signal, at level 1.
     const TrackedFrame& tracked(std::size_t k);
 
     const Drive& drive() const { return drive_; }

@@ -164,7 +164,8 @@ bool are_apart(const SineFit& fit, double window_s) {
     return true;
 }
 
-// The fit with the strongest tone that it leaves, all refined together; itself where there is none.
+// The fit with the strongest tone that it leaves, all refined together; the fit itself if no tone
+// is left.
 SineFit with_one_more(const Stretch& stretch, const SineFit& fit, double window_s) {
     const auto peak = strongest(stretch, without(stretch, fit.tones));
     if (!peak || !is_tone(*peak, fit, window_s)) return fit;

@@ -65,7 +65,7 @@ struct SineFit {
     double share_left = 1.0;  // of the weighted energy
 };
 
-// Of a window this long, Hann or nearly so.
+// Fits sines to a window this long, Hann or nearly so.
 SineFit fitted_sines(const Stretch& stretch, double window_s);
 
 // The strongest sine of a stretch, to a few Hz; none in silence.
