@@ -59,7 +59,7 @@ Characters wanted_characters(const std::string& extra_text) {
     return characters;
 }
 
-// Of `wanted`, what the font file has; nothing if there is no such file.
+// The part of `wanted` that the font file has; nothing if there is no such file.
 Characters covered(FT_Library library, const std::string& path, const Characters& wanted) {
     FT_Face face = nullptr;
     if (FT_New_Face(library, path.c_str(), 0, &face) != 0) return {};

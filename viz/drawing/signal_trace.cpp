@@ -272,7 +272,7 @@ std::vector<StripColumn> edge_of(std::span<const StripColumn> strip, float zero_
 }
 
 // Columns that stand for bars narrower than can be told apart: several in a row in which the signal
-// is high and low. Of a lone bar no more than its sides are such columns.
+// is high and low. Only the sides of a lone bar are such columns.
 std::vector<bool> merged_columns(const WaveBody& body, double least) {
     constexpr std::size_t kInRow = 4;
     const auto is_mixed = [&](const Extremes& e) { return e.high - e.low > least; };

@@ -20,8 +20,8 @@ inline constexpr double kShortestRangeS = kStepS;  // one step of the model fill
 TimeRange zoomed(TimeRange range, double factor, double fixed_s, double duration_s);
 TimeRange panned(TimeRange range, double by_s, double duration_s);
 
-// The range for a pattern of this length: the whole of it where there was none, or where it would
-// reach past the end.
+// The range for a pattern of this length: the whole of it if `range` is empty, or would reach past
+// the end.
 TimeRange fitted(TimeRange range, double duration_s);
 
 // The range as a state: of no length where the whole is in view, so that it is the whole of the

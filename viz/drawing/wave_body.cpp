@@ -41,7 +41,7 @@ struct Edges {
     Edge lower;  // upside down
 };
 
-// Of samples [begin, end], each one or the most and the least of each slice of them.
+// Edges of samples [begin, end]: each sample, or the most and the least of each slice.
 Edges edges_of(std::span<const double> samples, std::size_t begin, std::size_t end,
                std::size_t slices) {
     const std::size_t count = end - begin + 1;
@@ -79,7 +79,7 @@ Crest crest_at(const Edge& edge, std::size_t top, double least) {
     return crest;
 }
 
-// Those with deeper valleys than `least` on both sides; the ends of the edge are none.
+// Crests with deeper valleys than `least` on both sides; the ends of the edge do not count.
 std::vector<Crest> crests_of(const Edge& edge, double least) {
     std::vector<Crest> crests;
     bool is_rising = false;
@@ -133,9 +133,9 @@ Alike alike_around(std::span<const Crest> crests, std::size_t k) {
     return alike;
 }
 
-// Which valleys follow each other so closely that none is seen. Of one oscillation, however uneven,
-// all are narrow or none is: by its mean period, and where that is about `widest`, as those beside.
-// A pause in it is none of its valleys.
+// Which valleys follow each other so closely that none is seen. All valleys of one oscillation,
+// however uneven, are narrow or none: by its mean period, and if that is about `widest`, as those
+// beside. A pause in it does not count.
 std::vector<bool> narrow_valleys(std::span<const Crest> crests, double widest) {
     constexpr double kSteady = 1.25;
     constexpr double kAbout = 1.1;
@@ -166,9 +166,9 @@ std::vector<bool> narrow_valleys(std::span<const Crest> crests, double widest) {
     return narrow;
 }
 
-// Fills the narrow valleys once; false if there was none. Before the first crest and after the last
-// one there is no other to go to: for about a period (a crest at the very end is none) the edge
-// goes on level.
+// Fills the narrow valleys once; false if nothing is left to fill. Before the first crest and after
+// the last there is no other to go to: for about a period (a crest at the very end does not count)
+// the edge stays level.
 bool bridge(Edge& edge, double widest, double least) {
     const std::vector<Crest> crests = crests_of(edge, least);
     if (crests.size() < 3) return false;
@@ -313,7 +313,7 @@ void add(Strengths& strengths, std::span<const Period> periods, double first, do
     }
 }
 
-// Of each column that has periods, with those about as far beside it as one of them may be wide.
+// Shares of the columns that have periods, each with its neighbours as far as a period may be wide.
 std::vector<double> by_steady_tones(const Strengths& strengths, double widest) {
     const std::size_t columns = strengths.own.size();
     const auto reach = static_cast<std::size_t>(std::max(0.0, widest / 2.0));

@@ -3,9 +3,9 @@
 // The least and the most of each column alone is a lie there: with two to four columns a period
 // some columns miss the crest and some the trough, and a plain tone looks modulated. Where crests
 // follow each other within a few columns, the valleys between them are filled: by straight lines
-// from crest to crest, so that what is slower, as a modulation, is drawn as it is. Crests of crests
-// come next, until those left are far enough apart: of a sum of tones every period that is too
-// narrow becomes body, and no other.
+// from crest to crest, so that what is slower, as a modulation, is drawn unchanged. Crests of
+// crests come next, until those left are far enough apart: every period of a sum of tones that is
+// too narrow becomes body, and no other.
 //
 // A body alone would show a tone in waves as the steady one that its crests are as high as. So it
 // is told how strong each column is beside a steady tone that fills it.
@@ -51,8 +51,8 @@ WaveBody wave_body(std::span<const double> samples, double first, double last, s
 std::vector<Extremes> body_columns(std::span<const double> samples, double first, double last,
                                    std::size_t columns, const BodyScale& scale);
 
-// Samples before `first` and behind `last` that the columns depend on, too: what is beyond the view
-// tells how what is at its rim goes on.
+// Samples before `first` and behind `last` that the columns also depend on: those beyond the view
+// tell how the wave at its edge continues.
 double reach_beyond(double first, double last, std::size_t columns, const BodyScale& scale);
 
 }  // namespace tact

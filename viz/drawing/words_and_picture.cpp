@@ -27,7 +27,7 @@ WordsAndPicture below(const Rect& area, const WordsWanted& words, float gap_px) 
             {{area.min.x, top}, {area.max.x, std::min(area.max.y, top + area.width())}}};
 }
 
-// Of the largest square in it: neither a strip nor a column shows much.
+// Side of the largest square in it: neither a strip nor a column shows much.
 float worth(const Rect& picture) { return std::min(picture.width(), picture.height()); }
 
 }  // namespace

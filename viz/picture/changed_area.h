@@ -1,4 +1,4 @@
-// What of a picture another one has to paint anew. Private to moving pictures.
+// The part of a picture that the next one has to paint again. Private to moving pictures.
 #pragma once
 
 #include "viz/picture/picture.h"

@@ -1,4 +1,4 @@
-// What of a frame differs from the one before it, so that just that needs to be painted.
+// The part of a frame that differs from the one before, so that only that is painted.
 //
 // Most of a window stands still while a playhead moves; under a software renderer painting is what
 // a frame costs. Draw commands are compared as sets, window by window: what is in one frame and not

@@ -83,7 +83,7 @@ void add_mixture(ShapeJoining& joining, const Outline& outline, const std::vecto
         if (colours[i] != colours[j] || (n == 4 && colours[k] != colours[l])) continue;
         const ImVec2 from = (outline[i] + outline[j]) * 0.5F;
         ImVec2 to = n == 4 ? (outline[k] + outline[l]) * 0.5F : outline[k];
-        // Colour is constant along the first side: go on at a right angle to it.
+        // Colour is constant along the first side: continue at a right angle to it.
         const ImVec2 side = outline[j] - outline[i];
         const float square = std::max(side.x * side.x + side.y * side.y, 1e-12F);
         const ImVec2 way = to - from;

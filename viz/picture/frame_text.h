@@ -61,7 +61,7 @@ struct TextRun {
 
 TextRun run_of(const DrawnGlyph& glyph);
 
-// Adds the glyph, with the space before it, if it goes on where the run ends.
+// Adds the glyph, with the space before it, if it continues where the run ends.
 bool extend(TextRun& run, const DrawnGlyph& glyph);
 
 // Whether both say the same in the same type; then by how much they are apart, in pixels.

@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-constexpr std::size_t kMostColours = 255;  // and one that is none
+constexpr std::size_t kMostColours = 255;  // and a transparent one
 constexpr int kTransparent = 255;
 constexpr int kBits = 8;
 
@@ -67,7 +67,7 @@ Palette palette_of_changes(const GifWriter& writer, const Image& image, const Ch
     return palette_of(pixels, kMostColours);
 }
 
-// How long it stays, that it is left there, and which colour is none.
+// How long it stays, that it is left there, and which colour is transparent.
 bool put_control(const GifWriter& writer) {
     const GraphicsControlBlock control{
         DISPOSE_DO_NOT, false, static_cast<int>(std::lround(100.0 * writer.frame_s)), kTransparent};

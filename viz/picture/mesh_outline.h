@@ -11,9 +11,9 @@ namespace tact {
 
 using Outline = std::vector<ImVec2>;
 
-// Of the triangles, three indices into the vertices each: those directed edges that no neighbour
-// runs back along, joined. Holes and islands are outlines of their own; successive corners in
-// one place are one.
+// The directed edges of the triangles (three indices into the vertices each) that no neighbour runs
+// back along, joined. Holes and islands are outlines of their own; successive corners in one place
+// are one.
 std::vector<Outline> outlines_of(const std::vector<ImDrawIdx>& triangles, const ImDrawVert* v);
 
 // Clockwise on the screen.

@@ -51,7 +51,7 @@ struct WindowScroll {
     ImVec2 px;
 };
 
-// Of the current context, those that are not at their beginning.
+// Windows of the current context that are not scrolled to their beginning.
 std::vector<WindowScroll> scrolled_windows();
 
 struct PictureOptions {

@@ -8,7 +8,7 @@
 
 namespace tact {
 
-// Of side x side pixels; transparent around the plate.
+// The icon, side x side pixels, transparent around the plate.
 Image program_icon(int side);
 
 }  // namespace tact

@@ -30,7 +30,7 @@ struct Segment {
     Quad corners{};
 };
 
-// What has been joined so far, and what may still go on.
+// What has been joined so far, and what may still continue.
 struct ShapeJoining {
     Rect clip{};
     std::vector<Shape> shapes{};
@@ -40,7 +40,7 @@ struct ShapeJoining {
     ImU32 run_colour = 0;
 };
 
-// What goes on is added as long as it does; end_all() before the clip rectangle changes.
+// Adds to shapes as long as they continue; call end_all() before the clip rectangle changes.
 void add_quad(ShapeJoining& joining, const Quad& quad, ImU32 colour);
 void add_glyph(ShapeJoining& joining, const DrawnGlyph& glyph, ImU32 colour);
 void end_all(ShapeJoining& joining);

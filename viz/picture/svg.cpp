@@ -20,8 +20,8 @@
 namespace tact {
 namespace {
 
-// So many rectangles in a row that abut or lie on whole pixels are the cells of a map: their shared
-// edges must not be smoothed, or the ground shines through.
+// This many rectangles in a row that abut or lie on whole pixels are the cells of a map: their
+// shared edges must not be smoothed, or the ground shines through.
 constexpr std::size_t kCells = 16;
 constexpr std::size_t kManyCells = 2000;
 

@@ -70,7 +70,7 @@ struct SeenExtent {
 struct SpaceFit {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double radius = 1.0;  // of the ball around all points; 1 for fewer than two different ones
-    // Of the upright cylinder around them and their feet on the floor, from the centre, in ball
+    // The upright cylinder around the points and their feet on the floor, from the centre, in ball
     // radii; and the farthest of all that.
     double cylinder_radius = 1.0;
     double cylinder_low = -1.0;
@@ -116,7 +116,7 @@ struct SpaceProjection {
 
 SpaceProjection projection(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane);
 
-// Of a single point.
+// Projects a single point.
 Projected project(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
                   const Eigen::Vector3d& point);
 
@@ -129,7 +129,7 @@ struct Disc {
 Eigen::Vector3d unprojected(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
                             const Eigen::Vector3d& through, ImVec2 at);
 
-// The disc under a point: the first in `front_to_back` that contains it, else the nearest within
+// The disc under a point: the first in `front_to_back` that contains it, or the nearest within
 // `reach_px` of an edge.
 std::optional<std::size_t> pick(std::span<const Disc> discs,
                                 std::span<const std::size_t> front_to_back, ImVec2 at,

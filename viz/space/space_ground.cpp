@@ -97,7 +97,7 @@ Eigen::Vector3d foot_of(const SpaceStage& stage, std::size_t i) {
 
 }  // namespace
 
-// Under each point, on the floor: what gives them weight and place. Of a cloud they would be one
+// Shadows under the points, on the floor, give them weight and place. Those of a cloud would be one
 // blot.
 void draw_shadows(const SpaceStage& stage) {
     constexpr std::size_t kMost = 300;

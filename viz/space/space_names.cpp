@@ -74,7 +74,7 @@ std::vector<LabelRequest> requests(const SpaceStage& stage, std::optional<std::s
     return result;
 }
 
-// Right or left of its point, else above or below it: in the pane, and never over the point.
+// Right or left of its point, or above or below it: in the pane, and never over the point.
 Rect plate_beside(const SpaceStage& stage, const Disc& disc, ImVec2 size) {
     const float pad = 2.0F * stage.theme.scale;
     const float away = disc.radius + pad + stage.theme.scale;
@@ -132,7 +132,7 @@ void draw_names(const SpaceStage& stage, std::span<const Rect> occupied,
             stage.chosen[i] || is_selected(stage, i) || asked_for(stage, hovered, i);
         if (ringed) discs[i].radius += (is_selected(stage, i) ? 5.5F : 4.0F) * theme.scale;
     }
-    // Of many, lines to far names would be a web.
+    // Lines to many far names would be a web.
     constexpr std::size_t kMostLed = 60;
     const float far_px = wanted.size() <= kMostLed ? 14.0F * theme.scale : 0.0F;
     const ImVec2 apart{10.0F * theme.scale, 2.0F * theme.scale};

@@ -31,7 +31,7 @@ struct SpaceStage {
 
 SpaceStage staged(ImDrawList& list, const Theme& theme, const Rect& pane, const SpaceScene& scene);
 
-// Fills the points' places for a camera, anew if it was moved.
+// Fills the points' places for a camera, again if it was moved.
 void place_points(SpaceStage& stage, const SpaceCamera& camera);
 
 // 0 (far) to 1 (near) within the map.

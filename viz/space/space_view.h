@@ -2,8 +2,8 @@
 //
 // Input     a 2-D or 3-D map with names and looks; the camera, which the mouse changes
 // Output    the point under the mouse and what was clicked
-// Valid     any n; names of at most kMostNames points are looked at. Of more links than kMostLinks
-//           and more ellipses than kMostSpreads an even choice and the foremost ones are drawn.
+// Valid     any n; names of at most kMostNames points are looked at. At most kMostLinks links,
+//           evenly chosen, and the foremost kMostSpreads ellipses are drawn.
 // Left out  easing between maps (the caller moves the points).
 #pragma once
 
@@ -99,7 +99,7 @@ struct SpaceAction {
 // Left drag on empty space orbits (pans in 2-D), with Shift draws a box, with Ctrl and Shift a
 // lasso; Ctrl+drag from a point draws a line to another; middle or right drag pans, the wheel zooms
 // at the mouse, a click on the name of an axis looks along it, a double click on empty space resets
-// the camera. A locked camera stays as it is.
+// the camera. A locked camera does not move.
 SpaceAction draw_space(const char* id, const Theme& theme, const Rect& pane,
                        const SpaceScene& scene, SpaceCamera& camera);
 
