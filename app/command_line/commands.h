@@ -36,7 +36,7 @@ struct CommonOptions {
 
 // What people said of the sets of a command.
 struct RatingFiles {
-    std::vector<std::filesystem::path> files;  // of one set all; else a file or folder each
+    std::vector<std::filesystem::path> files;  // all for one set, or one file or folder per set
     std::string scale = "guess";               // guess, similarity, dissimilarity
     std::string columns;                       // "a=stimA,b=stimB,.."; empty: the usual ones
     TableHints written;                        // of matrices beside them, too
@@ -49,7 +49,7 @@ struct PredictCommand {
     std::filesystem::path out;  // empty: standard output
     std::filesystem::path image;
     bool resume = false;  // with the tiles that a stopped run left in OUT.tiles
-    // Of metrics whose two ways differ: the earlier pattern of a pair is the reference.
+    // For directional metrics: the earlier pattern of a pair is the reference.
     bool first_as_reference = false;
 };
 Expected<Done> run(const PredictCommand& command);
@@ -154,7 +154,7 @@ Expected<Done> run(const GenerateCommand& command);
 
 struct StudyCommand {
     CommonOptions common;
-    int simulate = 0;               // so many participants that are none ...
+    int simulate = 0;               // number of simulated participants ...
     std::filesystem::path collect;  // ... or what is in this folder
     std::filesystem::path out;      // folder for participants, or file for ratings
     bool sorting = false;           // into groups, instead of rating pairs
@@ -163,7 +163,7 @@ struct StudyCommand {
     std::optional<int> repetitions;
     std::optional<int> attention_pairs;
     bool adaptive = false;
-    // Of who is simulated.
+    // How participants are simulated.
     double noise = 10.0;
     double bias = 0.0;
     double lapses = 0.0;
@@ -171,7 +171,7 @@ struct StudyCommand {
     std::filesystem::path from_map;
     std::filesystem::path from_matrix;
     TableHints written;  // of that matrix
-    // Of what is collected.
+    // Options of what is collected.
     std::optional<double> attention_above;
     std::optional<int> failures_allowed;
     bool unfinished = false;
@@ -179,7 +179,7 @@ struct StudyCommand {
     CountRule who;                 // participants by name
     std::string scaling = "none";  // none, min-max, standard
     std::filesystem::path matrix;
-    std::optional<int> weights;    // of each participant, in a map of so many dimensions
+    std::optional<int> weights;    // of each participant, in a map of this many dimensions
     std::filesystem::path report;  // a folder of tables, a page and scripts
 };
 Expected<Done> run(const StudyCommand& command);
@@ -198,7 +198,7 @@ struct FromSoundCommand {
     std::vector<std::filesystem::path> sounds;
     std::string actuator;                // a bundled one or a file; empty: the usual one
     bool no_accents = false;             // what is short stays in the envelope
-    std::optional<double> full_scale_g;  // none: the sidecar's, else the actuator's
+    std::optional<double> full_scale_g;  // default: the sidecar's, then the actuator's
     bool without_loss = false;           // nothing is predicted
     std::filesystem::path out;           // a set file
     int threads = 0;                     // 0: all cores
@@ -342,7 +342,7 @@ struct PlayCommand {
     bool all = false;                   // instead, one after the other
     std::string device;                 // empty: the only one
     std::string channel;                // number or name; empty: the first
-    int of_channels = 0;                // of a sound server; 0: what it says; else 2, or enough
+    int of_channels = 0;                // of a sound server; 0: what it says, or 2, or enough
     double level = 0.1;                 // of full scale
     double full_scale_g = 1.0;          // that full scale stands for
     std::filesystem::path calibration;  // in its place; empty: none

@@ -13,7 +13,7 @@ namespace tact {
 std::string text_of(const ExportLoss& loss);
 
 // {"labels", "patterns": [{"pattern", "rms_error_g", "psnr_db", "moved", "remarks"}], "before",
-// "after" (condensed PM), "closest", "most_moved", "subset", "map"}; null where there is none.
+// "after" (condensed PM), "closest", "most_moved", "subset", "map"}; null if missing.
 nlohmann::json json_of(const ExportLoss& loss);
 
 }  // namespace tact

@@ -7,7 +7,7 @@ namespace tact {
 
 namespace {
 
-// Of seconds and of dissimilarities: more than anybody has, and few enough for a clock to count.
+// Most seconds or dissimilarities: more than anybody has, and few enough for a clock to count.
 constexpr double kMost = 1e9;
 
 }  // namespace

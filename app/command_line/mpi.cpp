@@ -46,7 +46,7 @@ constexpr std::int64_t kNoTile = -1;
 // MPI's own waiting keeps a core busy; tiles take longer than this.
 constexpr std::chrono::microseconds kPause{100};
 
-// Calls are made by one thread at a time: more is not to be had from every MPI.
+// Calls are made by one thread at a time: not every MPI allows more.
 std::mutex mpi_mutex;
 
 // A message that has come, if any.

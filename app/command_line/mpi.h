@@ -5,7 +5,8 @@
 // always alone.
 //
 // Exact     same matrix for any number of ranks and threads.
-// Left out  ranks that die: mpirun ends the others then, and the checkpoint goes on.
+// Left out  ranks that die: mpirun ends the others then, and a new run continues from the
+//           checkpoint.
 #pragma once
 
 #include <cstdint>

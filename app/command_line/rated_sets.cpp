@@ -114,7 +114,7 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
     for (std::size_t k = 0; k < sets.size(); ++k) {
         CommonOptions one = common;
         one.sets = {sets[k]};
-        one.only = Side::both;  // the ratings decide who stands for whom
+        one.only = Side::both;  // the ratings decide who stands for which
         Expected<FeltSet> loaded = load_felt(one);
         if (!loaded) return loaded.error();
         const PatternSet set = of_side(loaded->felt, common.only);

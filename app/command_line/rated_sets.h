@@ -27,7 +27,7 @@ struct RatedPatterns {
     Labels labels;
 };
 
-// Whom the numbers leave out, a line each.
+// The participants that the numbers leave out, a line each.
 std::string text_on(const std::vector<LeftOutParticipant>& left_out);
 
 // [{"participant": .., "why": ..}, ..]
@@ -38,8 +38,8 @@ nlohmann::json json_of(const std::vector<LeftOutParticipant>& left_out);
 Expected<Done> record_who_counts(std::span<const std::filesystem::path> files,
                                  const CountRule& who);
 
-// Each set of a command with its files of ratings: all of them for a single set, else one for each;
-// without files, those of the set file. Remarks go to standard error.
+// Each set of a command with its files of ratings: all of them for a single set, otherwise one for
+// each; without files, those of the set file. Remarks go to standard error.
 Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
                                                 const RatingFiles& ratings);
 

@@ -12,7 +12,7 @@ using TextRow = std::vector<std::string>;
 // between. No blanks at the ends of lines.
 std::string aligned(const std::vector<TextRow>& rows);
 
-// With so many digits after the point; "-" for NaN.
+// A number with `digits` digits after the point; "-" for NaN.
 std::string fixed_digits(double value, int digits);
 
 // Six digits that count.

@@ -46,11 +46,11 @@ struct TileRun {
 Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_token stop,
                                  const std::function<void(double)>& progress);
 
-// On rank 0, first: room for the matrices, and what an earlier run left if it is to go on.
+// On rank 0, first: room for the matrices, and what an earlier run left if it is to continue.
 Expected<Done> begin_tiles(TileRun& run);
 
 // Makes all tiles that are missing, with the help of the other ranks; these see nothing but the
-// tiles they were given. An Error when stopped says how to go on.
+// tiles they were given. An Error when stopped says how to continue.
 Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks);
 
 }  // namespace tact

@@ -6,7 +6,7 @@ namespace tact {
 
 namespace {
 
-// Of this process: an interpreter ends once.
+// Shared by this process: an interpreter ends once.
 std::atomic<bool> is_ending = false;
 std::atomic<std::thread::id> ends_it;
 std::atomic<int> takers = 0;  // threads that have looked, and do not have the lock yet

@@ -1,4 +1,4 @@
-// Work of the model while Python goes on: its other threads run meanwhile, and Ctrl+C stops it.
+// Work of the model while Python continues: its other threads run meanwhile, and Ctrl+C stops it.
 //
 // Python tells of signals only who asks, and only its main thread: the thread that called asks
 // every few hundredths of a second, on behalf of the one that works.
@@ -19,8 +19,8 @@ namespace tact {
 // lock back has it. Later the interpreter would end such a thread in the middle of our frames.
 void end_beside_python();
 
-// Takes the interpreter's lock back for this thread; false, and without it, where the interpreter
-// ends and the thread is none that ends it.
+// Takes the interpreter's lock back for this thread; false, and without it, if the interpreter ends
+// and the thread is not the one that ends it.
 bool take_lock_back(PyThreadState* own);
 
 // Parks a thread that the interpreter no longer waits for. Its work is stopped, and it sleeps until
@@ -41,7 +41,7 @@ auto beside_python(Work work) {
     std::future<Answer> answer = task.get_future();
     std::jthread worker(std::move(task));
     const auto is_done = [&answer, &worker] {
-        PyThreadState* const own = PyEval_SaveThread();  // others go on
+        PyThreadState* const own = PyEval_SaveThread();  // others continue
         const bool done =
             answer.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
         if (!take_lock_back(own)) stay_behind(worker, answer);

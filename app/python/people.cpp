@@ -134,7 +134,7 @@ TrainingSet training_set_of(const py::dict& set, std::size_t number, double rate
                           std::to_string(result.study.labels.size()) + " patterns");
 }
 
-// Of one length, as those of a set are.
+// Pads waveforms to one length, as those of a set are.
 std::vector<Waveform> padded_to_longest(std::vector<Waveform> waves) {
     std::size_t longest = 0;
     for (const Waveform& wave : waves) longest = std::max(longest, wave.samples_g.size());

@@ -51,14 +51,14 @@ Waveform wave_of(std::span<const double> samples, const std::string& name, doubl
     return {rate_hz, {samples.begin(), samples.end()}};
 }
 
-// n of n (n - 1) / 2 pairs; 0 where there is none.
+// n of n (n - 1) / 2 pairs; 0 if no n fits.
 std::size_t objects_of_pairs(std::size_t pairs) {
     const auto n = static_cast<std::size_t>(
         std::lround((1.0 + std::sqrt(1.0 + 8.0 * static_cast<double>(pairs))) / 2.0));
     return pair_count(n) == pairs ? n : 0;
 }
 
-// Of a square: symmetric to what rounding does, and 0 on the diagonal, as files are.
+// The square must be symmetric up to rounding, and 0 on the diagonal, as in files.
 Dissimilarity of_square(const Numbers& square, const std::string& name) {
     const auto n = square.shape(0);
     const auto at = [&square](py::ssize_t i, py::ssize_t j) { return *square.data(i, j); };
@@ -111,7 +111,7 @@ auto read_document(const py::object& document, const std::string& name,
     return value;
 }
 
-// Of one name R makes a text, not a list of texts.
+// R makes one name a text, not a list of texts.
 std::vector<std::string> names_in(const py::object& names) {
     std::vector<std::string> all;
     if (py::isinstance<py::str>(names)) {

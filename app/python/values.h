@@ -1,8 +1,8 @@
 // What Python hands over as values of the model, and values of the model as Python has them.
 //
 // Input     arrays: anything that NumPy makes an array of real numbers, of any type, order and
-//           stride. Of the distance of every pair: a square, or condensed as SciPy's squareform has
-//           it, (0,1),(0,2)..(0,n-1),(1,2)..
+//           stride. Distances of all pairs: a square, or condensed as SciPy's squareform has it,
+//           (0,1),(0,2)..(0,n-1),(1,2)..
 //           documents: dicts with the keys of a set file
 // Output    errors are thrown as ValueError: "NAME: expected .., got .."
 // Valid     to be called with the interpreter's lock held

@@ -93,7 +93,7 @@ std::string paper_remarks(const SetAgreement& set) {
     return text;
 }
 
-// Of one that is too small to show: that it is.
+// If it is too small to show, says so.
 std::string p_text(double p) { return p < 0.00005 ? "<0.0001" : fixed_digits(p, 4); }
 
 TextRow resampled_head(const std::string& first, const std::string& quantity, bool has_people) {

@@ -11,10 +11,10 @@
 
 namespace tact {
 
-// Of one set: who was asked, and every table. `is_paper`: rho and K alone, as Table 2 has them.
+// Who was asked, and every table of one set. `is_paper`: rho and K alone, as Table 2 has them.
 std::string agreement_text(const SetAgreement& set, bool is_paper);
 
-// Of one metric over sets, and the table of all.
+// Means of one metric over sets, and the table of all.
 MeanAgreement mean_of(std::span<const SetAgreement> sets, std::size_t metric, Bookkeeping books);
 std::string means_text(std::span<const SetAgreement> sets, Bookkeeping books);
 

@@ -13,7 +13,7 @@ const UncertaintyParams kUncertainty;
 
 std::string seed_text(std::uint64_t seed) { return "seed " + std::to_string(seed); }
 
-// Of permutations: all orders of up to seven objects.
+// Permutations: all orders of up to seven objects.
 std::string orders_text(std::size_t patterns, std::size_t drawn, std::uint64_t seed) {
     if (patterns <= 7) return "all orders of the patterns";
     return grouped_digits(drawn) + " orders of the patterns, " + seed_text(seed);

@@ -22,7 +22,7 @@ struct SetAgreement {
     InterRater raters;
 };
 
-// Of the rated patterns alone.
+// Only the rated patterns.
 inline const RatedSet& rated_of(const SetAgreement& set) { return rated_part(set.people.rated); }
 
 inline const char* key_of(const SetAgreement& set, std::size_t metric) {

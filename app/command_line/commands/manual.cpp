@@ -48,7 +48,7 @@ struct ManualView {
 
 void show_editor(StillView& still) { still.app.layout.maximised = Pane::editor; }
 
-// Its answer is computed beside the window, as always.
+// Its answer is computed in the background, as always.
 void show_subset(StillView& still) {
     still.app.layout.maximised = Pane::matrix;
     still.app.layout.bench = BenchTab::subset;

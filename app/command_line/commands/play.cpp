@@ -47,7 +47,7 @@ void drop_second_names(std::vector<DeviceInfo>& devices) {
 Expected<Chosen> chosen_device(const PlayCommand& command, AudioHost& host) {
     std::vector<DeviceInfo> devices = list_devices(host);
     if (command.device.empty()) drop_second_names(devices);
-    // Of several none is better than another: the empty name is part of every one.
+    // No device is better than another: the empty name is part of every one.
     const Expected<DeviceInfo> device = find_device(devices, command.device);
     if (const std::string fault = cards_fault(host); !fault.empty()) {
         std::cerr << "tactspace: " << fault << "\n";
@@ -126,7 +126,8 @@ void remark(const std::string& name, const std::string& text) {
     if (!text.empty()) std::cerr << "tactspace: \"" << name << "\" " << text << "\n";
 }
 
-// What the calibration makes of it; or full scale taken for so many g, and the actuator protected.
+// What the calibration makes of it; or full scale taken for a number of g, and the actuator
+// protected.
 Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& calibration,
                   const PlayCommand& command) {
     const Waveform waveform = waveform_of(vibration);

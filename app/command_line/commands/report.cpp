@@ -37,7 +37,7 @@ struct ReportAnswer {
 
 Error stopped() { return Error{"stopped before the report was made"}; }
 
-// Of a small set half: the most distinct of all but one would say nothing.
+// Half of a small set: the most distinct of all but one would say nothing.
 std::size_t picked_count(const ReportCommand& command, std::size_t patterns) {
     constexpr std::size_t kUsual = 8;
     if (command.count) return static_cast<std::size_t>(*command.count);

@@ -31,7 +31,7 @@ struct SeparateResult {
     Labels labels;
 };
 
-// Which of the two may be changed: the one asked for, else those that are not locked.
+// Which of the two may be changed: the one asked for, or those that are not locked.
 Expected<std::vector<std::size_t>> changeable(const SeparateCommand& command, const PatternSet& set,
                                               NamedPair pair) {
     std::vector<std::size_t> places;

@@ -67,7 +67,7 @@ Expected<Mappable> people_of(const SpaceCommand& command) {
     result.labels.edited = one.labels.edited;
     result.labels.gone = one.labels.gone;
     std::cerr << text_of(result.labels);
-    // Of an unrated pattern there is nothing to say where it lies.
+    // Nothing says where an unrated pattern lies.
     const Expected<RatingStudy> study = spread_over(one.study, names_of(one.set));
     const Dissimilarity mean = mean_ratings(*study);
     std::vector<std::size_t> places;
