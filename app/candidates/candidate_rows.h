@@ -15,7 +15,7 @@ namespace tact {
 // What a column of numbers says of a pattern; none: it has no such number, or the column no number.
 std::optional<double> number_in(const CandidateRow& row, CandidateColumn column);
 
-// Of every row the closest other one by PM; none where there is only one.
+// The row closest to each row by PM; empty if there is only one.
 NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map);
 
 // Those that the search finds, sorted; what a pattern has not comes last either way, and equal ones

@@ -14,9 +14,8 @@ namespace tact {
 PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
                                   CandidatesState& state);
 
-// Which columns a table of so many pixels has, and where each begins and ends. The picture takes
-// what is left over; in a narrow table the duration goes first, then it, the rhythm, the
-// modulation.
+// Which columns a table of this width has, and where each begins and ends. The picture takes what
+// is left over; in a narrow table the duration goes first, then it, the rhythm, the modulation.
 struct ColumnSpan {
     CandidateColumn column;
     float begin_px = 0.0F;

@@ -43,7 +43,7 @@ struct CandidateRow {
     std::optional<double> modulation_hz;
     std::optional<std::string> rhythm;
     double duration_s = 0.0;
-    // Of curves and transients, whose own amplitude and carrier say little: as it is drawn.
+    // For curves and transients, whose own amplitude and carrier say little: as drawn.
     std::optional<double> peak_g;
     std::optional<double> mean_hz;  // by strength
     std::size_t ticks = 0;

@@ -35,7 +35,7 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner);
 void document_changed(Workspace& work);
 // The same of the model's parameters, by hand: they are no longer as they were trained.
 void model_changed(Workspace& work);
-// All that is predicted is asked for anew, though the document stays what it is.
+// Asks for all predictions again, though the document has not changed.
 void predictions_changed(Workspace& work);
 
 // Once a frame: what was edited since it was rated or measured, as of the last undo step.

@@ -35,8 +35,8 @@ bool show_document(Ui& ui, Workspace& work, Document document,
                    std::string text);  // false: the open one stays
 
 // Writes the autosave when it is due.
-// Printing and writing a large set takes longer than a frame may: beside the window, of the set as
-// it is now, one after the other.
+// Printing and writing a large set takes longer than a frame may: it runs in the background, on the
+// set of this moment, one after the other.
 void autosave_if_due(Ui& ui, Workspace& work);
 bool is_autosaving(const Workspace& work);
 

@@ -39,7 +39,7 @@ class History {
     }
 
     // Moves the end of the last step, where one can be undone and ends at `before`; one that comes
-    // back to where it began is none. Else a step of its own.
+    // back to where it began is dropped. Otherwise adds a step.
     bool join(State before, State after, std::string label) {
         if (done_ == 0 || steps_[done_ - 1].after != before) {
             return commit(std::move(before), std::move(after), std::move(label));

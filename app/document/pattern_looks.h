@@ -10,7 +10,7 @@
 
 namespace tact {
 
-// Mark and colour of the pattern at a position: its own, else by position.
+// Mark and colour of the pattern at a position: its own (default: by position).
 PatternLook look_of(const Theme& theme, const PatternSet& set, std::size_t index);
 PatternLook look_of(const Ui& ui, const Workspace& work, std::size_t index);
 

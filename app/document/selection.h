@@ -1,4 +1,4 @@
-// What of the document the person is looking at.
+// The part of the document that the person is looking at.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct SuggestedChange {
     bool operator==(const SuggestedChange&) const = default;
 };
 
-// What of the document the person is looking at. Indices into document.set.vibrations.
+// The part of the document that the person is looking at. Indices into document.set.vibrations.
 struct Selection {
     std::string pinned;            // name of the pattern shown for comparison; empty: none
     std::string partner;           // name of the pattern that makes a pair with the current one
@@ -45,7 +45,7 @@ struct Selection {
     std::set<std::string> picked{};           // names of the subset that is picked
     bool is_pick_preview = false;             // by a preview of the map, or an earlier one
     bool only_picked = false;                 // the list is narrowed to them, where there are any
-    std::vector<std::size_t> table_order{};   // as a table shows them; empty: there is none
+    std::vector<std::size_t> table_order{};   // as a table shows them; empty: no table
     std::set<std::string> unfelt{};           // names of those that no receptor answers to
     std::optional<std::size_t> hovered_last;  // in the last frame, by any panel
     // Two at once, as a cell of the matrix has them: in this frame, and in the last.

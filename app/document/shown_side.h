@@ -9,7 +9,7 @@
 
 namespace tact {
 
-// Changing it makes the maps anew.
+// Changing it makes the maps again.
 Side shown_side(const Workspace& work);
 void show_side(Workspace& work, Side side);
 

@@ -11,7 +11,7 @@
 namespace tact {
 
 // Unsaved changes of the open document go to a file of their own, which heads the recent ones.
-// Empty: there were none. An Error: they could not be kept, and the document has to stay.
+// Empty: no changes. An Error: they could not be kept, and the document has to stay.
 Expected<std::filesystem::path> keep_unsaved(Workspace& work);
 
 // The sentence that says so.

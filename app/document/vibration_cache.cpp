@@ -46,7 +46,7 @@ double expected_peak_g(const VibrationCache& cache, const Vibration& vibration) 
 }
 
 const Waveform& keep(VibrationCache& cache, const Vibration& vibration, Waveform waveform) {
-    // Renamed and deleted patterns leave entries behind; start anew rather than keep them all.
+    // Renamed and deleted patterns leave entries behind; clear all rather than keep them.
     constexpr std::size_t kMostEntries = 2000;
     if (cache.entries.size() > kMostEntries) cache.entries.clear();
     cache.reach_of = 0;

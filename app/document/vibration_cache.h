@@ -25,7 +25,7 @@ struct CachedVibration {
     double peak_g = 0.0;
 };
 
-// Long patterns, rendered beside the window: those that a frame wanted.
+// Long patterns that a frame wanted, rendered in the background.
 using WantedWaveforms = std::vector<Vibration>;
 using RenderedWaveforms = std::vector<std::pair<Vibration, Waveform>>;
 
@@ -33,7 +33,7 @@ using RenderedWaveforms = std::vector<std::pair<Vibration, Waveform>>;
 struct VibrationCache {
     std::unordered_map<std::string, CachedVibration> entries;
 
-    // Small pictures may be behind by some frames, lest one frame renders all patterns of a set.
+    // Small pictures may be behind by some frames, so that no frame renders all patterns of a set.
     std::size_t samples_left = std::numeric_limits<std::size_t>::max();  // to render in this frame
     bool behind = false;                                                 // some of them are
 
@@ -50,7 +50,7 @@ struct VibrationCache {
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration);
 
-// Above this many samples a pattern is rendered beside the window.
+// Above this many samples a pattern is rendered in the background.
 inline constexpr std::size_t kMostSamplesAtOnce = 30'000;
 
 void make_render_job(VibrationCache& cache, std::function<void()> wake);
@@ -61,7 +61,7 @@ void follow_render_job(VibrationCache& cache);
 // The same while there are samples left to render; then what it was before, or null.
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration);
 
-// Of what waveform_in_time() gives: 0 for null.
+// The peak of what waveform_in_time() gives; 0 for null.
 double peak_in_time(const VibrationCache& cache, const Vibration& vibration);
 
 // Updates the scales of the set when its revision changes or a peak becomes known. Until a pattern

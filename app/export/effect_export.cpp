@@ -50,7 +50,7 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
     }
     request.part = std::make_shared<const PatternSet>(part_of(*ground.set, members));
     request.target = target_of(ground, choice);
-    // Of few patterns as many as the Subset tab picks would be all of them.
+    // If there are few patterns, as many as the Subset tab picks would be all of them.
     const bool choosable = ground.subset_count < members.size();
     request.subset_count = choosable ? ground.subset_count : 0;
     request.objective = ground.objective;

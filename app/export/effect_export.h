@@ -1,5 +1,5 @@
-// File > Export vibrations: patterns as files of phones and other programs, and beside the window
-// what that costs in perception, before anything is written.
+// File > Export vibrations: patterns as files of phones and other programs, and, computed in the
+// background before anything is written, what that costs in perception.
 //
 // Input     the set as it is when the dialog opens: nothing changes it while that is open
 // Output    whole files and the page export_report.html; the status line says where
@@ -34,8 +34,8 @@ struct EffectChoice {
     bool operator==(const EffectChoice&) const = default;
 };
 
-// Of picked patterns the whole set is predicted: what it has beside them says whether they are
-// still the best.
+// The whole set is predicted even if only picked patterns are written: the others tell whether the
+// picked ones are still the best.
 struct LossRequest {
     std::uint64_t number = 0;                // each is another one
     std::shared_ptr<const PatternSet> part;  // what the format holds
@@ -56,7 +56,7 @@ struct LiveLoss {
 std::optional<LiveLoss> compute_loss(const LossRequest& request, std::stop_token stop,
                                      std::atomic<float>& progress);
 
-// Of the document when the dialog opened.
+// The document when the dialog opened.
 struct ExportGround {
     std::shared_ptr<const PatternSet> set;
     std::vector<std::size_t> selected;  // ascending

@@ -22,7 +22,8 @@ struct TextFile {
 
 inline constexpr const char* kExportReport = "export_report.html";
 
-// Of what of a set the format holds, in its order: names that file systems take, each once.
+// Names for the patterns of a set that the format holds, in its order: valid in file systems, each
+// once.
 std::vector<std::string> effect_file_names(const PatternSet& set, TargetFormat format);
 
 // The name of a file's second one; of formats that have one.

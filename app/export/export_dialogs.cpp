@@ -79,7 +79,7 @@ NumberEntry entry_of(const Ui& ui, const char* id, const char* label, Range allo
             .width_px = 90.0F * ui.theme.scale};
 }
 
-// Of screens and projectors.
+// Sizes of screens and projectors.
 void draw_presets(Ui& ui, PictureSize& size) {
     struct Preset {
         const char* name;

@@ -1,4 +1,4 @@
-// How far an animation is, at the lower right, over the panes: the window goes on working.
+// How far an animation is, at the lower right, over the panes: the window keeps working.
 #pragma once
 
 #include "app/export/export_state.h"

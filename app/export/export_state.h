@@ -14,7 +14,7 @@
 
 namespace tact {
 
-// What of the window is drawn as a picture.
+// The part of the window that is drawn as a picture.
 enum class PictureView { window, physiology, space, matrix, table, subset, compare, why };
 
 inline constexpr std::array<PictureView, 8> kPictureViews{

@@ -150,7 +150,7 @@ std::string words_of(const GeneratePlan& plan, Before before) {
                      grouped_digits(plan.replace.fresh.size());
 }
 
-// So many patterns that every edit will wait: a second word is asked for.
+// Asks again if there are so many patterns that every edit will wait.
 void draw_question(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan& plan) {
     const Before before = *generating.asking;
     const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;

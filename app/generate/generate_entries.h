@@ -44,8 +44,8 @@ void leave_gap(const Ui& ui);
 void beside(const Ui& ui, const char* text);
 
 // What is wrong with the text of an entry, at the end of its row: the draft then stays as it was
-// before, and the fault stands there also when the entry is left, as what was typed is gone; else
-// what the row amounts to. `is_typed`: its text is another one in this frame.
+// before, and the fault stands there also when the entry is left, as what was typed is gone.
+// Without a fault, what the row amounts to. `is_typed`: its text changed in this frame.
 void draw_remark(Ui& ui, GenerateState& generating, const std::string& id, bool is_typed,
                  const std::string& remark, const std::string& fault);
 

@@ -18,9 +18,9 @@ constexpr const char* kSteady = "steady";  // one note throughout, among rhythms
 
 bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
 
-// "0,5": a number with a comma for its point, or two numbers; empty: none. A comma stands between
-// numbers where a blank follows, or where a point shows that commas are none: "0.5,1". Of whole
-// numbers without either, "60,120", only a zero before it or a semicolon elsewhere tells.
+// "0,5": a number with a comma for its point, or two numbers; empty: no such number. A comma
+// separates numbers if a blank follows, or if a point shows that commas are not points: "0.5,1". In
+// whole numbers without either, "60,120", only a zero before it or a semicolon elsewhere tells.
 std::string decimal_comma_in(const std::string& text) {
     const bool has_other = text.find(';') != std::string::npos;
     for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
@@ -43,7 +43,7 @@ std::string with_point(std::string number) {
     return number;
 }
 
-// The levels in a text; a fault where there is none, or one is out of range.
+// The levels in a text; a fault if it has no level, or one is out of range.
 Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, const Unit& unit) {
     if (const std::string comma = decimal_comma_in(text); !comma.empty()) {
         return Error{"\"" + comma + "\" is one number or two: write " + with_point(comma) +
@@ -295,7 +295,7 @@ struct LimitRow {
     const char* help;
 };
 
-// Off, its words go on to say what a tick would ask for.
+// While it is off, its words also say what a tick would ask for.
 bool limit_box(Ui& ui, const char* id, const char* words, const std::string& would_be, bool on,
                const char* help) {
     bool ticked = on;

@@ -55,7 +55,7 @@ struct GenerateState {
     float rows_px = 0.0F;  // height of all parameters, in the last frame,
     float row_px = 0.0F;   // and width of the widest one
     RhythmChoice rhythms;
-    std::optional<Before> asking;  // whether so many are really wanted
+    std::optional<Before> asking;  // whether this many are really wanted
     OwnedJob<GenerateRequest, GeneratePlan> job;
     GenerateRequest asked;
 };

@@ -21,7 +21,7 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 // Asks for the plan of the draft where it is not what was asked for last.
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating);
 
-// The plan of the draft and the document as they are; null while it is being made.
+// The plan of the present draft and document; null while it is being made.
 std::shared_ptr<const GeneratePlan> current_plan(const Workspace& work,
                                                  const GenerateState& generating);
 

@@ -6,7 +6,8 @@ namespace tact {
 
 void give_way_to_interface() {
 #ifdef __linux__
-    // Of the calling thread alone, on Linux; children inherit it. A tenth of the usual weight.
+    // Niceness of the calling thread alone, on Linux; children inherit it. A tenth of the usual
+    // weight.
     constexpr int kNice = 10;
     setpriority(PRIO_PROCESS, 0, kNice);
 #endif

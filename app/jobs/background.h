@@ -1,4 +1,4 @@
-// What computes beside the window gives way to it.
+// Work in the background gives way to the window.
 #pragma once
 
 namespace tact {

@@ -37,7 +37,7 @@ enum class JobPolicy {
 template <class Request, class Answer>
 class LatestJob {
   public:
-    // Polls the stop token, sets the progress (0 to 1); no answer when stopped or when there is
+    // Polls the stop token, sets the progress (0 to 1); no answer when stopped or when it finds
     // none.
     using Work =
         std::function<std::optional<Answer>(const Request&, std::stop_token, std::atomic<float>&)>;
@@ -88,10 +88,10 @@ class LatestJob {
         return running_ || waiting_;
     }
 
-    // Of the running request, 0 to 1.
+    // Progress of the running request, 0 to 1.
     float progress() const { return progress_.load(std::memory_order_relaxed); }
 
-    // Why the last request that ended has no answer though nobody stopped it; else empty.
+    // Why the last request that ended has no answer though nobody stopped it; otherwise empty.
     std::string failure() const {
         const std::lock_guard lock(mutex_);
         return failure_;

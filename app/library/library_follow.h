@@ -1,5 +1,5 @@
 // Opening a library, asking what in it is like a pattern, and adding what it holds to the set: all
-// of it beside the window.
+// of it in the background.
 //
 // Input     folders (model/library), the pattern that is asked for
 // Output    the library and answers in the state; vibrations in the set, as one step of undo

@@ -94,7 +94,7 @@ float draw_lines(const ImFont* font, ImVec2 corner, ImU32 ink,
     return corner.y;
 }
 
-// From the head of what it begins with; a group that goes on says its name again.
+// Begins with the head of its first block; a group that continues says its name again.
 float draw_column(Ui& ui, std::span<const Block> blocks, ImVec2 corner, float width_px,
                   const std::string& group) {
     const Theme& theme = ui.theme;

@@ -71,7 +71,7 @@ std::optional<ManualMade> made_manual(const ManualRequest& request, const std::s
                                         "\" in a terminal says why"};
 }
 
-// Not when the program was built anew since.
+// Not if the program was built again since.
 bool is_current(const fs::path& page, const fs::path& program) {
     std::error_code none;
     const auto made = fs::last_write_time(page, none);

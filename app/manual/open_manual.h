@@ -1,5 +1,5 @@
-// The manual from within the window: the page that was installed, else one that is made beside the
-// window and kept, in the reader's browser.
+// The manual from within the window: the installed page, or one that is made in the background and
+// kept, in the reader's browser.
 //
 // Source    XDG Base Directory Specification 0.8; xdg-open of xdg-utils
 // Output    where the page is, in the status line, whether or not there is a browser
@@ -19,10 +19,10 @@ std::filesystem::path running_program();
 // Beside a program in bin/, as packages have it.
 std::filesystem::path installed_manual(const std::filesystem::path& program);
 
-// In the folder for what can be made anew, a page a version; empty without a home.
+// A page per version, in the cache folder; empty without a home.
 std::filesystem::path kept_manual();
 
-// At once where there is a page, else as soon as it is made.
+// Opens a page at once, or as soon as it is made.
 void open_manual(Ui& ui, ManualState& manual);
 
 // Once a frame: opens what was made.

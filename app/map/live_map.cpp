@@ -31,7 +31,7 @@ int preview_steps(std::size_t patterns) {
     return static_cast<int>(std::clamp(1.5e7 / std::max(1.0, pairs), 5.0, 300.0));
 }
 
-// From where the points were, when the set has kept its size; else from classical scaling.
+// Starts where the points were if the set has kept its size, otherwise from classical scaling.
 PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
                               std::stop_token stop) {
     MdsParams params;

@@ -1,4 +1,4 @@
-// The predicted space of a set, computed beside the window: from the document to the map.
+// The predicted space of a set, computed in the background: from the document to the map.
 //
 // Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
 // and follows a drag, and the full run, whose numbers are those of the command line. Where the full
@@ -74,7 +74,7 @@ struct LiveMap {
     std::size_t closest = 0;  // the pair of the least PM, in condensed order
 };
 
-// Of all pairs; 0: there are none.
+// Largest PM of all pairs; 0 without pairs.
 double largest_pm(const LiveMap& map);
 
 // PM of every pair, as a matrix file has it.

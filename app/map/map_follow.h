@@ -12,7 +12,7 @@ void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map);
 
 // The map of a very large set waits until asked for.
 void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
-// Asks anew where the document has changed since: once a frame, whoever changed it.
+// Asks again if the document has changed since: once a frame, whoever changed it.
 void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
@@ -34,7 +34,7 @@ enum class MapState {
     none,       // nothing was computed yet, or there is nothing to compute
     too_large,  // the set waits for a word of the person, and is too large for a preview
     exact,
-    preview,  // of the document as it is, from coarse envelopes
+    preview,  // of the present document, from coarse envelopes
     stale     // of an earlier document
 };
 MapState map_state(const Workspace& work, const ShownMap& shown_map);

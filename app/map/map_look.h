@@ -43,7 +43,7 @@ struct MapDecor {
     MapMarks marks;
 };
 
-// Looks are coloured anew where the person asked for that.
+// Looks get new colours if the person asked for that.
 MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
                    std::vector<PatternLook>& looks);
 void decorate(const MapDecor& decor, SpaceScene& scene);

@@ -10,7 +10,7 @@
 
 namespace tact {
 
-// Of every row of the map; none: the pattern is gone, or has another name.
+// Place of every row of the map; empty: the pattern is gone, or has another name.
 using RowPlaces = std::vector<std::optional<std::size_t>>;
 
 // There must be a map.

@@ -38,7 +38,7 @@ struct MapProgress {
 // By what the map is coloured, joined and filtered.
 struct MapLook {
     std::optional<PatternParameter> colour;
-    bool is_chosen = false;  // the colour was, by the person; else many patterns choose their own
+    bool is_chosen = false;  // by the person; otherwise many patterns choose their own colour
     std::optional<PatternParameter> path;
     int clusters = 0;  // 0: none
     std::optional<PatternParameter> filter;

@@ -33,8 +33,8 @@ Eigen::MatrixXd turned_onto(const Eigen::MatrixXd& points, const std::vector<Eig
 // Fewer points in common tell no turn.
 bool tells_turn(std::size_t common, Eigen::Index dimensions);
 
-// Onto how the same set lay before; else onto the last exact map; before there is one of this
-// document, onto what of it was saved, else onto the preview on screen.
+// Aligned to how the same set lay before, or to the last exact map; before this document has one,
+// to its saved map, or to the preview on screen.
 Eigen::MatrixXd aligned_to_anchor(const MapTransition& map, const LiveMap& fresh);
 
 // The anchor's points, row by row of `map`; NaN for patterns that it has not.

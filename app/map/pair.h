@@ -18,7 +18,8 @@ struct ChosenPair {
     PartnerKind kind = PartnerKind::chosen;
 };
 
-// Chosen by a click, else pinned, else the closest by PM. None with fewer than two patterns.
+// The pair chosen by a click, then the pinned one, then the closest by PM. Empty with fewer than
+// two patterns.
 std::optional<ChosenPair> chosen_pair(const Workspace& work, const ShownMap& shown_map);
 
 // The current pattern and the closest one by PM, whatever was chosen.

@@ -288,7 +288,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     shown_map.has_headline = false;
     Rect area = rest_of_pane();
     if (area.empty()) return {};
-    // Of another set nothing is shown.
+    // Nothing is shown of another set.
     const bool has_map = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
                          !shows_another_set(work, shown_map);
     const bool constant =

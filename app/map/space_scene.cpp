@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-// Of PM, of which the map holds to the order alone: so it is said to be about that.
+// Length of a PM. The map keeps only the order of PM, so the text says "about".
 double length_of_pm(ShownMap& shown_map) {
     ShownScale& kept = shown_map.scale;
     const auto& map = shown_map.transition.shown;

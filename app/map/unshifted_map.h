@@ -1,9 +1,9 @@
 // Where the points were before thresholds were shifted or a receptor type was removed: ghosts,
-// until the thresholds are as they come.
+// until the thresholds are the program's again.
 //
-// Output    an anchor of the map on screen whose thresholds are the program's; where none was ever
-//           shown, such as of a set that was opened so or edited since, it is made beside the
-//           window
+// Output    an anchor of the map on screen whose thresholds are the program's; if none was ever
+//           shown, such as for a set that was opened so or edited since, it is made in the
+//           background
 // Left out  sets whose maps wait for a word
 #pragma once
 

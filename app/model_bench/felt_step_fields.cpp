@@ -13,7 +13,7 @@ namespace tact {
 
 namespace {
 
-// How a step is written: decibels of an amplitude, percent of a ratio, else the number's own unit.
+// How a step is written: decibels of an amplitude, percent of a ratio, or the number's own unit.
 struct StepWords {
     const char* format;
     Range slider;

@@ -32,7 +32,7 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
     if (ImGui::Selectable(kPublished, is_published))
         use_model(ui, work, {}, "the paper's parameters");
     note_item(ui.rects, std::string("model option:") + kPublished);
-    // By value: choosing one may read the folder anew.
+    // By value: choosing one may read the folder again.
     const std::vector<KeptModel> kept = kept_models(ui, work, model_bench);
     for (const KeptModel& one : kept) {
         const bool is_current = current != nullptr && current->file == one.file;

@@ -1,13 +1,13 @@
 // Knobs that mean something: how deaf a receptor type is, as a shift of its threshold, and what a
 // glove or age might do.
 //
-// Source    none of the presets has a figure in dB that we could cite: each is a guess, and says
-// so.
+// Source    no preset has a figure in dB that we could cite: each is a guess, and says so.
 //           That the Pacinian channel loses most with age: Gescheider, Bolanowski & Verrillo 2004,
 //           Some characteristics of tactile channels, Behav. Brain Res. 148, 35 (its abstract)
-// Input     the tables as they are, and as they come
+// Input     the tables now, and the program's
 // Output    the tables with a shift in dB of displacement; a type that is removed answers to
-// nothing Left out  shifts that depend on frequency: those are edited knot by knot
+//           nothing
+// Left out  shifts that depend on frequency: those are edited knot by knot
 #pragma once
 
 #include <array>
@@ -22,8 +22,7 @@ inline constexpr Range kThresholdShiftDb{-40.0, 60.0};
 // How far the curve lies above the one it was, dB; none: not by the same everywhere.
 std::optional<double> shift_db(const Curve& curve, const Curve& original);
 
-// The curve where it was, and that much above. Of a curve that was edited by hand, what it is moved
-// by `db` instead.
+// The original curve, moved up by `db`; a curve that was edited by hand is moved itself.
 Curve shifted(const Curve& curve, const Curve& original, double db);
 
 // No vibration reaches it.

@@ -15,8 +15,8 @@ std::string weight_text(double weight, double step);
 // In the order of kTrainedNames.
 std::vector<std::string> parameter_texts(const PerceptualModelParams& model, double step);
 
-// Of a class of equally good combinations: the smallest of its proportion, "any" for what does not
-// matter as OC alone decides.
+// Texts of a class of equally good combinations: the smallest of its proportion, "any" for what
+// does not matter as OC alone decides.
 std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoint& point);
 
 }  // namespace tact

@@ -202,7 +202,7 @@ void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
 }
 
 void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench) {
-    const auto found = model_bench.training.found;  // kept while its list is read anew
+    const auto found = model_bench.training.found;  // kept while its list is read again
     if (!found || !found->fault.empty()) return;
     const ModelFile content{found->training.model, found->record};
     const auto kept = keep_model(ui, work, model_bench, proposed_name(*found), content);

@@ -1,4 +1,5 @@
-// What training has found: the parameters, how sharply the data tell them, and on whom they hold.
+// What training has found: the parameters, how sharply the data tell them, and for which people
+// they hold.
 
 #include <algorithm>
 #include <array>

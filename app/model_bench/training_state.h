@@ -51,10 +51,10 @@ struct KeptModel {
 struct OwnRatings {
     std::uint64_t revision = 0;  // of the document; 0: none known yet
     std::optional<SetToFit> set;
-    std::string fault;  // why there is none
+    std::string fault;  // why it is missing
 };
 
-// Whether what was found is of the sets that take part as they are, kept while all of that stays.
+// Whether the result is of the present sets that take part, kept while all of that stays.
 struct TrainingFreshness {
     std::shared_ptr<const FoundTraining> of;
     std::uint64_t revision = 0;  // of the document

@@ -1,4 +1,4 @@
-// Opening files, and adding them to the set, beside the window: a frame never waits for a file.
+// Opening files, and adding them to the set, in the background: a frame never waits for a file.
 //
 // Input     paths of sets, folders, recordings and effects, as model/io/set/load.h takes them
 // Output    another document, or one undoable step in the open one; an error changes nothing

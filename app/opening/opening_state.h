@@ -1,4 +1,4 @@
-// What is being read for the document, beside the window, and what of it could not be read.
+// What is being read for the document, in the background, and what could not be read.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The whole way of the one vibration that is shown large, computed beside the window.
+// All stages of the one vibration that is shown large, computed in the background.
 //
 // It does not wait for the map: a very large set has no map, and a drag moves on before its
 // exact one is there.

@@ -48,7 +48,7 @@ struct PhysiologyState {
     std::optional<Stage> open;              // fills the pane; none: all of them, small
     std::optional<Stage> explained;         // its text is open beside it
     Receptor network = Receptor::pacinian;  // whose layers the overview shows
-    bool network_chosen = false;            // by the person; else the strongest one
+    bool network_chosen = false;            // by the person; otherwise the strongest one
     bool tilted = false;
     double tilt_since_s = -10.0;
     std::optional<ReceptorPlace> hovered;  // in this frame, in any view

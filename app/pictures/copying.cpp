@@ -38,7 +38,7 @@ void copy_selected(Ui& ui, Workspace& work) {
 void paste(Ui& ui, Workspace& work) {
     const char* text = ImGui::GetClipboardText();
     std::vector<Vibration> pasted = work.clipboard;
-    // Of another window, or of an editor in which a set file is open.
+    // From another window, or from an editor in which a set file is open.
     if (text != nullptr && text != work.clipboard_text && is_set_text(text)) {
         Expected<PatternSet> set = parse_set(text, "the clipboard", {});
         if (!set) return complain(ui, "Not pasted: " + set.error().message);

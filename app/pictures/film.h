@@ -27,7 +27,7 @@ std::optional<FilmFormat> film_format(const std::filesystem::path& path);
 // ".gif"
 const char* ending_of(FilmFormat format);
 
-// How many frames of `frames_per_s` show a stretch of a pattern so many times slower than life.
+// How many frames show a stretch of a pattern `slower` times slower than life.
 int frames_of(double length_s, double slower, double frames_per_s);
 
 // In pixels. Colours of an MP4 stand for two by two of them: its sides are even.
@@ -39,7 +39,8 @@ struct FilmSize {
 // What its pictures are to be drawn at.
 FilmSize film_size(FilmFormat format, FilmSize asked);
 
-// "1000 × 1002 pixels, as sides of an MP4 are even": where that is not what was asked; else empty.
+// "1000 × 1002 pixels, as sides of an MP4 are even" if that is not what was asked; otherwise
+// empty.
 std::string film_size_words(FilmFormat format, FilmSize asked);
 
 struct Film {
@@ -55,7 +56,7 @@ struct Film {
     ~Film();  // unfinished: nothing is left of it
 };
 
-// Of pictures of film_size(). Errors: ffmpeg is not there, or does not start.
+// Takes pictures of film_size(). Errors: ffmpeg is not there, or does not start.
 Expected<std::shared_ptr<Film>> open_film(const std::filesystem::path& path, FilmSize size);
 Expected<Done> add_frame(Film& film, const Image& image);
 Expected<Done> finish(Film& film);

@@ -31,8 +31,8 @@ std::filesystem::path path_of_frame(const FrameSequence& sequence, int k);
 // How a film of them goes: "20 times slower than life".
 std::string film_speed(const FrameSequence& sequence, double frames_per_s = kFilmFramesPerS);
 
-// Makes the folder. Frames of the same numbers will be replaced; an Error where there are others,
-// as a film would go on into them.
+// Makes the folder. Frames of the same numbers will be replaced; an Error if there are others, as a
+// film would run on into them.
 Expected<Done> open_sequence(const FrameSequence& sequence);
 
 // A word for the shell, quoted where it would take it apart.

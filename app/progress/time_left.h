@@ -2,7 +2,7 @@
 //
 // Input     seconds since it began, share done (0 to 1)
 // Output    words; empty while too little is known or too little is left to be worth them
-// Valid     work that goes on as fast as it went
+// Valid     work that continues at its pace so far
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What a kind of device makes of the patterns, beside the window: its report on the current one,
-// and whether all that is predicted is of what the device plays.
+// What a kind of device makes of the patterns, computed in the background: its report on the
+// current one, and whether all that is predicted is of what the device plays.
 #pragma once
 
 #include <atomic>
@@ -40,7 +40,7 @@ std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& requ
                                                     std::stop_token stop,
                                                     std::atomic<float>& progress);
 
-// Asks for the report on a vibration (null: there is none) where it was not asked for last.
+// Asks for the report on a vibration (may be null) unless it was asked for last.
 void follow_rendering(RenderingState& state, const Vibration* vibration);
 
 // None while predictions are of the patterns as they were meant.

@@ -25,7 +25,7 @@ std::string patterns_section(const Report& report);  // report_patterns.cpp
 std::string matrix_section(const Report& report);    // report_matrix.cpp
 std::string assumed_section(const Report& report);   // report_assumed.cpp
 
-// Of a note, which says first where a pattern is from.
+// The first sentence of a note, which says where a pattern is from.
 std::string first_sentence(const std::string& note);
 
 // CSS of all of them.

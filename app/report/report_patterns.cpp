@@ -49,8 +49,8 @@ std::string drawn_words(const Pattern& pattern) {
     return words;
 }
 
-// Numbers that are at work: what is 0 (a ramp, a modulation) goes without saying, and so does the
-// unit of a rhythm that there is none of.
+// Numbers in use: those that are 0 (a ramp, a modulation) are left out, and so is a rhythm's unit
+// without a rhythm.
 std::string parameters_html(const Vibration& vibration) {
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kUnknown = "\u2013";
 
-// So many digits after the point, under each other in a column; with a true minus.
+// A number with `decimals` digits after the point, aligned in a column; with a true minus.
 std::string shown(double value, int decimals = 3) {
     if (std::isnan(value)) return kUnknown;
     char text[48];

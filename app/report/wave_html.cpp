@@ -27,7 +27,7 @@ int height_of(double g, double reach_g) {
     return static_cast<int>(std::lround(-share * kHalfHeight));
 }
 
-// Of the columns from `first` to `last`. Silence is a line, too.
+// Outline of the columns from `first` to `last`. Silence is a line, too.
 std::string outline(std::span<const Extremes> columns, std::size_t first, std::size_t last,
                     double reach_g) {
     std::string above;

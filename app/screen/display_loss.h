@@ -18,7 +18,7 @@ namespace tact {
 // nothing.
 void end_with_display(std::function<std::string()> keep);
 
-// Ends so where a Wayland compositor is gone; else nothing happens. For whoever is asked to close.
+// Ends so if a Wayland compositor is gone; otherwise does nothing. For whoever is asked to close.
 void end_if_compositor_is_gone();
 
 }  // namespace tact

@@ -7,7 +7,7 @@ namespace tact {
 
 namespace {
 
-// The screen with the middle of the window; else the main one, which may be none.
+// The screen with the middle of the window; otherwise the main one, which may be null.
 GLFWmonitor* screen_of(const FullScreen& at) {
     int count = 0;
     GLFWmonitor** const screens = glfwGetMonitors(&count);

@@ -8,7 +8,7 @@
 namespace tact {
 namespace {
 
-// ImGui asserts that time goes on; clicks of one time stamp still need an order.
+// ImGui asserts that time advances; clicks of one time stamp still need an order.
 constexpr double kLeastStepS = 1e-4;
 constexpr double kFirstStepS = 1.0 / 60.0;
 

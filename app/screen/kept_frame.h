@@ -18,7 +18,7 @@ struct KeptFrame {
 // Paints what differs and puts the whole on the screen's back buffer, width x height pixels.
 void paint(KeptFrame& kept, ImDrawData& frame, int width, int height, ImU32 background);
 
-// The next frame is painted anew: what pictures are made of has changed.
+// The next frame is painted again: what pictures are made of has changed.
 void forget(KeptFrame& kept);
 
 void destroy(KeptFrame& kept);

@@ -18,7 +18,7 @@ struct GLFWwindow;
 namespace tact {
 
 struct SideWindow {
-    GLFWwindow* glfw = nullptr;  // null: there is none
+    GLFWwindow* glfw = nullptr;  // null: no window
     std::string shown;           // the key of what is in it
     WindowSize size;             // of what is in it, pixels
     bool failed = false;         // the system gave none: it is not asked again

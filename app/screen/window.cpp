@@ -226,7 +226,8 @@ void draw_frame(Window& window, WindowSize pixels) {
     if (client.after_frame) client.after_frame();
 }
 
-// Lets GLFW deliver events: at once while frames are due, else as long as nothing happens.
+// Lets GLFW deliver events: at once while frames are due, otherwise waiting until something
+// happens.
 void deliver_events(Window& window, double frame_start_s) {
     if (pending(window.events.input)) return glfwPollEvents();
     const double now_s = glfwGetTime();

@@ -46,7 +46,7 @@ struct FrameContext {
 
 // What is to be in a second window.
 struct SideContent {
-    std::string key;  // drawn anew where this has changed
+    std::string key;  // drawn again if this has changed
     std::string title;
     std::function<Image(int width, int height, float content_scale)> draw;
 };
@@ -89,7 +89,7 @@ bool has_second_screen();
 bool display_available();
 
 // Opens the window, makes the ImGui context and returns when the window is closed. An Error says
-// why there is none.
+// why it cannot open.
 Expected<Done> run_window(const WindowOptions& options, const WindowClient& client);
 
 // Has a frame drawn soon; from any thread, without a window too.

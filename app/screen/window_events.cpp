@@ -59,7 +59,7 @@ void on_button(GLFWwindow* glfw, int button, int action, int) {
     push_now(glfw, MouseButton{button, action == GLFW_PRESS});
 }
 
-// A drag goes on outside the window: a slider must not take "nowhere" for its low end.
+// A drag continues outside the window: a slider must not take "nowhere" for its low end.
 void on_enter(GLFWwindow* glfw, int entered) {
     if (entered == GLFW_FALSE && events_of(glfw).buttons_held == 0) push_now(glfw, kMouseGone);
 }

@@ -28,7 +28,7 @@ struct WindowEvents {
 // pointer.
 void listen(GLFWwindow& window, WindowEvents& events);
 
-// Of the second window: keys count as pressed in the first.
+// Keys of the second window count as pressed in the first.
 void listen_to_keys(GLFWwindow& side, WindowEvents& events);
 
 struct WindowSize {

@@ -18,8 +18,8 @@
 
 namespace tact {
 
-// Keeps the document if it has unsaved changes; else forgets what was kept. An Error: they are in
-// memory alone.
+// Keeps the document if it has unsaved changes; otherwise forgets what was kept. An Error: they are
+// only in memory.
 Expected<Done> autosave(const Session& session, const Document& document);
 
 struct Restored {
@@ -33,7 +33,7 @@ struct Restored {
 Restored restore(Session& session);
 
 // Moves unsaved changes of the last run, if any, to a recovered-YYYYMMDD-HHMMSS.tactspace.json
-// that heads the recent files: for a start with another document. Empty: there were none.
+// that heads the recent files: for a start with another document. Empty: no changes.
 Expected<std::filesystem::path> set_autosave_aside(Session& session);
 
 // The same for instances that are gone; lists the new files in session.recovered. Called by

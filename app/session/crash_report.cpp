@@ -74,7 +74,7 @@ void report_crash(int signal) {
     raise(signal);
 }
 
-// Of the main thread: a stack that is used up leaves none to answer on.
+// A stack for the main thread: one that is used up leaves no room for the handler.
 void give_handler_a_stack() {
     static std::array<char, 65536> place{};
     stack_t stack{};

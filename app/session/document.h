@@ -13,7 +13,7 @@ struct Document {
     PatternSet set;
     std::filesystem::path path;  // empty: never saved
     PatternSet saved;            // as it was last read or written: unsaved means set != saved
-    // Of the file's bytes as of then (app/session/document_file.h); none: not known.
+    // Mark of the file's bytes at that time (app/session/document_file.h); empty: unknown.
     std::optional<std::uint64_t> file_mark{};
 };
 

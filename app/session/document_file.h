@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// Of the bytes of a file, to notice that they are others than before; none: it cannot be read.
+// Mark of the bytes of a file, to notice that they changed; empty: it cannot be read.
 std::optional<std::uint64_t> content_mark(const std::filesystem::path& file);
 
 // Takes the file for this window, and gives back the one taken before. False: another window has

@@ -39,7 +39,7 @@ struct RestoredLesson {
 RestoredLesson restore_lesson(Session& session);
 
 // Moves an autosave to a recovered-YYYYMMDD-HHMMSS.tactlesson.json that heads the recent files; one
-// that is no autosave keeps its bytes there. Empty: there was none.
+// that is no autosave keeps its bytes there. Empty: no such file.
 Expected<std::filesystem::path> set_lesson_aside(Session& session,
                                                  const std::filesystem::path& lesson_file);
 

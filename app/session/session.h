@@ -43,7 +43,7 @@ struct Session {
     std::string lesson_language;       // in which lessons are shown; empty: each in its first
     double whole_buffer_s = kBufferS;  // rendered ahead where nothing may have gaps
 
-    // Of this run.
+    // What belongs to this run.
     std::filesystem::path folder;                  // empty: nothing can be kept
     std::filesystem::path autosave;                // this instance's own
     bool is_first = true;                          // no other instance was running

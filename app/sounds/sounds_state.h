@@ -18,13 +18,13 @@ struct SoundsRequest {
     std::vector<std::filesystem::path> files;
     std::string actuator = kUsualActuator;
     bool accents = true;
-    double full_scale_g = 0.0;  // 0: the file's sidecar's, else the actuator's
+    double full_scale_g = 0.0;  // 0: the sidecar's, then the actuator's
     bool with_pm = false;       // takes longer: asked for once the rest is there
 
     bool operator==(const SoundsRequest&) const = default;
 };
 
-// A sound with the pattern made of it, or why there is none.
+// A sound with the pattern made of it, or why it is missing.
 struct SoundMade {
     std::string fault;
     std::optional<FromSound> sound;

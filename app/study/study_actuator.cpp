@@ -34,7 +34,7 @@ double largest_of(const Drive& drive, bool is_controller) {
     return largest;
 }
 
-// What all are multiplied by, lest the strongest be held back at this level.
+// The factor of all, so that the strongest is not held back at this level.
 double common_factor(const std::vector<double>& peaks, double level, double ceiling) {
     const double strongest = peaks.empty() ? 0.0 : std::ranges::max(peaks);
     if (level * strongest <= ceiling) return 1.0;
@@ -45,7 +45,7 @@ bool is_at_work(const StudyRun& run) {
     return run.page != StudyPage::consent && run.page != StudyPage::finished;
 }
 
-// A gap is counted once, though the device forgets its count when it is opened anew.
+// A gap is counted once, though the device forgets its count when it is opened again.
 void count_dropouts(StudyActuator& actuator, std::uint64_t seen) {
     if (seen < actuator.seen_dropouts) actuator.seen_dropouts = 0;
     actuator.dropouts += static_cast<int>(seen - actuator.seen_dropouts);

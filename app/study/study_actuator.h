@@ -20,7 +20,7 @@
 
 namespace tact {
 
-// Of the device as it is chosen now, for the patterns of a study.
+// The device chosen now, for the patterns of a study.
 StudyActuator study_actuator(const PlayState& play, const StudyState& studying,
                              const PatternSet& set, const std::vector<std::string>& names);
 

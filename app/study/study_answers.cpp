@@ -19,7 +19,7 @@ PerceptualSpace quick_map(const Dissimilarity& dissimilarity, std::stop_token st
     return nonmetric_mds(dissimilarity, params, stop);
 }
 
-// Of the kind asked for, and the others.
+// Splits records into those of the kind asked for, and the others.
 void part_by_kind(StudyAnswers& answers, std::vector<StudyRecord> records) {
     for (StudyRecord& record : records) {
         const bool is_wanted = record.header.kind == answers.question.kind;

@@ -1,4 +1,4 @@
-// What participants' files say, read and evaluated beside the window.
+// What participants' files say, read and evaluated in the background.
 #pragma once
 
 #include <atomic>

@@ -17,7 +17,7 @@
 
 namespace tact {
 
-// Before the program ends: the job, sound, and the file of a run, which is complete as it is.
+// Before the program ends: the job, sound, and the file of a run, which is complete.
 void stop_study(StudyState& studying);
 
 // The device of the window, where there is one, becomes that of the study; a run keeps the one that
@@ -67,7 +67,7 @@ void resume_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlayS
 void simulate_participant(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                           const PlayState& play, StudyState& studying);
 
-// What the participant did: the run goes on, and what it asks for is done.
+// What the participant did: the run continues, and what it asks for is done.
 void act(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
          const StudyEvent& event);
 
@@ -84,7 +84,7 @@ bool is_study_playing(const StudyState& studying);  // its button fills while it
 // How strong full scale is, in words: what is known of the device's strength.
 std::string study_calibration(const PlayState& play);
 
-// What a participant's file begins with, of the document as it is.
+// The beginning of a participant's file, from the present document.
 StudyHeader study_header(const Workspace& work, const PlayState& play, const StudyState& studying,
                          const std::string& code);
 

@@ -3,7 +3,7 @@
 //
 // Input     the level and the output of the study's design
 // Output    noise on all channels of that output and of no other; a run whose noise stops by itself
-//           pauses and says why, and tries again when the participant goes on
+//           pauses and says why, and tries again when the participant continues
 // Left out  whether anybody wears the headphones, and how loud they are.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace tact {
 inline constexpr double kMaskingLookS = 0.25;
 
 // Where the noise goes. An Error says what is to be plugged in or chosen: the actuator's own output
-// is none, not even where it is the only one.
+// cannot be chosen, even if it is the only one.
 Expected<DeviceInfo> masking_output(const PlayState& play, const std::string& headphones);
 
 // Whether the actuator sounds there too, by whichever name.

@@ -150,7 +150,7 @@ void draw_entry(Ui& ui, const char* label, const char* id, std::string& text, co
     dim_text(ui, hint);
 }
 
-// Of draw_form.
+// Height of draw_form().
 float form_height() {
     return 5.0F * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
 }
@@ -162,8 +162,8 @@ std::string code_fault(const Workspace& work, const StudyState& studying) {
     return {};
 }
 
-// Whether the person may go on. The folder is asked once a frame whether the code is taken: what is
-// typed in this frame counts from the next one on.
+// Whether the person may continue. The folder is asked once a frame whether the code is taken: what
+// is typed in this frame counts from the next one on.
 bool draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     ImGui::BeginGroup();
     const std::string fault = code_fault(work, studying);

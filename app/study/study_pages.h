@@ -20,7 +20,7 @@ void draw_study_pages(Ui& ui, const Workspace& work, const PlayState& play, Stud
                       std::span<const KeyPress> pressed);
 
 // How much larger than on an ordinary screen a page is, so that it is read at arm's length in a
-// window of so many pixels; in eighths, as fonts are made anew for each.
+// window of this size; in eighths, as fonts are made again for each.
 float wanted_page_scale(const Ui& ui, ImVec2 window_px);
 
 // After kCallAfter plays in a row that were cut short.
@@ -47,12 +47,12 @@ struct FeelButton {
 bool draw_feel_button(Ui& ui, const StudyState& studying, const Rect& area,
                       const FeelButton& button);
 
-// The button at the foot of a page that goes on, and its size.
+// The button at the foot of a page that leads to the next, and its size.
 ImVec2 go_on_size(const Theme& theme);
 void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                 const Rect& area, const char* label);
 
-// Of the pattern that plays, 0 to 1.
+// Share of the pattern that has played, 0 to 1.
 float played_share(const Ui& ui, const StudyState& studying);
 
 // A sign was typed, without Ctrl and the like.

@@ -61,7 +61,7 @@ bool next_cell(float row_px) {
     return is_seen;
 }
 
-// What is next to be done about a participant: go on, leave out, count again.
+// The next action on a participant: continue, leave out, count again.
 void draw_row_link(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
                    StudyState& studying, const StudyRecord& record,
                    const ParticipantSummary& person) {

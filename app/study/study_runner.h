@@ -110,7 +110,7 @@ bool may_go_on(const StudyRun& run, double now_s);
 // When something changes by itself, such as a gap that ends; infinite: nothing does.
 double next_change_s(const StudyRun& run, double now_s);
 
-// So many plays in a row that were cut short are not the participant's to mend.
+// This many plays in a row that were cut short are not for the participant to mend.
 inline constexpr int kCallAfter = 3;
 
 // Patterns to sort that were not felt whole in this sitting.
@@ -120,7 +120,7 @@ std::size_t unfelt_count(const StudyRun& run);
 std::size_t filled_groups(const StudyRun& run);
 std::size_t unsorted_count(const StudyRun& run);
 
-// Minutes to the end, by the pace of the latest trials, else by what is expected.
+// Minutes to the end, by the pace of the latest trials, or by the expected pace.
 double minutes_left(const StudyRun& run);
 
 }  // namespace tact

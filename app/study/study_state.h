@@ -68,7 +68,7 @@ struct LeavingOut {
 
 // What is known of the device that a run is felt by (app/study/study_actuator.h).
 struct StudyActuator {
-    bool is_there = false;        // when the run began; else it is a rehearsal
+    bool is_there = false;        // when the run began; otherwise it is a rehearsal
     std::vector<Drive> drives;    // of every pattern of the run, turned down ...
     double turned_down_db = 0.0;  // ... all alike, so that none is too strong
     std::vector<double> peaks;    // of the drives, at a level of 1

@@ -197,7 +197,7 @@ void draw_trial_page(Ui& ui, const Workspace& work, const PlayState& play, Study
     const float gap = 0.4F * side;
     const float top = head + 64.0F * s;
     const bool is_ready = may_play(run, ui.time_s);
-    // Of identical patterns only the button that was pressed fills.
+    // If the patterns are identical, only the button that was pressed fills.
     const bool is_left = run.playing && studying.pressed_button == 0;
     const bool is_right = run.playing && studying.pressed_button == 1;
     const Rect left = rect_at({area.centre().x - side - 0.5F * gap, top}, {side, 0.7F * side});

@@ -95,7 +95,7 @@ float height_px(const Alternative& one) {
     return one.is_one_line ? line : 2.0F * line;
 }
 
-// Who comes for whom, in two lines where one has no room, and at the right what it is worth.
+// Which pattern replaces which, in two lines if one has no room, and at the right what it is worth.
 void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_t k) {
     const Theme& theme = ui.theme;
     const ImFont* font = theme.fonts.regular;

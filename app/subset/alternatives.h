@@ -9,10 +9,10 @@
 
 namespace tact {
 
-// Of a pattern as it was when it was picked.
+// Name of a pattern when it was picked.
 const std::string& name_of(const Pick& pick, std::size_t member);
 
-// Of each: who comes for whom. A click shows it in the place of the best.
+// Which pattern replaces which in each. A click shows it in the place of the best.
 void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick);
 // How high they are at such a width.
 float alternatives_px(const Ui& ui, const SubsetState& picking, const Pick& pick, float width_px);

@@ -19,10 +19,10 @@ inline constexpr std::size_t kPlayKeys = 9;  // 1 to 9
 // A row in a list of that width: with a picture of the waveform where there is room for one.
 float member_row_px(const Ui& ui, float width_px);
 
-// Of the pattern of that name, the `number`-th one from 1 on. Its menu is that of every pattern.
+// Draws the pattern of that name, the `number`-th from 1 on. Its menu is that of every pattern.
 PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
 
-// Once, the `number`-th of the subset on screen, from 1 on; says where there is none.
+// Plays once the `number`-th of the subset on screen, from 1 on; says so if it is missing.
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                  PlayState& play, const SubsetState& picking, std::size_t number);
 

@@ -31,7 +31,7 @@ bool may_ask(const ShownMap& shown_map, const SubsetState& picking) {
            pick->request.metric == Metric::pm;
 }
 
-// Of the button, which was drawn last.
+// Takes the click on the button, which was drawn last.
 void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
     if (pressed && picking.stability_job) picking.stability_job->submit({picking.pick, 100});
     note_item(ui.rects, "button:draw models");

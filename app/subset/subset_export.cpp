@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFiles{"subset.tactspace.json", "report.html", "map.png", "map.svg"};
 
-// A pair that they took for a measure, else the subset's weakest one.
+// The pair taken as the measure, or the subset's weakest one.
 CloserThan closer_than(const Pick& pick, const SubsetState& picking) {
     const PatternSet& set = *pick.request.map->request.set;
     const auto a = place_named(set, picking.reference_a);
@@ -142,7 +142,7 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     return report;
 }
 
-// False: it has to wait for a subset of the set as it is.
+// False: it has to wait for a subset of the present set.
 bool is_ready_for_report(const Workspace& work, const ShownMap& shown_map,
                          const SubsetState& picking) {
     const Pick* pick = shown_pick(shown_map, picking);
@@ -150,7 +150,7 @@ bool is_ready_for_report(const Workspace& work, const ShownMap& shown_map,
            !is_of_preview(pick->request);
 }
 
-// Why there will be no subset of the set as it is; empty where one is there or will come.
+// Why the present set will have no subset; empty if it has one, or will.
 std::string no_pick_because(const Workspace& work, const ShownMap& shown_map,
                             const SubsetState& picking) {
     if (is_picking(picking)) return {};

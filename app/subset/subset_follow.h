@@ -15,15 +15,15 @@ namespace tact {
 void make_subset_jobs(const Ui& ui, SubsetState& picking);
 void stop_subset_jobs(SubsetState& picking);
 
-// Takes what the jobs have finished; asks anew where the document or the question has changed.
+// Takes what the jobs have finished; asks again if the document or the question has changed.
 void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                    SubsetState& picking);
 
 // The subset on screen, of the map on screen; null: none. It may answer an earlier question ...
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking);
-// ... and then is not that of the document as it is.
+// ... and then is not that of the present document.
 bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking);
-// By coarse envelopes: shown at once, and asked for anew when the map is exact.
+// By coarse envelopes: shown at once, and asked for again when the map is exact.
 bool is_of_preview(const PickRequest& request);
 // Names of the members of the subset on screen.
 std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking);

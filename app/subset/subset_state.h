@@ -21,14 +21,14 @@
 
 namespace tact {
 
-// Whom to pick, and by what.
+// What to pick, and by what.
 struct PickRequest {
     std::shared_ptr<const LiveMap> map;  // of the patterns; PM is its own
     SubsetProblem problem;
     bool by_ratings = false;  // else by the metric
     Metric metric = Metric::pm;
     std::size_t unfelt = 0;    // that are there and not locked ...
-    bool with_unfelt = false;  // ... and may be picked; else they are left out
+    bool with_unfelt = false;  // ... and may be picked; otherwise left out
 
     bool operator==(const PickRequest&) const = default;
 };
@@ -36,7 +36,7 @@ struct PickRequest {
 struct Pick {
     PickRequest request;
     std::shared_ptr<const Dissimilarity> dissimilarity;
-    std::string fault;  // why there is none
+    std::string fault;  // why it is missing
     SubsetAnswer answer;
     NumberMark mark{};  // of the ratings, where it is by them
 };
@@ -52,7 +52,7 @@ struct SeparationRequest {
     std::size_t changed = 0;
     double threshold = 0.0;
     std::vector<std::size_t> from{};  // rows that count; empty: all
-    std::optional<double> share{};    // of the closest pairs, anew with each change
+    std::optional<double> share{};    // of the closest pairs, again with each change
     bool by_a_step = false;           // and no other within a felt step
 
     bool operator==(const SeparationRequest&) const = default;
@@ -80,7 +80,7 @@ enum class SubsetView { pick, confusable, stability };
 // What is too close for comfort.
 enum class TooClose {
     felt,       // no number differs by a felt step: most sets have no such pair
-    share,      // the closest pairs of the set, so many of them
+    share,      // a share of the set's pairs, the closest
     picked,     // the same share of the pairs within the picked subset
     reference,  // all that are no farther apart than a pair the person knows
     ratings     // the same share of the pairs as people rated them

@@ -29,7 +29,7 @@ std::string quantity_of(const PickRequest& request,
                         const NumberMark& mark);  // what "far apart" is in: "PM"
 void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const Rect& area);
 
-// What is left of the pane, or where that is less so many lines, which scroll.
+// What is left of the pane, or, if that is less, `lines` lines, which scroll.
 Rect rest_or_lines(float lines);
 
 }  // namespace tact

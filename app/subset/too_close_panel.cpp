@@ -362,7 +362,7 @@ void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, Sub
     const auto rows = opened_rows(shown_map, picking);
     const bool side_by_side = rest_of_pane().width() > 360.0F * ui.theme.scale;
     const Rect area = rest_or_lines(!rows || side_by_side ? 5.0F : 12.0F);
-    // Side by side where there is room, else the open pair below a short list.
+    // Side by side if there is room, otherwise the open pair below a short list.
     const float gap = ui.theme.gap_px;
     const ImVec2 list{rows && side_by_side ? 0.46F * area.width() : area.width(),
                       rows && !side_by_side ? 0.4F * area.height() : area.height()};

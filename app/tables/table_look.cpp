@@ -203,7 +203,7 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path
     table.names = {};
     table.words = {};
     table.answer.reset();
-    // The names are there at once; the rest is read beside the window.
+    // The names are there at once; the rest is read in the background.
     table.names = head_of_table(head_of_file(file, kHeadBytes), {}, 1);
     table.words = remembered_words(work.session, table.names);
     if (kind) table.words.kind = *kind;

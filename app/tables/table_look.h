@@ -1,4 +1,4 @@
-// A table looked at beside the window: what its columns are taken for, and what would come of it.
+// A table looked at in the background: what its columns are taken for, and what would come of it.
 //
 // Input     a file, and what somebody says of it
 // Output    a TableAnswer; the words that were taken are remembered for tables with the same names
@@ -38,8 +38,8 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const std::fil
 // Asks again, after the words have changed.
 void look_at_table(const Ui& ui, const Workspace& work, TableState& table);
 
-// Reads files beside the window, then follow_tables() takes them: as ratings; as recordings, where
-// they may be such; else a single one is asked about in the dialog.
+// Reads files in the background, then follow_tables() takes them: as ratings; as recordings, if
+// they may be such; otherwise the dialog asks about a single one.
 void read_tables(Ui& ui, const Workspace& work, TableState& table,
                  const std::vector<std::filesystem::path>& files, bool may_be_recordings = false);
 

@@ -15,7 +15,7 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state);
 // Why nothing can be transformed, as a sentence; empty: something can.
 std::string transform_obstacle(const Workspace& work, const TransformState& state);
 
-// "buzz", "3 patterns", and how many of the selected ones stay as they are.
+// "buzz", "3 patterns", and how many of the selected ones stay unchanged.
 std::string transformed_words(const Workspace& work);
 
 // Asks where the question is not what was asked for last, while the dialog is open; stops the work

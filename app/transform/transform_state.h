@@ -30,7 +30,7 @@ struct Transformed {
     TransformRequest request;
     std::vector<Pattern> before;
     std::vector<Pattern> after;  // as before where it cannot be edited
-    std::size_t left = 0;        // so many of them
+    std::size_t left = 0;        // number of those
     std::string fault;           // of the first of these, as a sentence
 };
 

@@ -16,10 +16,10 @@ struct Workspaces {
     std::string typed;                   // the name in the dialog
 };
 
-// As it is until somebody moves a bar.
+// The layout until somebody moves a bar.
 Layout first_layout(Arrangement arrangement);
 
-// Leaves what is on screen as it is, for when it comes back.
+// Keeps what is on screen for when it comes back.
 void show_arrangement(Arrangement arrangement, Layout& layout, Workspaces& workspaces);
 void show_own(const std::string& name, Layout& layout, Workspaces& workspaces);
 
