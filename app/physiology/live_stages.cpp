@@ -45,6 +45,7 @@ std::optional<LiveStages> compute_live_stages(const LiveStagesRequest& request,
         neural_coding_stages(live.waveform, request.model.coding, KeepLayers::none, {stop});
     progress = 0.8F;
     if (stop.stop_requested()) return std::nullopt;
+    live.firing = firing_of(live.neural, request.model.coding);
     const NeuralCode& code = live.neural.code;
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         const std::vector<int>& counts = code.central_count[c];

@@ -11,6 +11,7 @@
 
 #include "devices/calibration/rendering.h"
 #include "model/perceptual_model/perceptual_model_params.h"
+#include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/set/pattern_set.h"
 
@@ -35,6 +36,7 @@ struct LiveStages {
     LiveStagesRequest request;
     Waveform waveform;          // padded, at 10 kHz
     NeuralCodingStages neural;  // without the layers, which are made for the step on screen
+    PerReceptor<Firing> firing{};
     PerReceptor<std::vector<double>> population_hz;     // impulses/s of all receptors, per step
     PerReceptor<std::vector<double>> central_count;     // spikes per step
     PerReceptor<std::vector<double>> central_spikes;    // 0 or 1 per sample

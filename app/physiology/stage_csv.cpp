@@ -7,6 +7,7 @@
 #include <span>
 
 #include "model/perceptual_model/rhythm_envelope.h"
+#include "model/physiology/firing.h"
 
 namespace tact {
 
@@ -63,15 +64,20 @@ std::string spectrum_csv(const NeuralCodingStages& stages, const PhysiologyTable
     return table.text();
 }
 
-std::string activation_csv(const NeuralCodingStages& stages) {
-    Table table("receptor,rate_imp_per_s,slope_sum_imp_per_s,radius_mm,grid_side,receptors,silent");
+// A type that is not silent may follow nothing but what its filter leaks: that is no firing.
+std::string activation_csv(const NeuralCodingStages& stages, const NeuralCodingParams& params) {
+    Table table(
+        "receptor,rate_imp_per_s,slope_sum_imp_per_s,radius_mm,grid_side,receptors,silent,"
+        "only_leaks");
+    const PerReceptor<Firing> firing = firing_of(stages, params);
     for (const Receptor receptor : kReceptors) {
         const std::size_t c = index_of(receptor);
         const Activation& activation = stages.code.activation[c];
         const ChannelStages& channel = stages.channel[c];
         table << traits(receptor).afferent << activation.rate_hz << activation.slope_sum
               << activation.radius_mm << 2.0 * channel.grid.half_width + 1.0
-              << static_cast<double>(channel.grid.activated) << (channel.silent ? 1.0 : 0.0);
+              << static_cast<double>(channel.grid.activated) << (channel.silent ? 1.0 : 0.0)
+              << (firing[c] == Firing::leaks ? 1.0 : 0.0);
         table.end_row();
     }
     return table.text();
@@ -199,7 +205,7 @@ constexpr auto kFiles = std::to_array<StageFile>({
          return spectrum_csv(values.neural, values.model.coding.tables);
      }},
     {Stage::spectrum, "activation.csv",
-     [](const StageValues& values) { return activation_csv(values.neural); }},
+     [](const StageValues& values) { return activation_csv(values.neural, values.model.coding); }},
     {Stage::filtered, "filtered.csv",
      [](const StageValues& values) {
          return channels_csv(

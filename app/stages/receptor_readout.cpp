@@ -39,8 +39,9 @@ void draw_receptor_readout(Ui& ui, const Timeline& timeline, const ShownStages& 
     std::array<std::string, 5> lines;
     lines[0] = std::string(traits(place.type).name) + ", " + significant(receptor.distance_mm) +
                " mm from the probe";
-    lines[1] = "fires " + std::to_string(total_spikes(train)) + " times in " +
-               tick_text(duration_s(shown.live->waveform)) + " s";
+    const bool leaks = shown.live->firing[c] == Firing::leaks;
+    lines[1] = (leaks ? "filter leak: " : "fires ") + std::to_string(total_spikes(train)) +
+               " times in " + tick_text(duration_s(shown.live->waveform)) + " s";
     lines[2] = std::to_string(train[step_at(timeline, shown)]) + " in these 5 ms";
     lines[3] = "rate by Eq. 2: " + significant(receptor.rate_hz) + " imp/s";
     lines[4] = "wave at " + significant(100.0 * fall) + " % of the probe's";

@@ -103,6 +103,9 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.legend = !large;  // which have one for all
     scene.centre_spikes = centre_spikes(channel);
     scene.duration_s = duration_s(live.waveform);
+    scene.only_leaks = live.firing[c] == Firing::leaks;
+    const double times = scene.only_leaks ? 0.0 : impulses_a_cycle(live.neural, type);
+    scene.times_a_cycle = times > kManyACycle ? times : 0.0;
     scene.flash = flash;
     scene.tilted = eased_tilt(ui, physiology);
     scene.selected = of_type(physiology.view.selected, type);

@@ -21,6 +21,7 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
         const std::size_t c = index_of(type);
         channels[c] = {type, live.neural.channel[c].spike_count, live.by_distance[c],
                        only_leaks(live, type)};
+        if (size.large) channels[c].note = firing_note(live, type);
         silent[c] = silent_steps(live.waveform, live.neural.channel[c]);
         channels[c].pale_steps = silent[c];
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "model/physiology/firing.h"
+#include "model/textbook/textbook.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/fingertip.h"
 
@@ -26,11 +27,12 @@ double share_of_steps(const LiveStages& live, Receptor receptor, Is is) {
     return static_cast<double>(hits) / static_cast<double>(counts.size());
 }
 
-bool fires_at_all(const LiveStages& live, Receptor receptor) {
-    for (const std::vector<int>& train : live.neural.channel[index_of(receptor)].spike_count) {
-        if (std::ranges::any_of(train, [](int count) { return count > 0; })) return true;
-    }
-    return false;
+bool leaks_impulses(const LiveStages& live, Receptor receptor) {
+    return live.firing[index_of(receptor)] == Firing::leaks;
+}
+
+bool fires(const LiveStages& live, Receptor receptor) {
+    return live.firing[index_of(receptor)] == Firing::fires;
 }
 
 // "Meissner 99 %, Pacinian 99 %": of types that send anything.
@@ -39,9 +41,10 @@ std::string shares_text(const LiveStages& live, double (*share)(const LiveStages
     for (const Receptor receptor : kReceptors) {
         const double part = share(live, receptor);
         if (part <= 0.0) continue;
-        char one[48];
-        std::snprintf(one, sizeof one, "%s%s %.3g %%", text.empty() ? "" : ", ",
-                      traits(receptor).name, 100.0 * part);
+        char one[64];
+        std::snprintf(one, sizeof one, "%s%s %.3g %%%s", text.empty() ? "" : ", ",
+                      traits(receptor).name, 100.0 * part,
+                      leaks_impulses(live, receptor) ? " (filter leak)" : "");
         text += one;
     }
     return text;
@@ -49,7 +52,7 @@ std::string shares_text(const LiveStages& live, double (*share)(const LiveStages
 
 std::string leak_text(const LiveStages& live, bool fires) {
     for (const Receptor receptor : kReceptors) {
-        if (!only_leaks(live, receptor) || (fires && !fires_at_all(live, receptor))) continue;
+        if (!only_leaks(live, receptor) || (fires && !leaks_impulses(live, receptor))) continue;
         const double peak_g = peak_of(live.neural.channel[index_of(receptor)].filtered_g);
         const std::string name = traits(receptor).name;
         const std::string leak =
@@ -65,17 +68,36 @@ std::string leak_text(const LiveStages& live, bool fires) {
     return {};
 }
 
+// Impulses a cycle, where they are more than a fibre's; else 0.
+double many_times(const LiveStages& live, Receptor receptor) {
+    if (!fires(live, receptor)) return 0.0;
+    const double times = impulses_a_cycle(live.neural, receptor);
+    return times > kManyACycle ? times : 0.0;
+}
+
 // "Meissner 11.5, Pacinian 2": of types that fire more often than a fibre does.
 std::string many_a_cycle(const LiveStages& live) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
-        if (only_leaks(live, receptor)) continue;
-        const double times = impulses_a_cycle(live.neural, receptor);
-        if (times <= kManyACycle) continue;
+        const double times = many_times(live, receptor);
+        if (times <= 0.0) continue;
         text += std::string(text.empty() ? "" : ", ") + traits(receptor).name + " " +
                 significant(times, 2);
     }
     return text;
+}
+
+std::string cycles_text(const LiveStages& live) {
+    const std::string many = many_a_cycle(live);
+    if (many.empty()) return {};
+    return "Impulses a cycle: " + many +
+           ". A fibre fires about one; the model\u2019s rate knows no cycles.";
+}
+
+// Where Ruffini's corpuscles are said to fire, how rarely they were found.
+std::string ruffini_text(const LiveStages& live) {
+    if (!fires(live, Receptor::ruffini)) return {};
+    return "Ruffini fires here. " + sentence_of(*fact_named("ruffini found"));
 }
 
 // "Merkel 391 of 872": impulses that are fired where nothing moves.
@@ -95,13 +117,13 @@ std::string joined(const std::string& first, const std::string& second) {
     return first + (first.empty() || second.empty() ? "" : " ") + second;
 }
 
-std::string spike_text(const LiveStages& live) {
-    std::string text = leak_text(live, true);
-    if (const std::string many = many_a_cycle(live); !many.empty()) {
-        text = joined(text, "Impulses a cycle: " + many +
-                                ". A fibre fires about one; the model\u2019s rate knows no "
-                                "cycles.");
-    }
+// What lines of the textbook say as well, where they are laid over the stage.
+std::string facts_text(const LiveStages& live, bool has_textbook) {
+    return has_textbook ? std::string() : joined(cycles_text(live), ruffini_text(live));
+}
+
+std::string spike_text(const LiveStages& live, bool has_textbook) {
+    const std::string text = joined(leak_text(live, true), facts_text(live, has_textbook));
     const std::string silent = in_silence(live);
     if (silent.empty()) return text;
     return joined(text, "Paler: fired in silence, where the filters ring on (" + silent + ").");
@@ -141,7 +163,7 @@ std::string on_text(const LiveStages& live) {
 }  // namespace
 
 bool only_leaks(const LiveStages& live, Receptor receptor) {
-    return only_leaks(live.waveform, live.neural, receptor);
+    return only_leaks(live.neural, live.request.model.coding, receptor);
 }
 
 double share_on(const LiveStages& live, Receptor receptor) {
@@ -164,24 +186,34 @@ std::size_t beyond_finger(const LiveStages& live, Receptor receptor) {
 std::string short_remark(const LiveStages& live, Stage stage) {
     std::string text;
     if (stage != Stage::spikes && stage != Stage::receptors) return text;
+    const auto add = [&](const std::string& more) {
+        if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+    };
     for (const Receptor receptor : kReceptors) {
-        if (!only_leaks(live, receptor) || !fires_at_all(live, receptor)) continue;
-        text += std::string(text.empty() ? "" : "; ") + traits(receptor).name + ": filter leak";
+        if (leaks_impulses(live, receptor))
+            add(traits(receptor).name + std::string(": filter leak"));
     }
-    const std::string many = stage == Stage::spikes ? many_a_cycle(live) : std::string();
-    if (many.empty()) return text;
-    return text + (text.empty() ? "" : "; ") + many + " a cycle";
+    if (const std::string many = many_a_cycle(live); !many.empty()) add(many + " a cycle");
+    if (fires(live, Receptor::ruffini)) add("Ruffini: rare");
+    return text;
 }
 
-std::string stage_remark(const LiveStages& live, Stage stage) {
+std::string firing_note(const LiveStages& live, Receptor receptor) {
+    if (leaks_impulses(live, receptor)) return "filter leak";
+    const double times = many_times(live, receptor);
+    return times > 0.0 ? significant(times, 2) + " a cycle" : std::string();
+}
+
+std::string stage_remark(const LiveStages& live, Stage stage, bool has_textbook) {
     switch (stage) {
         case Stage::filtered:
             return leak_text(live, false);
         case Stage::spikes:
-            return spike_text(live);
+            return spike_text(live, has_textbook);
         case Stage::receptors: {
             const std::string beyond = beyond_text(live);
-            return beyond.empty() ? leak_text(live, true) : beyond;
+            return joined(beyond.empty() ? leak_text(live, true) : beyond,
+                          facts_text(live, has_textbook));
         }
         case Stage::networks:
             return gate_text(live);

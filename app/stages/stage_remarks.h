@@ -12,9 +12,6 @@
 
 namespace tact {
 
-// More impulses a cycle than this are said: a fibre fires about one.
-inline constexpr double kManyACycle = 1.5;
-
 // The type follows nothing but what its filter leaks.
 bool only_leaks(const LiveStages& live, Receptor receptor);
 
@@ -27,10 +24,14 @@ double share_at_cap(const LiveStages& live, Receptor receptor);
 // Receptors of the grid that lie beyond the finger's edge.
 std::size_t beyond_finger(const LiveStages& live, Receptor receptor);
 
+// Of one type's impulses, beside its rows: "filter leak", "11.5 a cycle"; empty: nothing misleads.
+std::string firing_note(const LiveStages& live, Receptor receptor);
+
 // The same in a few words, for beside a small stage: who only leaks, who fires many a cycle.
 std::string short_remark(const LiveStages& live, Stage stage);
 
-// For the line under a stage's title; empty: nothing to say.
-std::string stage_remark(const LiveStages& live, Stage stage);
+// For the line under a stage's title; empty: nothing to say. `has_textbook`: measured facts are
+// laid over the stage, and what they say is left to them.
+std::string stage_remark(const LiveStages& live, Stage stage, bool has_textbook = false);
 
 }  // namespace tact

@@ -4,9 +4,9 @@
 #include "model/lesson/lesson_lacks.h"
 #include "model/lesson/lesson_numbers.h"
 #include "model/lesson/lesson_pairs.h"
-#include "model/physiology/firing.h"
 #include "model/set/set_ratings.h"
 #include "model/study/ratings.h"
+#include "model/textbook/textbook.h"
 
 namespace tact {
 
@@ -128,14 +128,17 @@ QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
     for (const Receptor receptor : kReceptors) {
         const std::string word = std::string("spikes | ") + traits(receptor).name + " | ";
         const std::string count = value_of(word + step.pattern, lesson.set, pairs);
-        if (is_felt(coded, receptor)) answer.right.push_back(index_of(receptor));
+        if (coded.firing[index_of(receptor)] == Firing::fires) {
+            answer.right.push_back(index_of(receptor));
+        }
         answer.model += std::string(index_of(receptor) == 0 ? "Impulses under the probe: " : ", ") +
                         traits(receptor).name + " " + count;
-        if (count != "0" && coded.leaks[index_of(receptor)]) {
-            answer.model += " (of what its filter leaks, not counted)";
-        }
     }
     answer.model += ".";
+    // An answer that is right by the model, and hardly by anatomy.
+    if (coded.firing[index_of(Receptor::ruffini)] == Firing::fires) {
+        answer.model += " " + sentence_of(*fact_named("ruffini found"));
+    }
     return answer;
 }
 
@@ -168,9 +171,7 @@ LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_p
         if (stop.stop_requested()) return pairs;
         CodedPattern coded{
             neural_coding_stages(waveform, lesson.set.model.coding, KeepLayers::none, {stop, {}})};
-        for (const Receptor receptor : kReceptors) {
-            coded.leaks[index_of(receptor)] = only_leaks(waveform, coded.stages, receptor);
-        }
+        coded.firing = firing_of(coded.stages, lesson.set.model.coding);
         pairs.coded.push_back(std::move(coded));
     }
     if (!with_pairs || !asks_for_pairs(lesson) || waveforms.size() < 2) return pairs;

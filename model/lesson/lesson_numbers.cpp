@@ -126,7 +126,8 @@ std::string share_text(const CodedPattern& coded, Receptor receptor, int least) 
 std::string felt_text(const CodedPattern& coded) {
     std::vector<std::string> names;
     for (const Receptor receptor : kReceptors) {
-        if (is_felt(coded, receptor)) names.emplace_back(traits(receptor).name);
+        if (coded.firing[index_of(receptor)] == Firing::fires)
+            names.emplace_back(traits(receptor).name);
     }
     if (names.empty()) return "no type";
     std::string text = names[0];
@@ -165,7 +166,8 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
     const std::size_t c = index_of(receptor);
     const Activation& activation = coded.stages.code.activation[c];
     if (word == "threshold") return threshold_text(set, receptor, vibration);
-    if (word == "spikes") return std::to_string(centre_spikes(coded, receptor));
+    const char* const leaks = coded.firing[c] == Firing::leaks ? " (its filter leaks)" : "";
+    if (word == "spikes") return std::to_string(centre_spikes(coded, receptor)) + leaks;
     if (word == "rate") return plain_digits(activation.rate_hz, 3) + " impulses/s";
     if (word == "radius") return plain_digits(activation.radius_mm, 2) + " mm";
     if (word == "on") return share_text(coded, receptor, 1);
@@ -176,14 +178,10 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
     }
     const Pattern& pattern = std::get<Pattern>(vibration.source);
     const double cycles = pattern.carriers[0].frequency_hz * pattern.duration_s;
-    return plain_digits(centre_spikes(coded, receptor) / cycles, 2);
+    return plain_digits(centre_spikes(coded, receptor) / cycles, 2) + leaks;
 }
 
 }  // namespace
-
-bool is_felt(const CodedPattern& coded, Receptor receptor) {
-    return !coded.leaks[index_of(receptor)] && centre_spikes(coded, receptor) > 0;
-}
 
 std::string plain_digits(double value, int count) {
     std::string text = significant_digits(value, count);

@@ -7,7 +7,9 @@
 //     {felt | A}                   the types that fire, by more than what their filters leak:
 //                                  "Meissner and Pacinian"
 //     {spikes | TYPE | A}          impulses of the receptor under the probe, in all of A
-//     {per cycle | TYPE | A}       the same, for each cycle of A's first carrier
+//     {per cycle | TYPE | A}       the same, for each cycle of A's first carrier; of a type that
+//     only
+//                                  leaks, both say so
 //     {rate | TYPE | A}            its mean rate by Eq. 2
 //     {receptors | TYPE | A}  {radius | TYPE | A}       how many answer, and how far out
 //     {on | TYPE | A}  {at cap | TYPE | A}   share of the time in which the centre of its network

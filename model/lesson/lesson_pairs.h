@@ -8,6 +8,7 @@
 
 #include "model/lesson/lesson.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 
 namespace tact {
@@ -17,11 +18,8 @@ std::string plain_digits(double value, int count);
 
 struct CodedPattern {
     NeuralCodingStages stages;  // without layers
-    PerReceptor<bool> leaks{};  // the type follows nothing but what its filter leaks
+    PerReceptor<Firing> firing{};
 };
-
-// Whether the receptor under the probe fires, by more than what its filter leaks.
-bool is_felt(const CodedPattern& coded, Receptor receptor);
 
 struct LessonPairs {
     std::vector<CodedPattern> coded;       // of each pattern; empty where no text asks for any

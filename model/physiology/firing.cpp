@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/physiology/channel_energies.h"
+#include "model/signal/butterworth.h"
+
 namespace tact {
 
 namespace {
@@ -11,12 +14,6 @@ namespace {
 constexpr double kBusiestS = 0.1;
 constexpr double kLeastCycles = 4.0;
 constexpr double kStrong = 0.5;  // of the strongest component of the band
-
-double peak_of(std::span<const double> samples) {
-    double peak = 0.0;
-    for (const double sample : samples) peak = std::max(peak, std::abs(sample));
-    return peak;
-}
 
 bool is_in_band(const Component& component, Receptor receptor) {
     return component.frequency_hz >= traits(receptor).low_hz &&
@@ -33,30 +30,36 @@ double strongest_in_band_g(const NeuralCodingStages& stages, Receptor receptor) 
     return strongest_g;
 }
 
-double fastest_strong_hz(const NeuralCodingStages& stages, Receptor receptor) {
-    const double least_g = kStrong * strongest_in_band_g(stages, receptor);
-    double fastest_hz = 0.0;
-    for (const Component& component : stages.components) {
-        if (!is_in_band(component, receptor) || component.amplitude_g <= 0.0) continue;
-        if (component.amplitude_g >= least_g) {
-            fastest_hz = std::max(fastest_hz, component.frequency_hz);
-        }
-    }
-    return fastest_hz;
-}
-
 }  // namespace
 
-bool only_leaks(const Waveform& waveform, const NeuralCodingStages& stages, Receptor receptor) {
-    const ChannelStages& channel = stages.channel[index_of(receptor)];
-    const double peak_g = peak_of(channel.filtered_g);
-    if (channel.silent || peak_g <= 0.0) return false;
-    if (peak_g > kLeakShare * peak_of(waveform.samples_g)) return false;
+bool only_leaks(const NeuralCodingStages& stages, const NeuralCodingParams& params,
+                Receptor receptor) {
     double strongest_g = 0.0;
     for (const Component& component : stages.components) {
         strongest_g = std::max(strongest_g, component.amplitude_g);
     }
-    return strongest_in_band_g(stages, receptor) <= kLeakShare * strongest_g;
+    if (!(strongest_g > 0.0) || stages.channel[index_of(receptor)].silent) return false;
+    const std::vector<Section> sections = channel_sections(receptor, params);
+    const double least_g = kLeakShare * strongest_g;
+    // A filter amplifies nothing: what is weaker need not be looked at.
+    return std::ranges::none_of(stages.components, [&](const Component& component) {
+        return component.amplitude_g > least_g &&
+               component.amplitude_g * gain(sections, component.frequency_hz, kModelRateHz) >
+                   least_g;
+    });
+}
+
+PerReceptor<Firing> firing_of(const NeuralCodingStages& stages, const NeuralCodingParams& params) {
+    const auto has_fired = [](const std::vector<int>& train) {
+        return std::ranges::any_of(train, [](int count) { return count > 0; });
+    };
+    PerReceptor<Firing> firing{};
+    for (const Receptor receptor : kReceptors) {
+        const std::size_t c = index_of(receptor);
+        if (std::ranges::none_of(stages.channel[c].spike_count, has_fired)) continue;
+        firing[c] = only_leaks(stages, params, receptor) ? Firing::leaks : Firing::fires;
+    }
+    return firing;
 }
 
 std::vector<char> silent_steps(const Waveform& waveform, const ChannelStages& channel) {
@@ -95,10 +98,24 @@ std::span<const int> spikes_under_probe(const ChannelStages& channel) {
     return channel.spike_count[k];
 }
 
+std::optional<Range> strong_band_hz(const NeuralCodingStages& stages, Receptor receptor) {
+    const double least_g = kStrong * strongest_in_band_g(stages, receptor);
+    std::optional<Range> band;
+    for (const Component& component : stages.components) {
+        if (!is_in_band(component, receptor) || component.amplitude_g <= 0.0) continue;
+        if (component.amplitude_g < least_g) continue;
+        const double hz = component.frequency_hz;
+        if (!band) band = Range{hz, hz};
+        band = Range{std::min(band->low, hz), std::max(band->high, hz)};
+    }
+    return band;
+}
+
 double impulses_a_cycle(const NeuralCodingStages& stages, Receptor receptor) {
     const std::span<const int> counts = spikes_under_probe(stages.channel[index_of(receptor)]);
-    const double fastest_hz = fastest_strong_hz(stages, receptor);
-    if (counts.empty() || !(fastest_hz > 0.0)) return 0.0;
+    const std::optional<Range> band = strong_band_hz(stages, receptor);
+    if (counts.empty() || !band || !(band->high > 0.0)) return 0.0;
+    const double fastest_hz = band->high;
     const double wanted = std::ceil(std::max(kBusiestS, kLeastCycles / fastest_hz) / kStepS);
     const std::size_t window = std::min(static_cast<std::size_t>(wanted), counts.size());
     int sum =

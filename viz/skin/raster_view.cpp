@@ -79,6 +79,13 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ra
                            0.85F * theme.mark_px, receptor, hue);
         draw_text(list, font, {area.min.x + mark_px, top}, hue,
                   shortened(font, traits(receptor).name, room - mark_px));
+        const std::string& note = scene.channels[i].note;
+        const bool is_noted = band.fires && !note.empty() && bottom - top >= 2.3F * text_px;
+        if (is_noted) {
+            draw_text(list, font, {area.min.x + mark_px, top + 1.1F * text_px}, theme.text,
+                      shortened(font, note, room - mark_px));
+            top += 1.1F * text_px;
+        }
         if (!band.fires || band.rate.empty() || bottom - top < 2.3F * text_px) continue;
         std::string peak = "peak " + short_number(all[i].largest_total / kStepS) + " imp/s";
         if (text_size(font, peak).x > room - mark_px) peak = peak.substr(5);
@@ -140,7 +147,8 @@ float names_width(const Theme& theme, const Rect& area, const RasterScene& scene
     if (scene.names_px) return std::min(*scene.names_px, 0.6F * area.width());
     float widest = text_size(theme.fonts.small, "peak 0.00k imp/s").x;
     for (const RasterChannel& channel : scene.channels) {
-        widest = std::max(widest, text_size(theme.fonts.small, traits(channel.receptor).name).x);
+        widest = std::max({widest, text_size(theme.fonts.small, traits(channel.receptor).name).x,
+                           text_size(theme.fonts.small, channel.note).x});
     }
     return std::min(widest + 2.6F * theme.mark_px + theme.gap_px, 0.25F * area.width());
 }

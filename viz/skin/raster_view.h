@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/physiology/mechanoreceptor.h"
@@ -24,6 +25,7 @@ struct RasterChannel {
     std::span<const std::size_t> order{};  // receptors from the top row down; empty: as they come
     bool pale = false;                     // what fires here says nothing of the skin
     std::span<const char> pale_steps{};    // those in which it does not; empty: none
+    std::string note{};                    // below the name, where there is room
 };
 
 struct RasterSpot {

@@ -74,13 +74,21 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const R
 
 bool has_legend(const ReceptorScene& scene) { return scene.legend && is_activated(scene); }
 
+// "centre fires 345 in 1 s, 11.5 a cycle"; of a type that only leaks, that it does.
+std::string counted_text(const ReceptorScene& scene, const char* fires) {
+    const std::string count =
+        std::to_string(*scene.centre_spikes) + " in " + tick_text(scene.duration_s) + " s";
+    if (scene.only_leaks) return "filter leak: " + count;
+    const std::string times = significant(scene.times_a_cycle, 2) + " a cycle";
+    return fires + count + (scene.times_a_cycle > 0.0 ? ", " + times : "");
+}
+
 // What receptor_state_text() says at most, a line each.
 std::vector<std::string> state_lines(const ReceptorScene& scene) {
     if (!is_activated(scene) || scene.silent || !scene.centre_spikes) {
         return {receptor_state_text(scene, nullptr, 1e6F)};
     }
-    return {"centre fires " + std::to_string(*scene.centre_spikes) + " in " +
-                tick_text(scene.duration_s) + " s",
+    return {counted_text(scene, "centre fires "),
             "rate by Eq. 2: " + significant(scene.activation.rate_hz) + " imp/s",
             "as far as " + significant(scene.activation.radius_mm, 2) + " mm"};
 }
@@ -109,14 +117,15 @@ std::string receptor_state_text(const ReceptorScene& scene, const ImFont* font, 
         wordings = {rate + radius, rate};
         if (scene.centre_spikes) {
             const std::string count = std::to_string(*scene.centre_spikes);
-            const std::string fires =
-                "fires " + count + " in " + tick_text(scene.duration_s) + " s";
-            wordings = {"centre " + fires + " (rate by Eq. 2: " + rate + ")" + radius,
-                        "centre " + fires + radius,
+            const std::string centre = counted_text(scene, "centre fires ");
+            const std::string fires = counted_text(scene, "fires ");
+            const std::string in_short = scene.only_leaks ? "filter leak" : count + " spikes";
+            wordings = {centre + " (rate by Eq. 2: " + rate + ")" + radius,
+                        centre + radius,
                         fires + radius,
                         fires,
-                        count + " spikes",
-                        count};
+                        in_short,
+                        scene.only_leaks ? "leak" : count};
         }
     }
     for (const std::string& wording : wordings) {

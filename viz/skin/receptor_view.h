@@ -41,8 +41,10 @@ struct ReceptorScene {
     // How often the receptor under the probe fires in the whole signal, as a raster shows it. The
     // model may share impulses out so that this is several times what Eq. 2's rate would give.
     std::optional<int> centre_spikes{};
-    bool legend = true;       // of the colours, in the caption; false: one stands for all maps
-    double duration_s = 1.0;  // of the signal
+    bool only_leaks = false;     // what fires answers to what its filter leaks
+    double times_a_cycle = 0.0;  // that the centre fires, where that is said; 0: it is not
+    bool legend = true;          // of the colours, in the caption; false: one stands for all maps
+    double duration_s = 1.0;     // of the signal
     std::span<const float> flash{};  // by receptor: 1 fires now, fading to 0; empty: none does
     float tilted = 0.0F;             // 0: seen from above; 1: from the side, values as heights
     std::optional<std::size_t> selected{};

@@ -130,7 +130,7 @@ std::string of_pattern(const Recomputed& model, const std::vector<std::string>& 
     for (const char* type : {"Meissner", "Pacinian", "Merkel", "Ruffini"}) {
         const std::size_t place = model.place(name);
         const bool leaks =
-            only_leaks(model.waveforms[place], model.stages[place], kReceptors[type_of(type)]);
+            only_leaks(model.stages[place], model.set.model.coding, kReceptors[type_of(type)]);
         if (!leaks && model.spikes(type_of(type), name) > 0) felt.emplace_back(type);
     }
     REQUIRE_FALSE(felt.empty());

@@ -249,6 +249,36 @@ TEST_CASE("receptor view: where no words fit there are none, rather than cut one
     });
 }
 
+TEST_CASE(
+    "receptor view: what a filter leaks is never counted as firing, however short the words") {
+    const Example e(Receptor::merkel, 6.0);
+    ReceptorScene scene = e.scene();
+    scene.centre_spikes = 317;
+    scene.only_leaks = true;
+    draw_picture(100, 100, {}, [&](const Theme& theme) {
+        for (float room_px = 600.0F; room_px > 5.0F; room_px -= 5.0F) {
+            const std::string words = receptor_state_text(scene, theme.fonts.small, room_px);
+            CHECK(words.find("fires") == std::string::npos);
+            CHECK(words.find("spikes") == std::string::npos);
+            CHECK((words.empty() || words.find("leak") != std::string::npos));
+        }
+    });
+}
+
+TEST_CASE("receptor view: more than one impulse a cycle stands beside the count, large and small") {
+    const Example e(Receptor::meissner, 6.0);
+    ReceptorScene scene = e.scene();
+    scene.centre_spikes = 345;
+    scene.times_a_cycle = 11.5;
+    draw_picture(100, 100, {}, [&](const Theme& theme) {
+        CHECK(
+            receptor_state_text(scene, theme.fonts.small, 1000.0F).find("345 in 1 s, 12 a cycle") !=
+            std::string::npos);
+        CHECK(receptor_state_text(scene, theme.fonts.small, 160.0F) ==
+              "fires 345 in 1 s, 12 a cycle");
+    });
+}
+
 TEST_CASE("receptor view: in the tilted view a stronger value stands higher, and it eases in") {
     const Example e(Receptor::meissner, 6.0);
     for (const auto quantity : {ReceptorQuantity::rate, ReceptorQuantity::amplitude}) {
