@@ -73,6 +73,7 @@ void read_value(JsonObject& object, TextbookFact& fact) {
 TextbookFact fact_of(JsonObject& object) {
     TextbookFact fact;
     fact.id = name_field(object, "id", "");
+    fact.what = needed_text(object, "what");
     fact.says = needed_text(object, "says");
     for (const Json* stage : array_field(object, "stages", 1, kStageKeys.size())) {
         const bool known =
@@ -96,23 +97,23 @@ TextbookFact fact_of(JsonObject& object) {
     return fact;
 }
 
-std::string digits(double value) { return significant_digits(value, 4); }
+std::string exact_digits(double value) { return significant_digits(value, 4); }
 
 std::string number_text(const TextbookFact& fact) {
     if (!fact.points.empty()) {
         std::string text;
         for (std::size_t k = 0; k < fact.points.size(); ++k) {
             if (k > 0) text += k + 1 == fact.points.size() ? " and " : ", ";
-            text += digits(fact.points[k].second);
+            text += exact_digits(fact.points[k].second);
             if (k + 1 == fact.points.size()) text += " " + fact.unit;
-            text += " at " + digits(fact.points[k].first);
+            text += " at " + exact_digits(fact.points[k].first);
         }
         return text + " " + fact.over;
     }
-    if (!fact.high) return "at least " + digits(*fact.low) + " " + fact.unit;
-    if (!fact.low) return "less than " + digits(*fact.high) + " " + fact.unit;
-    if (*fact.low == *fact.high) return digits(*fact.low) + " " + fact.unit;
-    return digits(*fact.low) + " to " + digits(*fact.high) + " " + fact.unit;
+    if (!fact.high) return "at least " + exact_digits(*fact.low) + " " + fact.unit;
+    if (!fact.low) return "less than " + exact_digits(*fact.high) + " " + fact.unit;
+    if (*fact.low == *fact.high) return exact_digits(*fact.low) + " " + fact.unit;
+    return exact_digits(*fact.low) + " to " + exact_digits(*fact.high) + " " + fact.unit;
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ enum class Sure {
 
 struct TextbookFact {
     std::string id;                   // words by which lessons ask for it: "frequency jnd"
+    std::string what;                 // before its number: "density"
     std::string says;                 // a sentence, {value} in the place of the number
     std::vector<std::string> stages;  // by their keys: "spikes"; none: it is not shown on one
     std::optional<Receptor> receptor{};

@@ -57,7 +57,7 @@ TEST_CASE("textbook: every fact has a source, a unit, a place, and what was read
         CAPTURE(one.id);
         ids.insert(one.id);
         for (const std::string& text :
-             {one.unit, one.source, one.cite, one.species, one.site, one.read}) {
+             {one.unit, one.source, one.cite, one.what, one.species, one.site, one.read}) {
             CHECK_FALSE(text.empty());
         }
         CHECK((one.low || one.high || !one.points.empty()));
