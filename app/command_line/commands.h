@@ -111,6 +111,7 @@ struct SnapshotCommand {
     std::string stage;             // ... at this stage, large; a key of app/physiology/stages.h
     std::optional<double> at_s;    // ... with the playhead there
     bool tilted = false;           // ... and the receptors
+    bool textbook = false;         // measured facts over the stages
     int frames = 0;                // of a film, or of a sequence in a folder; 0: a single picture
     std::optional<double> slower;  // the same by how much slower than life it goes
     bool figures = false;          // every stage as an SVG in the folder `out`

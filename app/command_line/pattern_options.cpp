@@ -240,6 +240,8 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     snapshot.add_option("--stage", command.stage, "the stage to show large; default: all of them")
         ->check(CLI::IsMember(keys));
     snapshot.add_flag("--tilted", command.tilted, "the receptors seen from the side");
+    snapshot.add_flag("--textbook", command.textbook,
+                      "what was measured, laid over the stages with its sources");
     snapshot.add_flag("--figures", command.figures,
                       "every stage as an SVG of its own, into the folder --out");
     add_moment_options(snapshot, command);

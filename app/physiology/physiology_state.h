@@ -49,6 +49,7 @@ struct PhysiologyState {
     std::optional<Stage> explained;         // its text is open beside it
     Receptor network = Receptor::pacinian;  // whose layers the overview shows
     bool network_chosen = false;            // by the person; otherwise the strongest one
+    bool textbook = false;                  // what was measured is laid over the stages
     bool tilted = false;
     double tilt_since_s = -10.0;
     std::optional<ReceptorPlace> hovered;  // in this frame, in any view

@@ -1,8 +1,11 @@
 // What one stage is about: in the body, in the model, and what neither says.
 
+#include <algorithm>
+
 #include "app/physiology/stages.h"
 #include "app/stages/physiology_panel.h"
 #include "app/ui/widgets.h"
+#include "model/textbook/textbook.h"
 
 namespace tact {
 
@@ -14,6 +17,17 @@ void draw_paragraph(const Ui& ui, const char* heading, const char* text) {
     ImGui::PopFont();
     ImGui::TextUnformatted(text);
     ImGui::Dummy({1.0F, 0.25F * ui.theme.gap_px});
+}
+
+// What was measured there, each with its source.
+void draw_measured_facts(const Ui& ui, const std::string& key) {
+    std::string facts;
+    for (const TextbookFact& fact : textbook()) {
+        if (fact.sure == Sure::from_memory) continue;
+        if (std::ranges::find(fact.stages, key) == fact.stages.end()) continue;
+        facts += (facts.empty() ? "" : "\n") + sentence_of(fact);
+    }
+    if (!facts.empty()) draw_paragraph(ui, "Measured", facts.c_str());
 }
 
 void draw_way(Ui& ui, Physiology& physiology, Stage stage) {
@@ -55,6 +69,7 @@ void draw_explain_window(Ui& ui, Physiology& physiology, const Rect& beside) {
         draw_paragraph(ui, "Left out", text.left_out);
         draw_paragraph(ui, "Ours, not the paper's", text.ours);
         draw_paragraph(ui, "Sources", text.source);
+        if (physiology.view.textbook) draw_measured_facts(ui, text.key);
         ImGui::PopTextWrapPos();
         draw_way(ui, physiology, stage);
         const ImVec2 min = ImGui::GetWindowPos();

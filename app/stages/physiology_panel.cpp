@@ -15,6 +15,7 @@
 #include "app/stages/stage_pictures.h"
 #include "app/stages/stage_strip.h"
 #include "app/stages/stage_views.h"
+#include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -93,9 +94,10 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     const float beside_px = detail_px + text_size(font, detail).x + 3.0F * ui.theme.gap_px;
     float top = line.max.y;
     if (size.controls && size.controls->y >= line.max.y) top += line.height();
-    top += draw_remark(ui, patterns, stage, {{beside_px, words.y}, line.max},
+    top += draw_remark(ui, physiology, patterns, stage, {{beside_px, words.y}, line.max},
                        {{pane.min.x, top}, pane.max});
     top += 0.5F * ui.theme.gap_px;
+    top += draw_textbook(ui, physiology, patterns, stage, {{pane.min.x, top}, pane.max});
     Rect plots{{pane.min.x, top}, pane.max};
     if (!patterns.empty() && (stage == Stage::receptors || stage == Stage::networks)) {
         const float line_px = text_size(font, "X").y;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/stages/stage_pictures.h"
+#include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"
 #include "viz/charts/spectrum_view.h"
 
@@ -17,6 +18,9 @@ void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& show
     scene.colour = ui.theme.text;
     scene.stale = shown.stale;
     scene.curves_move = large && !shown.pinned && !ui.as_picture;
+    const MeasuredSpectrum measured = measured_spectrum(physiology);
+    scene.felt_db = measured.felt_db;
+    scene.bands = measured.bands;
     const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
     const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
     note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);

@@ -10,6 +10,7 @@
 #include "app/stages/stage_label.h"
 #include "app/stages/stage_pair.h"
 #include "app/stages/stage_remarks.h"
+#include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
@@ -159,7 +160,9 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                        stage, reach_text(work, patterns[0], stage));
         }
         if (patterns.size() == 1) {
-            draw_short_remark(ui, patterns[0], stage, {{corner.x, named}, words.max});
+            Rect rest{{corner.x, named}, words.max};
+            rest.max.y -= draw_textbook_sign(ui, physiology, patterns[0], stage, rest);
+            draw_short_remark(ui, patterns[0], stage, rest);
         }
         StageSize size;
         size.time_axis = stage == kStages.back();

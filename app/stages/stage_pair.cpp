@@ -135,9 +135,10 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                    {difference_colour(ui.theme), false}});
 }
 
-float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,
-                  const Rect& below) {
-    std::string remark = patterns.empty() ? std::string() : stage_remark(*patterns[0].live, stage);
+float draw_remark(Ui& ui, const Physiology& physiology, const std::vector<ShownStages>& patterns,
+                  Stage stage, const Rect& beside, const Rect& below) {
+    if (patterns.empty()) return 0.0F;
+    std::string remark = stage_remark(*patterns[0].live, stage, physiology.view.textbook);
     if (remark.empty()) return 0.0F;
     if (patterns.size() > 1 && stage != Stage::spectrum) {
         remark = of_pattern(patterns[0].live->request.vibration.name, remark);

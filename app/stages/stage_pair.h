@@ -18,7 +18,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
 
 // What misleads in the stage of the first pattern: in `beside` where it fits in one line, else at
 // the top of `below`; the height that it takes there.
-float draw_remark(Ui& ui, const std::vector<ShownStages>& patterns, Stage stage, const Rect& beside,
-                  const Rect& below);
+float draw_remark(Ui& ui, const Physiology& physiology, const std::vector<ShownStages>& patterns,
+                  Stage stage, const Rect& beside, const Rect& below);
 
 }  // namespace tact

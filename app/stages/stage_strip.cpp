@@ -45,6 +45,10 @@ std::string compare_words(const Ui& ui, const Workspace& work) {
 constexpr const char* kUnpin = "\u00d7";
 constexpr const char* kFold = "Fold";
 constexpr const char* kFoldHelp = "The stages in one row, and room for the map";
+constexpr const char* kTextbook = "Textbook";
+constexpr const char* kTextbookHelp =
+    "What was measured in skin, fibres, brain and people, with its sources, over each stage, and "
+    "where the model parts from it";
 constexpr const char* kMore = "More\u2026";
 constexpr const char* kHint =
     "Space plays silently, in slow motion; drag in any plot to move through time; a stage's name "
@@ -74,28 +78,33 @@ void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     }
 }
 
-PhysiologyDeed draw_links(Ui& ui, Workspace& work, bool tour_begun, float gap_px) {
+PhysiologyDeed draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun,
+                          float gap_px) {
     PhysiologyDeed deed = PhysiologyDeed::none;
-    if (link(ui, "compare", compare_words(ui, work))) ImGui::OpenPopup("compare with");
+    draw_check(ui.theme, kTextbook, physiology.view.textbook);
+    note_item(ui.rects, "textbook");
+    draw_tooltip(ui, kTextbookHelp);
+    flow_on(words_px(compare_words(ui, work)), gap_px);
+    if (row_link(ui, "compare", compare_words(ui, work))) ImGui::OpenPopup("compare with");
     note_item(ui.rects, "compare with");
     if (!work.selection.pinned.empty()) {
         ImGui::SameLine();
-        if (link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
+        if (row_link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
         note_item(ui.rects, "unpin");
         draw_tooltip(ui, "Show one pattern again");
     }
     flow_on(words_px(tour_words(tour_begun)), gap_px);
-    if (link(ui, "tour", tour_words(tour_begun))) deed = PhysiologyDeed::tour;
+    if (row_link(ui, "tour", tour_words(tour_begun))) deed = PhysiologyDeed::tour;
     note_item(ui.rects, "start tour");
     flow_on(words_px(kFold), gap_px);
-    if (link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
+    if (row_link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
     note_item(ui.rects, "stages:fold");
     draw_tooltip(ui, kFoldHelp);
     return deed;
 }
 
 // The links as a menu, for a pane that has no line for them.
-PhysiologyDeed draw_more(Ui& ui, Workspace& work, bool tour_begun) {
+PhysiologyDeed draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
     if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
     note_item(ui.rects, "stages:more");
     if (!ImGui::IsPopupOpen("more of the stages")) return PhysiologyDeed::none;
@@ -111,6 +120,10 @@ PhysiologyDeed draw_more(Ui& ui, Workspace& work, bool tour_begun) {
         note_item(ui.rects, id);
         return chosen;
     };
+    bool& textbook = physiology.view.textbook;
+    if (row(textbook ? "Without the textbook" : "Textbook over the stages", "textbook")) {
+        textbook = !textbook;
+    }
     const bool pinned = !work.selection.pinned.empty();
     if (row("Show one pattern again", "unpin", pinned)) work.selection.pinned.clear();
     if (row(tour_words(tour_begun), "start tour")) deed = PhysiologyDeed::tour;
@@ -146,20 +159,22 @@ PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool 
     const float apart = 2.0F * ui.theme.padding_px;
     const float unpin_px =
         work.selection.pinned.empty() ? 0.0F : ui.theme.gap_px + words_px(kUnpin);
-    const float links_px = words_px(compare_words(ui, work)) + unpin_px +
-                           words_px(tour_words(tour_begun)) + words_px(kFold) + 2.0F * apart;
+    const float links_px = check_width(ui.theme, kTextbook) + words_px(compare_words(ui, work)) +
+                           unpin_px + words_px(tour_words(tour_begun)) + words_px(kFold) +
+                           3.0F * apart;
     const Rect last{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
     const bool beside = last.max.x + apart + links_px <= right;
     const bool as_menu = !beside && !in_line;
     const float width = as_menu ? words_px(kMore) : links_px;
     if (flow_on(width, apart)) {
-        const float down = std::floor(0.5F * (last.height() - ImGui::GetTextLineHeight()));
+        const float height = as_menu ? ImGui::GetTextLineHeight() : ImGui::GetFrameHeight();
+        const float down = std::floor(0.5F * (last.height() - height));
         ImGui::SetCursorScreenPos({right - width, last.min.y + down});
     }
     ImGui::BeginGroup();
-    const PhysiologyDeed deed =
-        as_menu ? draw_more(ui, work, tour_begun) : draw_links(ui, work, tour_begun, apart);
+    const PhysiologyDeed deed = as_menu ? draw_more(ui, work, physiology, tour_begun)
+                                        : draw_links(ui, work, physiology, tour_begun, apart);
     ImGui::EndGroup();
     if (ImGui::IsPopupOpen("compare with")) {
         open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});

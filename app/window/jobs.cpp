@@ -36,6 +36,7 @@ ShownMap anew(const ShownMap& was) {
 Physiology anew(const Physiology& was) {
     Physiology fresh;
     fresh.view.open = was.view.open;
+    fresh.view.textbook = was.view.textbook;
     fresh.view.tilted = was.view.tilted;
     fresh.view.explained = was.view.explained;
     return fresh;

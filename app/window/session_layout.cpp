@@ -186,6 +186,7 @@ void keep_layout(App& app) {
     kept["present_scale"] = static_cast<double>(app.lesson.present_scale);
     kept["strip_height"] = static_cast<double>(app.pattern_panes.strip.height);
     kept["own_heights"] = app.work.own_heights ? 1.0 : 0.0;
+    kept["textbook"] = app.physiology.view.textbook ? 1.0 : 0.0;
     kept["motion"] = app.ui.motion ? 1.0 : 0.0;
 }
 
@@ -212,6 +213,7 @@ void restore_layout(App& app) {
     strip_height = static_cast<float>(value("strip_height", kStripHeight.low, kStripHeight.high,
                                             static_cast<double>(strip_height)));
     app.work.own_heights = value("own_heights", 0.0, 1.0, 0.0) > 0.5;
+    app.physiology.view.textbook = value("textbook", 0.0, 1.0, 0.0) > 0.5;
     app.ui.motion = value("motion", 0.0, 1.0, 1.0) > 0.5;
 }
 

@@ -176,6 +176,7 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
     app.physiology.stages = stages_of(stages_request(set, choice.pattern, choice.rendered_by));
     app.physiology.view.open = choice.stage;
     app.physiology.view.tilted = choice.tilted;
+    app.physiology.view.textbook = choice.textbook;
     if (!choice.pinned) return view;
     app.work.selection.pinned = set.vibrations[*choice.pinned].name;
     app.physiology.pinned_stages =

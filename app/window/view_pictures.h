@@ -29,6 +29,7 @@ struct ViewChoice {
     std::optional<std::size_t> pinned{};      // for comparison
     std::optional<Stage> stage{};             // large
     bool tilted = false;                      // the receptors
+    bool textbook = false;                    // measured facts over the stages
     int threads = 0;                          // 0: all cores
     int dimensions = 3;                       // of the map
     std::optional<RenderedBy> rendered_by{};  // results of what a device plays

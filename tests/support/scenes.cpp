@@ -86,6 +86,53 @@ void draw_in_strip(Program& p, StripTool tool) {
     p.settle();
 }
 
+// One vibration, modulated or not, in the place of the first, with measured facts over its stages.
+void show_with_textbook(Program& p, double frequency_hz, double modulated_hz,
+                        std::optional<Stage> stage) {
+    run(p, "Physiology");
+    Pattern& pattern = std::get<Pattern>(p.app.work.document.edit().vibrations[0].source);
+    pattern.carriers = {{.frequency_hz = frequency_hz}};
+    pattern.modulation = {.frequency_hz = modulated_hz};
+    pattern.amplitude_g = 0.8;
+    ++p.app.work.revision;
+    p.app.physiology.view.textbook = true;
+    p.settle();
+    p.wait_for_stages();
+    p.app.physiology.view.open = stage;
+    p.settle();
+}
+
+void add_textbook(std::vector<Scene>& all) {
+    const auto add = [&all](double frequency_hz, double modulated_hz, std::optional<Stage> stage) {
+        const std::string what = stage ? std::string("stage ") + text_of(*stage).key : "all stages";
+        const std::string how = modulated_hz > 0.0 ? " modulated" : "";
+        all.push_back(
+            {"textbook, " + std::to_string(static_cast<int>(frequency_hz)) + " Hz" + how + ", " +
+                 what,
+             [=](Program& p) { show_with_textbook(p, frequency_hz, modulated_hz, stage); }});
+    };
+    add(30.0, 0.0, std::nullopt);
+    for (const Stage stage : {Stage::spectrum, Stage::receptors, Stage::spikes, Stage::networks,
+                              Stage::central, Stage::brain}) {
+        add(30.0, 0.0, stage);
+    }
+    add(100.0, 0.0, Stage::receptors);
+    add(100.0, 0.0, Stage::spikes);
+    add(150.0, 5.0, std::nullopt);
+    add(150.0, 5.0, Stage::spikes);
+    all.push_back({"textbook, a pair's brain", [](Program& p) {
+                       show_with_textbook(p, 30.0, 0.0, Stage::brain);
+                       p.app.work.selection.pinned = "H-0-full";
+                       p.settle();
+                       p.wait_for_stages();
+                   }});
+    all.push_back({"textbook, explained", [](Program& p) {
+                       show_with_textbook(p, 30.0, 0.0, Stage::receptors);
+                       p.app.physiology.view.explained = Stage::receptors;
+                       p.settle();
+                   }});
+}
+
 void add_arrangements(std::vector<Scene>& all) {
     all.push_back({"design", [](Program&) {}});
     all.push_back({"editor, notes", [](Program& p) { draw_in_strip(p, StripTool::notes); }});
@@ -130,6 +177,7 @@ void add_arrangements(std::vector<Scene>& all) {
                            p.settle();
                        }});
     }
+    add_textbook(all);
     all.push_back({"lesson", begin_tour});
     all.push_back({"lesson at the foot", [](Program& p) {
                        begin_tour(p);
@@ -495,6 +543,8 @@ void SceneWindow::show(const Scene& scene) {
     app.pattern_panes.strip = {};
     app.pattern_panes.editor.tab = {};
     app.physiology.view.open.reset();
+    app.physiology.view.textbook = false;
+    app.physiology.view.explained.reset();
     app.work.selection.pinned.clear();
     app.ui.status = {};
     app.shown_map.cancelled = false;

@@ -191,6 +191,7 @@ SpectrumAction draw_spectrum(const char* id, const Theme& theme, const Rect& are
         const ImU32 colour = faded(theme.receptor[i], hears[i] ? 1.0F : 0.45F);
         draw_threshold(list, theme, plot, kReceptors[i], (*scene.thresholds)[i], colour);
     }
+    draw_measured(list, theme, plot, scene);
     draw_crossings(list, theme, plot, scene);
     list.PopClipRect();
     if (named) draw_names(list, theme, plot, scene, hears);

@@ -11,12 +11,19 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "model/common/range.h"
 #include "model/physiology/activation.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
+
+struct MeasuredBand {
+    Receptor receptor = Receptor::meissner;
+    Range hz{1.0, 500.0};
+};
 
 struct SpectrumScene {
     std::span<const Component> components{};         // by ascending frequency
@@ -25,6 +32,10 @@ struct SpectrumScene {
     ImU32 colour = 0;                                // of components that are felt
     bool stale = false;
     bool curves_move = false;  // thresholds can be taken by the mouse
+    // What was measured, in a neutral colour: least displacements that are felt, Hz and dB; and the
+    // frequencies that a type answers to most easily, bars at the foot.
+    std::span<const std::pair<double, double>> felt_db{};
+    std::span<const MeasuredBand> bands{};
 };
 
 struct SpectrumAction {

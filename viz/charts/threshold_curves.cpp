@@ -1,5 +1,6 @@
 #include "viz/charts/threshold_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -85,6 +86,33 @@ void draw_tick_of_peak(ImDrawList& list, const Theme& theme, const Plot& plot) {
                       theme.hairline_px, theme.line);
     draw_text(list, font, {x - half_px, plot.area.max.y + 5.0F * theme.scale}, theme.dim_text,
               text);
+}
+
+void draw_measured(ImDrawList& list, const Theme& theme, const Plot& plot,
+                   const SpectrumScene& scene) {
+    constexpr float kLeastPx = 140.0F;  // of a plot in which bars at the foot hide no curve
+    const float bar_px = 3.0F * theme.scale;
+    float bottom = plot.area.max.y - bar_px;
+    for (const MeasuredBand& band : scene.bands) {
+        if (plot.area.height() < kLeastPx * theme.scale) break;
+        const float left = to_pixel(plot.x, std::max(band.hz.low, plot.x.low));
+        const float right = to_pixel(plot.x, std::min(band.hz.high, plot.x.high));
+        list.AddRectFilled({left, bottom - bar_px}, {right, bottom}, faded(theme.dim_text, 0.55F));
+        draw_receptor_mark(list, theme, {left + theme.mark_px, bottom - 0.5F * bar_px},
+                           0.8F * theme.mark_px, band.receptor);
+        bottom -= 3.0F * bar_px;
+    }
+    const auto at = [&](const std::pair<double, double>& point) {
+        return ImVec2{to_pixel(plot.x, point.first), to_pixel(plot.y, point.second)};
+    };
+    for (std::size_t k = 0; k < scene.felt_db.size(); ++k) {
+        if (k > 0) {
+            list.AddLine(at(scene.felt_db[k - 1]), at(scene.felt_db[k]), faded(theme.text, 0.4F),
+                         theme.hairline_px);
+        }
+        list.AddCircle(at(scene.felt_db[k]), 0.8F * theme.mark_px, theme.text, 0,
+                       1.5F * theme.hairline_px);
+    }
 }
 
 // Which one is held outlives the frame: 0 none, else its place and one.

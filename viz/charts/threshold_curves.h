@@ -21,6 +21,10 @@ void draw_ghosts(ImDrawList& list, const Theme& theme, const Plot& plot,
 // Where Pacinian corpuscles are most sensitive, between round ticks: in a wide plot it is read.
 void draw_tick_of_peak(ImDrawList& list, const Theme& theme, const Plot& plot);
 
+// What was measured: points of least displacements that are felt, and bars at the foot.
+void draw_measured(ImDrawList& list, const Theme& theme, const Plot& plot,
+                   const SpectrumScene& scene);
+
 // After the plot's button.
 void take_curve(const char* id, const Theme& theme, const Plot& plot, const SpectrumScene& scene,
                 SpectrumAction& action);

@@ -45,6 +45,7 @@ Expected<Done> check_options(const SnapshotCommand& command) {
         if (!command.with.empty()) return needs("--with", kMoving);
         if (!command.stage.empty()) return needs("--stage", kMoving);
         if (command.tilted) return needs("--tilted", kMoving);
+        if (command.textbook) return needs("--textbook", kMoving);
         if (command.at_s) return needs("--at", kMoving);
         if (is_moving(command)) {
             return needs(command.slower ? "--slower" : "--frames",
@@ -110,6 +111,7 @@ Expected<ViewChoice> view_choice(const SnapshotCommand& command, const PatternSe
     choice.rendered_by = *by;
     choice.view = command.view == "window" ? PictureView::window : PictureView::physiology;
     choice.tilted = command.tilted;
+    choice.textbook = command.textbook;
     choice.threads = command.common.threads;
     choice.stage = stage_named(command.stage);
     // An empty set has its window, too.
