@@ -11,6 +11,7 @@
 #include "app/document/editing.h"
 #include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
+#include "model/textbook/noticed.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -36,7 +37,12 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
         layout.bench = BenchTab::why;
     }
     note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
-    draw_tooltip(ui, (names + ": why does the model tell them as it does?").c_str());
+    const auto* a = std::get_if<Pattern>(&vibrations[i].source);
+    const auto* b = std::get_if<Pattern>(&vibrations[j].source);
+    const std::string noticed = a != nullptr && b != nullptr ? noticed_text(*a, *b) : std::string();
+    draw_tooltip(ui, (names + ": why does the model tell them as it does?" +
+                      (noticed.empty() ? "" : "\n" + noticed))
+                         .c_str());
     ImGui::PushFont(ui.theme.fonts.small);
     const std::string ranks = felt + (closer ? "closer" : "farther") + ": rank " +
                               significant(apart.ratings_rank) + ", predicted " +

@@ -16,6 +16,7 @@
 #include "app/progress/failure.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
+#include "model/textbook/noticed.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -116,6 +117,30 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
         if (!oc_fits) draw_text(list, theme.fonts.small, corner, theme.text, oc_text);
     }
     note_rect(ui.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
+}
+
+// What people notice of the difference, and what PM has kept of it.
+void draw_noticed(Ui& ui, const LiveMap& map, std::size_t k,
+                  const std::pair<std::size_t, std::size_t>& rows) {
+    constexpr double kNear = 1.0 / 3.0;  // of all pairs, by NC
+    const auto& all = map.request.set->vibrations;
+    const auto* a = std::get_if<Pattern>(&all[rows.first].source);
+    const auto* b = std::get_if<Pattern>(&all[rows.second].source);
+    if (a == nullptr || b == nullptr) return;
+    std::string text = noticed_text(*a, *b);
+    if (text.empty()) return;
+    const std::vector<double>& ranks = map.prediction.nc_rank;
+    const auto pairs = static_cast<double>(ranks.size());
+    if (ranks.size() > 2 && tell_by_frequency(*a, *b) && ranks[k] <= kNear * pairs) {
+        text += " NC ranks them " + significant(ranks[k]) + " of " + significant(pairs) +
+                ", from the closest: its gates have forgotten the frequency.";
+    }
+    ImGui::PushFont(ui.theme.fonts.small);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    note_item(ui.rects, "why:noticed", text);
 }
 
 // One channel, or two together.
@@ -389,6 +414,7 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     const auto [a, b] = *rows;
     const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
     draw_parts(ui, map->prediction, k);
+    draw_noticed(ui, *map, k, *rows);
     const std::shared_ptr<const LiveDifference> live = comparing.difference;
     const bool fits = live && live->request.a == a && live->request.b == b &&
                       is_same_pair(*live->request.map, *map, *rows);
