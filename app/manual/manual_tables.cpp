@@ -9,7 +9,10 @@
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/perceptual_model/perceptual_model_params.h"
+#include "model/physiology/mechanoreceptor.h"
 #include "model/text/numbers.h"
+#include "model/textbook/textbook.h"
 
 namespace tact {
 
@@ -90,6 +93,46 @@ std::string maps_table() {
     return html_of(table);
 }
 
+std::string textbook_table() {
+    HtmlTable table{{{"fact"}, {"of"}, {"source, and what was read"}, {"id in lessons"}}, {}, {}};
+    for (const TextbookFact& fact : textbook()) {
+        std::string says = fact.says;
+        constexpr std::string_view kValue = "{value}";
+        says.replace(says.find(kValue), kValue.size(), value_text(fact));
+        const char* const sure = fact.sure == Sure::secondary ? "As cited: " : "";
+        table.rows.push_back({html_escaped(says), html_escaped(fact.species + ", " + fact.site),
+                              html_escaped(sure + fact.source) + "<br><span class=\"dim\">Read: " +
+                                  html_escaped(fact.read) + "</span>",
+                              code_html(fact.id)});
+    }
+    return html_of(table);
+}
+
+// The paper's Table 1.
+std::string receptors_table() {
+    HtmlTable table{{{"type"},
+                     {"afferent"},
+                     {"channel"},
+                     {"band, Hz"},
+                     {"units/mm\u00b2", true},
+                     {"apart, mm", true},
+                     {"weight in NC", true}},
+                    {},
+                    {}};
+    const PerceptualModelParams params;
+    for (const Receptor receptor : kReceptors) {
+        const ReceptorTraits& of = traits(receptor);
+        const std::string high = significant_digits(of.high_hz, 3);
+        table.rows.push_back(
+            {html_escaped(of.name), of.afferent, of.channel,
+             of.low_hz > 0.0 ? significant_digits(of.low_hz, 3) + "\u2013" + high : "below " + high,
+             significant_digits(of.density_per_mm2, 3),
+             significant_digits(grid_interval_mm(receptor), 4),
+             significant_digits(params.channel_weight[index_of(receptor)], 3)});
+    }
+    return html_of(table);
+}
+
 struct NamedTable {
     std::string_view name;
     std::string (*html)();
@@ -101,7 +144,9 @@ constexpr auto kTables = std::to_array<NamedTable>({{"stages", stages_table},
                                                     {"devices", devices_table},
                                                     {"sets", sets_table},
                                                     {"targets", targets_table},
-                                                    {"maps", maps_table}});
+                                                    {"maps", maps_table},
+                                                    {"receptors", receptors_table},
+                                                    {"textbook", textbook_table}});
 
 std::string key_html(const std::string& keys) {
     return keys.empty() ? std::string() : "<kbd>" + html_escaped(keys) + "</kbd>";
