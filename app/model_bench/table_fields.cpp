@@ -34,6 +34,8 @@ void draw_choices(Ui& ui, ModelBench& model_bench) {
     draw_segments(ui, receptors, state.type, "table:");
     constexpr std::array kTables{Choice{true, "threshold"}, Choice{false, "slope"}};
     draw_segments(ui, kTables, state.threshold, "table:");
+    // Behind each number it would be cut in a narrow pane.
+    dim_text(ui, state.threshold ? "log10 of \u00b5m peak" : "impulses/s per log10 of \u00b5m");
 }
 
 // One knot: its frequency, its value, and what it was.
@@ -47,7 +49,7 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     const std::string id = "knot_" + std::to_string(k);
     Field field{.id = id.c_str(),
                 .label = label,
-                .format = state.threshold ? "%.3f log10 \u00b5m" : "%.4g imp/s",
+                .format = state.threshold ? "%.3f" : "%.4g",
                 .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
                 .typed = state.threshold ? kThresholdLog10Um : kSlope,
                 .step = state.threshold ? 0.05 : 1.0,
