@@ -44,12 +44,6 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
     return text;
 }
 
-namespace {
-
-constexpr double kStepsABeat = 4.0;
-
-}  // namespace
-
 double tempo_bpm(double unit_s) { return 60.0 / (kStepsABeat * unit_s); }
 
 double unit_at_tempo(double bpm) { return 60.0 / (kStepsABeat * bpm); }

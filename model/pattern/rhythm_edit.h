@@ -34,7 +34,9 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
 // The text with rests for its k-th note. Asserts that there is such a note.
 std::string without_note(std::string text, std::size_t k);
 
-// Quarter notes a minute where a step is a sixteenth, four a beat; and the step at a tempo.
+inline constexpr int kStepsABeat = 4;
+
+// Quarter notes a minute where a step is a sixteenth; and the step at a tempo.
 double tempo_bpm(double unit_s);
 double unit_at_tempo(double bpm);
 
