@@ -12,6 +12,7 @@ namespace tact {
 namespace {
 
 constexpr float kSegmentPadPx = 9.0F;
+constexpr float kSegmentIconPx = 25.0F;  // with the gap behind it
 constexpr float kChipPadPx = 5.0F;
 constexpr float kChipPadYPx = 3.0F;
 constexpr float kBoxPx = 14.0F;
@@ -84,13 +85,14 @@ bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_
 
 }  // namespace
 
-float segment_width(const Ui& ui, const char* words) {
-    return std::round(ImGui::CalcTextSize(words).x + 2.0F * kSegmentPadPx * ui.theme.scale);
+float segment_width(const Ui& ui, const char* words, bool has_icon) {
+    const float pads_px = 2.0F * kSegmentPadPx + (has_icon ? kSegmentIconPx : 0.0F);
+    return std::round(ImGui::CalcTextSize(words).x + pads_px * ui.theme.scale);
 }
 
-bool draw_segment(const Ui& ui, const char* words, bool chosen) {
+bool draw_segment(const Ui& ui, const char* words, bool chosen, std::optional<Icon> icon) {
     const Theme& theme = ui.theme;
-    const ImVec2 size{segment_width(ui, words), ImGui::GetFrameHeight()};
+    const ImVec2 size{segment_width(ui, words, bool(icon)), ImGui::GetFrameHeight()};
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(words, size);
     const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
@@ -106,8 +108,14 @@ bool draw_segment(const Ui& ui, const char* words, bool chosen) {
     } else if (lit) {
         list.AddRectFilled(corner, corner + size, ink(theme.hover), theme.rounding_px);
     }
-    list.AddText(corner + ImVec2{kSegmentPadPx * theme.scale, ImGui::GetStyle().FramePadding.y},
-                 ink(chosen || lit ? theme.text : theme.dim_text), words);
+    const ImU32 colour = ink(chosen || lit ? theme.text : theme.dim_text);
+    float left = kSegmentPadPx * theme.scale;
+    if (icon) {
+        const ImVec2 middle{left + 9.0F * theme.scale, 0.5F * size.y};
+        draw_icon(list, *icon, corner + middle, 12.0F * theme.scale, colour);
+        left += kSegmentIconPx * theme.scale;
+    }
+    list.AddText(corner + ImVec2{left, ImGui::GetStyle().FramePadding.y}, colour, words);
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return pressed;
 }

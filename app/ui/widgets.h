@@ -70,8 +70,8 @@ bool draw_radio(const Ui& ui, const char* label, bool chosen);
 float radio_width(const Ui& ui, const char* label);
 
 // One of a few words in a row: segments of one control. True when pressed.
-bool draw_segment(const Ui& ui, const char* words, bool chosen);
-float segment_width(const Ui& ui, const char* words);
+bool draw_segment(const Ui& ui, const char* words, bool chosen, std::optional<Icon> icon = {});
+float segment_width(const Ui& ui, const char* words, bool has_icon = false);
 
 // What a control of segments offers. The words, which follow "radio:", name a segment for tests.
 template <class Value>
@@ -79,14 +79,15 @@ struct Choice {
     Value value;
     const char* words;
     const char* help = nullptr;
+    std::optional<Icon> icon{};  // before the words
 };
 template <class Value>
-Choice(Value, const char*, const char* = nullptr) -> Choice<Value>;
+Choice(Value, const char*, const char* = nullptr, std::optional<Icon> = {}) -> Choice<Value>;
 
 template <class Segments>
 float segments_width(const Ui& ui, const Segments& all) {
     float width = 0.0F;
-    for (const auto& segment : all) width += segment_width(ui, segment.words);
+    for (const auto& segment : all) width += segment_width(ui, segment.words, bool(segment.icon));
     return width;
 }
 
@@ -97,9 +98,10 @@ bool draw_segments(Ui& ui, const Segments& all, Value& chosen,
     const Value before = chosen;
     bool is_first = true;
     for (const auto& segment : all) {
-        if (!is_first) flow_on(segment_width(ui, segment.words), 0.0F);
+        if (!is_first) flow_on(segment_width(ui, segment.words, bool(segment.icon)), 0.0F);
         is_first = false;
-        if (draw_segment(ui, segment.words, before == segment.value)) chosen = segment.value;
+        const bool is_chosen = before == segment.value;
+        if (draw_segment(ui, segment.words, is_chosen, segment.icon)) chosen = segment.value;
         note_item(ui.rects, noted + segment.words, before == segment.value ? "chosen" : "");
         if (segment.help != nullptr) draw_tooltip(ui, segment.help);
     }

@@ -15,6 +15,24 @@ void draw_triangle(ImDrawList& list, ImVec2 centre, float size, float way, ImU32
                            {centre.x - way * half, centre.y + half}, colour);
 }
 
+// An envelope over its time and its mirror image, filled between; `share` of the time is 0 to 1.
+template <class Envelope>
+void draw_swells(ImDrawList& list, ImVec2 centre, float size, ImU32 colour, Envelope envelope) {
+    constexpr int kPieces = 32;
+    const float left = centre.x - 0.75F * size;
+    const float width = 1.5F * size;
+    for (int k = 0; k < kPieces; ++k) {
+        const auto at = [&](int place) {
+            const float share = static_cast<float>(place) / kPieces;
+            return ImVec2{left + share * width, std::max(0.04F, envelope(share)) * 0.5F * size};
+        };
+        const ImVec2 a = at(k);
+        const ImVec2 b = at(k + 1);
+        list.AddQuadFilled({a.x, centre.y - a.y}, {b.x, centre.y - b.y}, {b.x, centre.y + b.y},
+                           {a.x, centre.y + a.y}, colour);
+    }
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour) {
@@ -48,6 +66,14 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 colour)
             const ImVec2 tip{at.x + half * std::cos(4.9F), at.y + half * std::sin(4.9F)};
             return draw_triangle(list, tip, size * 0.5F, 1.0F, colour);
         }
+        case Icon::ring:
+            return draw_swells(list, at, size, colour, [](float share) {
+                return std::abs(std::sin(2.0F * std::numbers::pi_v<float> * share));
+            });
+        case Icon::tremolo:
+            return draw_swells(list, at, size, colour, [](float share) {
+                return 0.62F - 0.38F * std::cos(2.0F * std::numbers::pi_v<float> * share);
+            });
         case Icon::locked:
             list.AddRectFilled({at.x - 0.38F * size, at.y - 0.05F * size},
                                {at.x + 0.38F * size, at.y + half}, colour, 0.1F * size);
