@@ -27,9 +27,11 @@ namespace {
 
 constexpr std::array kKinds{
     Choice{ModulationKind::product, "Ring",
-           "Times sin(2 pi f t), Eq. 7 of the paper: the strength swells twice a cycle."},
+           "Times sin(2 pi f t), Eq. 7 of the paper: the strength swells twice a cycle.",
+           Icon::ring},
     Choice{ModulationKind::am, "Tremolo",
-           "Times 1 + m sin(2 pi f t): the strength swells once a cycle, by the depth m."}};
+           "Times 1 + m sin(2 pi f t): the strength swells once a cycle, by the depth m.",
+           Icon::tremolo}};
 
 // And how often the strength swells a second, which the frequency alone does not tell.
 void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
@@ -279,23 +281,30 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
 
 enum class ChosenFields { below, elsewhere };
 
-void draw_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room,
-                ChosenFields fields) {
+void draw_strip(Ui& ui, Workspace& work, StripState& strip, Timeline& timeline,
+                const StripRoom& room, ChosenFields fields) {
+    StripTime time{timeline.range, timeline.playhead.at_s};
     ImGui::BeginDisabled(current_vibration(work)->locked);
-    draw_wave_strip(ui, work, strip, room);
+    draw_wave_strip(ui, work, strip, time, room);
     ImGui::EndDisabled();
+    timeline.range = time.range;
+    timeline.playhead.at_s = time.playhead_s;
+    if (strip.pointed_s) timeline.crosshair_s = strip.pointed_s;
     if (fields == ChosenFields::below) draw_chosen_fields(ui, work, strip);
 }
 
 // A narrow pane: the strip above the numbers, or where the pane is low among them, so that it
 // scrolls away.
-void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const ShownMap& shown_map) {
+void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline& timeline,
+                 const ShownMap& shown_map) {
     const float room_px = ImGui::GetContentRegionAvail().y;
     const bool low = room_px < 2.2F * strip_height(ui, pattern_panes.strip);
-    if (!low) draw_strip(ui, work, pattern_panes.strip, {1e4F}, ChosenFields::below);
+    const auto draw_within = [&](float most_px) {
+        draw_strip(ui, work, pattern_panes.strip, timeline, {most_px}, ChosenFields::below);
+    };
+    if (!low) draw_within(1e4F);
     if (ImGui::BeginChild("fields")) {
-        if (low)
-            draw_strip(ui, work, pattern_panes.strip, {kStripShare * room_px}, ChosenFields::below);
+        if (low) draw_within(kStripShare * room_px);
         if (!low && !current_vibration(work)->locked) {
             draw_hint(ui, "editor",
                       "Drag a slider: its point in the map moves. Type for an exact value; arrow "
@@ -327,14 +336,15 @@ float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, flo
 // The strip as high as the pane, above the foot, which goes first where there is no room for both.
 // The numbers of what is chosen stand among the others where those are in sight: the strip would
 // jump beneath the mouse.
-void draw_drawing(Ui& ui, Workspace& work, StripState& strip, const DrawFoot& draw_foot,
-                  ChosenFields fields) {
+void draw_drawing(Ui& ui, Workspace& work, StripState& strip, Timeline& timeline,
+                  const DrawFoot& draw_foot, ChosenFields fields) {
     const bool below = fields == ChosenFields::below;
     if (!below) draw_segments(ui, kTools, strip.tool, "strip tool:");
     const float room_px = ImGui::GetContentRegionAvail().y;
     const float chosen_px = below ? chosen_fields_px(ui, work, strip) : 0.0F;
     const float foot_px = foot_height_px(ui, draw_foot, room_px, chosen_px);
-    draw_strip(ui, work, strip, {.most_px = room_px - chosen_px - foot_px, .fills = true}, fields);
+    draw_strip(ui, work, strip, timeline, {.most_px = room_px - chosen_px - foot_px, .fills = true},
+               fields);
     if (foot_px <= 0.0F) return;
     ImGui::BeginChild("foot");
     draw_foot();
@@ -374,7 +384,8 @@ void draw_tabs(Ui& ui, PatternPanes& pattern_panes) {
 // A wide pane: the strip at the left, the numbers in two columns at the right; in one that has no
 // room for both, one of them at a time.
 std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
-                                         const ShownMap& shown_map, const DrawFoot& draw_foot) {
+                                         Timeline& timeline, const ShownMap& shown_map,
+                                         const DrawFoot& draw_foot) {
     const BandWidths widths = band_widths(ui, ImGui::GetContentRegionAvail().x);
     const EditorTab tab = pattern_panes.editor.tab;
     const bool has_both = widths.drawing_px > 0.0F;
@@ -382,7 +393,7 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (has_both || tab == EditorTab::drawing) {
         ImGui::BeginChild("drawing", {widths.drawing_px, 0.0F});
-        draw_drawing(ui, work, pattern_panes.strip, draw_foot,
+        draw_drawing(ui, work, pattern_panes.strip, timeline, draw_foot,
                      has_both ? ChosenFields::elsewhere : ChosenFields::below);
         ImGui::EndChild();
         if (!has_both) return std::nullopt;
@@ -416,7 +427,7 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
 }  // namespace
 
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
-                                                 PatternPanes& pattern_panes,
+                                                 PatternPanes& pattern_panes, Timeline& timeline,
                                                  const ShownMap& shown_map,
                                                  const DrawFoot& draw_foot) {
     const Vibration* vibration = current_vibration(work);
@@ -427,13 +438,13 @@ std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
     const ImVec2 room = ImGui::GetContentRegionAvail();
     if (room.x >= kTwoColumnsPx * ui.theme.scale &&
         std::holds_alternative<Pattern>(vibration->source)) {
-        return draw_band(ui, work, pattern_panes, shown_map, draw_foot);
+        return draw_band(ui, work, pattern_panes, timeline, shown_map, draw_foot);
     }
     const auto neighbour = neighbour_of(work, shown_map);
     const float card_px = neighbour ? neighbour_card_px(ui, work, shown_map, *neighbour) : 0.0F;
     const float foot_px = foot_height_px(ui, draw_foot, room.y, card_px);
     ImGui::BeginChild("editor", {room.x, std::max(1.0F, room.y - card_px - foot_px)});
-    draw_column(ui, work, pattern_panes, shown_map);
+    draw_column(ui, work, pattern_panes, timeline, shown_map);
     ImGui::EndChild();
     if (foot_px > 0.0F) {
         ImGui::BeginChild("foot", {room.x, foot_px - ui.theme.gap_px});

@@ -8,6 +8,7 @@
 #include "app/map/map_state.h"
 #include "app/patterns/neighbour_card.h"
 #include "app/patterns/patterns_state.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/ui.h"
 
 namespace tact {
@@ -17,7 +18,7 @@ using DrawFoot = std::function<void()>;
 
 // What was pressed on the card of its closest neighbour is for the frame.
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
-                                                 PatternPanes& pattern_panes,
+                                                 PatternPanes& pattern_panes, Timeline& timeline,
                                                  const ShownMap& shown_map,
                                                  const DrawFoot& draw_foot);
 

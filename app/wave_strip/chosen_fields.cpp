@@ -1,16 +1,20 @@
-// The numbers of the chosen point or transient, typed and nudged as every other. Declared in
+// The numbers of the chosen point, transient or notes, typed and nudged as every other. Declared in
 // app/wave_strip/wave_strip.h.
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <variant>
 
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
+#include "app/wave_strip/note_choice.h"
+#include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/wave_strip.h"
 #include "viz/drawing/marks.h"
 
@@ -131,17 +135,112 @@ void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t
     commit_step(ui, work, "Change shape of a transient of " + current_vibration(work)->name);
 }
 
+// An edit of the chosen notes as it comes, one step when the gesture ends.
+template <class With>
+void draw_note_number(Ui& ui, Workspace& work, StripState& strip, const Field& field, double value,
+                      With with) {
+    ImGui::TableNextColumn();
+    double edited = value;
+    const FieldEdit edit = draw_field(ui, field, edited);
+    const Pattern before = std::get<Pattern>(current_vibration(work)->source);
+    if (edit.changed && edited != value) {
+        const Expected<NotesEdit> notes = with(before, edited);
+        if (!notes) return complain(ui, notes.error().message);
+        take_rhythm(work, before, notes->pattern);
+        strip.notes = notes->chosen;
+    }
+    if (edit.finished) commit_step(ui, work, "Change " + of_selection(work, "notes"));
+}
+
+// Of the first one; the others keep their distances and differences to it.
+void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern) {
+    const std::vector<NoteSteps> all = steps_of_notes(pattern);
+    const auto found = std::ranges::find(all, strip.notes.onsets.front(), &NoteSteps::first);
+    if (found == all.end()) return;
+    const NoteSteps first = *found;
+    const double unit_ms = kMs * pattern.rhythm.unit_s;
+    const Range ms{0.0, kMs * pattern.duration_s};
+    const auto steps_of = [unit_ms](double value) {
+        return static_cast<std::ptrdiff_t>(std::llround(value / unit_ms));
+    };
+    const auto from = static_cast<std::ptrdiff_t>(first.first);
+    draw_note_number(ui, work, strip,
+                     {.id = kChosenValue,
+                      .label = "Start",
+                      .format = "%.5g ms",
+                      .slider = ms,
+                      .typed = ms,
+                      .step = unit_ms,
+                      .snap = unit_ms,
+                      .help = "Of the first of the chosen notes; the others keep their distance."},
+                     unit_ms * static_cast<double>(first.first), [&](const Pattern& p, double to) {
+                         return with_notes_moved(p, strip.notes, steps_of(to) - from);
+                     });
+    const Range length_ms{unit_ms, std::max(unit_ms, ms.high)};
+    draw_note_number(ui, work, strip,
+                     {.id = "chosen_length_ms",
+                      .label = "Length",
+                      .format = "%.5g ms",
+                      .slider = length_ms,
+                      .typed = length_ms,
+                      .step = unit_ms,
+                      .snap = unit_ms,
+                      .help = "Of each of the chosen notes, up to the next note."},
+                     unit_ms * static_cast<double>(first.last + 1 - first.first),
+                     [&](const Pattern& p, double to) {
+                         const auto steps = std::max<std::ptrdiff_t>(1, steps_of(to));
+                         return with_notes_held(p, strip.notes, static_cast<std::size_t>(steps));
+                     });
+    const std::string& text = pattern.rhythm.text;
+    const double ninths = 9.0 * velocity_of(text[first.first % text.size()]);
+    constexpr double kNinth = 100.0 / 9.0;
+    draw_note_number(
+        ui, work, strip,
+        {.id = "chosen_strength",
+         .label = "Strength",
+         .format = "%.3g %%",
+         .slider = {kNinth, 100.0},
+         .typed = {kNinth, 100.0},
+         .step = kNinth,
+         .snap = kNinth,
+         .help = "Of the first of the chosen notes, in ninths of the amplitude; the others keep "
+                 "their differences to it."},
+        kNinth * ninths, [&](const Pattern& p, double to) {
+            return with_notes_stronger(p, strip.notes,
+                                       static_cast<int>(std::lround(to / kNinth - ninths)));
+        });
+    ImGui::TableNextColumn();
+    const std::size_t count = strip.notes.onsets.size();
+    const std::string words = std::to_string(count) + (count == 1 ? " note" : " notes");
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, words);
+    note_item(ui.rects, "notes chosen", words);
+    for (const auto& [label, times, help] :
+         {std::tuple{"Double", 2, "Ctrl+D: the notes once more, right after themselves."},
+          std::tuple{"Repeat 4 times", kRepeats, "R: the notes four times in all."}}) {
+        flow_on(button_width(label), ui.theme.gap_px);
+        if (ImGui::Button(label)) (void)repeat_notes(ui, work, strip, times);
+        note_item(ui.rects, std::string("notes:") + label);
+        draw_tooltip(ui, help);
+        if (strip.notes.empty()) return;
+    }
+}
+
 int columns_in(const Ui& ui, float width_px) {
     constexpr float kFieldPx = 252.0F;
     return std::clamp(static_cast<int>(width_px / (kFieldPx * ui.theme.scale)), 1, 3);
 }
 
-int count_of(GripKind kind) { return kind == GripKind::transient ? 5 : 2; }
+int count_of(GripKind kind) {
+    if (is_note(kind)) return 4;
+    return kind == GripKind::transient ? 5 : 2;
+}
 
-// What the strip has chosen of the pattern in the editor.
+// What the strip has chosen of the pattern in the editor; of notes the first.
 std::optional<Grip> chosen_of(const Workspace& work, const StripState& strip) {
     const Vibration* vibration = current_vibration(work);
     const auto* pattern = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
+    if (has_chosen_notes(work, strip)) return Grip{GripKind::note};
     const bool is_there = strip.chosen && pattern != nullptr && vibration->name == strip.pattern &&
                           exists(*pattern, *strip.chosen);
     return is_there ? strip.chosen : std::nullopt;
@@ -158,7 +257,7 @@ float chosen_fields_px(const Ui& ui, const Workspace& work, const StripState& st
            2.0F * ImGui::GetStyle().ItemSpacing.y;
 }
 
-void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
+void draw_chosen_fields(Ui& ui, Workspace& work, StripState& strip) {
     const auto chosen = chosen_of(work, strip);
     if (!chosen) return;
     const Pattern pattern = std::get<Pattern>(current_vibration(work)->source);
@@ -171,6 +270,7 @@ void draw_chosen_fields(Ui& ui, Workspace& work, const StripState& strip) {
         if (chosen->kind == GripKind::amplitude_point) draw_amplitude_point(ui, work, pattern, k);
         if (chosen->kind == GripKind::frequency_point) draw_frequency_point(ui, work, pattern, k);
         if (chosen->kind == GripKind::transient) draw_transient(ui, work, pattern, k);
+        if (chosen->kind == GripKind::note) draw_notes(ui, work, strip, pattern);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();

@@ -48,13 +48,15 @@ const char* help_on(GripKind kind) {
         case GripKind::release:
             return "Drag: release of every note.";
         case GripKind::note_start:
-            return "Drag: where the note begins; Alt to quarters of a step.";
+            return "Drag: where the note begins; Shift to beats, Alt to quarters of a step.";
         case GripKind::note:
-            return "Drag: move the note; Alt to quarters of a step. Double click: remove.";
+            return "Drag: move the note; Shift by beats, Alt to quarters of a step. Shift and a "
+                   "click: "
+                   "choose it, too. Double click: remove.";
         case GripKind::note_end:
-            return "Drag: where the note ends; Alt to quarters of a step.";
+            return "Drag: where the note ends; Shift to beats, Alt to quarters of a step.";
         case GripKind::note_top:
-            return "Drag: strength of the note, in ninths.";
+            return "Drag: strength of the note, and of all that are chosen, in ninths.";
         case GripKind::end:
             return "Drag: duration.";
     }
@@ -64,11 +66,11 @@ const char* help_on(GripKind kind) {
 const char* help_on(StripTool tool) {
     switch (tool) {
         case StripTool::curves:
-            return "Double click: a transient. Wheel: zoom.";
+            return "Double click: a transient. Wheel: zoom, with Shift: along.";
         case StripTool::notes:
-            return "Drag: draw a note. Wheel: zoom.";
+            return "Drag: draw a note; with Shift: choose several. Wheel: zoom, with Shift: along.";
         case StripTool::ticks:
-            return "Press: a transient. Wheel: zoom.";
+            return "Press: a transient. Wheel: zoom, with Shift: along.";
     }
     return "";
 }

@@ -259,7 +259,8 @@ Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale
         case GripKind::note_start:
         case GripKind::note:
         case GripKind::note_end:
-            pattern.rhythm = with_note_dragged(pattern.rhythm, grip, step.time_s, drag.free);
+            pattern.rhythm =
+                with_note_dragged(pattern.rhythm, grip, time_dragged_s(scale, drag), snap_of(drag));
             break;
         case GripKind::note_top:
             pattern.rhythm = with_note_strength(pattern.rhythm, grip, strength_at(scale, drag.to));

@@ -84,7 +84,7 @@ std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImV
 
 struct GripDrag {
     ImVec2 from, to;
-    bool along_one_axis = false;  // the one along which it went further
+    bool along_one_axis = false;  // the one along which it went further; a note keeps to beats
     bool free = false;            // of the snaps: 5 ms, 0.01 g, 1 Hz; of a rhythm's, to quarters
 };
 

@@ -75,16 +75,36 @@ std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale
     return edge ? edge : whole;
 }
 
-Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bool free) {
+NoteSnap snap_of(const GripDrag& drag) {
+    if (drag.free) return NoteSnap::quarter;
+    return drag.along_one_axis ? NoteSnap::beat : NoteSnap::step;
+}
+
+double time_dragged_s(const StripScale& scale, const GripDrag& drag) {
+    const Axis& time = scale.amplitude.x;
+    return to_value(time, drag.to.x) - to_value(time, drag.from.x);
+}
+
+std::ptrdiff_t steps_moved(const Rhythm& rhythm, std::size_t from, double by_s, NoteSnap snap) {
+    const double steps = by_s / rhythm.unit_s;
+    if (snap != NoteSnap::beat) return std::llround(steps);
+    const auto at = static_cast<std::ptrdiff_t>(from);
+    return std::llround((static_cast<double>(from) + steps) / kStepsABeat) * kStepsABeat - at;
+}
+
+Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, NoteSnap snap) {
     constexpr std::size_t kQuarters = 4;
+    const bool free = snap == NoteSnap::quarter;
     const Rhythm grid = free ? refined(rhythm, kQuarters) : rhythm;
-    const std::size_t count = note_steps(grid.text).size();
-    if (count == 0) return rhythm;
+    const std::vector<NoteSteps> all = note_steps(grid.text);
+    if (all.empty()) return rhythm;
+    const std::size_t k = grip.index % all.size();
     NotePart part = NotePart::whole;
     if (grip.kind == GripKind::note_start) part = NotePart::start;
     if (grip.kind == GripKind::note_end) part = NotePart::end;
-    const auto steps = static_cast<std::ptrdiff_t>(std::llround(by_s / grid.unit_s));
-    const Rhythm moved{with_note_moved(grid.text, grip.index % count, part, steps), grid.unit_s};
+    const std::size_t from = part == NotePart::end ? all[k].last + 1 : all[k].first;
+    const std::ptrdiff_t steps = steps_moved(grid, from, by_s, snap);
+    const Rhythm moved{with_note_moved(grid.text, k, part, steps), grid.unit_s};
     return free ? coarsened(moved, kQuarters) : moved;
 }
 

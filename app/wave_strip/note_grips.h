@@ -28,9 +28,19 @@ double strength_at(const StripScale& scale, ImVec2 mouse);
 std::optional<Grip> note_grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
                                  float reach_px);
 
+// What a dragged note keeps to.
+enum class NoteSnap { step, beat, quarter };
+
+NoteSnap snap_of(const GripDrag& drag);
+double time_dragged_s(const StripScale& scale, const GripDrag& drag);
+
+// By how many steps of the rhythm a drag moves what was at this step: onto the nearest one, or onto
+// the nearest beat.
+std::ptrdiff_t steps_moved(const Rhythm& rhythm, std::size_t from, double by_s, NoteSnap snap);
+
 // The rhythm with the grip's note, which all repetitions of the text share, dragged along its grid,
-// or `free` along one of quarters of a step.
-Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, bool free);
+// or along one of quarters of a step.
+Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, NoteSnap snap);
 
 // The rhythm with the grip's note at this strength, in whole ninths.
 Rhythm with_note_strength(const Rhythm& rhythm, const Grip& grip, double strength);

@@ -31,19 +31,47 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PopClipRect();
 }
 
+// Another one's wave beneath, dim, and its name at the end of the pattern.
+void draw_ghost(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    if (scene.ghost == nullptr) return;
+    const Plot& lane = scene.scale.amplitude;
+    list.PushClipRect(lane.area.min, lane.area.max, true);
+    draw_signal(list, theme, lane, scene.ghost->samples_g, scene.ghost->rate_hz,
+                faded(theme.dim_text, 0.5F), TraceStyle::line);
+    list.PopClipRect();
+}
+
+void draw_ghost_words(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    if (scene.ghost == nullptr) return;
+    const Rect& lane = scene.scale.amplitude.area;
+    const ImFont* font = theme.fonts.small;
+    const float line_px = text_size(font, "0").y;
+    const std::string words = shortened(font, scene.ghost_words, 0.6F * lane.width());
+    const float end_px = to_pixel(scene.scale.amplitude.x, scene.pattern.duration_s);
+    const ImVec2 at{std::min(lane.max.x, end_px) - text_size(font, words).x - 0.5F * theme.gap_px,
+                    lane.min.y + line_px};
+    draw_text_halo(list, font, at, theme.dim_text, theme.pane, 2.0F * theme.scale, words);
+}
+
 // A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
 // Thousands that are narrower than a bar are drawn as the highest of each column of pixels.
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     constexpr float kNarrowPx = 4.0F;
     const Rect& lane = scene.scale.amplitude.area;
     const bool is_high = scene.scale.tool == StripTool::notes;
+    const bool some_chosen = !scene.notes.empty();
+    const std::vector<NoteSteps> steps =
+        some_chosen ? steps_of_notes(scene.pattern) : std::vector<NoteSteps>{};
     const float bar_px = 3.0F * theme.scale;
     const float rounding = 2.0F * theme.scale;
     list.PushClipRect(lane.min, lane.max, true);
     float last_px = -1.0F;  // the column that was drawn last, and how high
     float last_top = 0.0F;
     for (const auto& [index, area, top] : note_blocks(scene.pattern, scene.scale)) {
-        const bool lit = scene.under && is_note(scene.under->kind) && scene.under->index == index;
+        const bool chosen =
+            some_chosen && std::ranges::binary_search(scene.notes.onsets, steps[index].first);
+        const bool lit =
+            chosen || (scene.under && is_note(scene.under->kind) && scene.under->index == index);
         const ImVec2 max{std::max(area.max.x - theme.hairline_px, area.min.x + 1.0F), area.max.y};
         const ImU32 ink = lit ? theme.text : theme.dim_text;
         if (!is_high) {
@@ -60,10 +88,32 @@ void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
         }
         list.AddRectFilled({area.min.x, top}, max, faded(scene.colour, lit ? 0.5F : 0.32F),
                            rounding);
-        list.AddRect({area.min.x, top}, max, scene.colour, rounding, 0, theme.hairline_px);
+        list.AddRect({area.min.x, top}, max, chosen ? theme.text : scene.colour, rounding, 0,
+                     (chosen ? 2.0F : 1.0F) * theme.hairline_px);
         list.AddRectFilled({area.min.x, top}, {max.x, top + bar_px}, ink, rounding);
     }
     list.PopClipRect();
+}
+
+// What a copy of the chosen notes takes, and what a box will choose.
+void draw_span(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    const Plot& lane = scene.scale.amplitude;
+    const auto draw = [&](float from, float to) {
+        const auto [left, right] = std::minmax(std::clamp(from, lane.area.min.x, lane.area.max.x),
+                                               std::clamp(to, lane.area.min.x, lane.area.max.x));
+        if (right <= left) return;
+        list.AddRectFilled({left, lane.area.min.y}, {right, lane.area.max.y},
+                           faded(theme.accent, 0.16F));
+        for (const float x : {left, right}) {
+            draw_upright_line(list, x, lane.area.min.y, lane.area.max.y, theme.hairline_px,
+                              theme.accent);
+        }
+    };
+    if (scene.box) return draw(scene.box->from_px, scene.box->to_px);
+    if (scene.notes.empty()) return;
+    const double unit_s = scene.pattern.rhythm.unit_s;
+    draw(to_pixel(lane.x, static_cast<double>(scene.notes.span.first) * unit_s),
+         to_pixel(lane.x, static_cast<double>(scene.notes.span.last + 1) * unit_s));
 }
 
 // The same path, of no more than four points in each column of pixels.
@@ -196,6 +246,7 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
 void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const StripScene& scene) {
     if (!scene.hovered) return;
     std::string text = help_on(scene.scale.tool);
+    if (scene.is_ruler_hovered) text = "Drag: the playhead. Double click or 0: the whole pattern.";
     if (scene.under && exists(scene.pattern, *scene.under)) {
         text = reading(scene.pattern, *scene.under) + "   " + help_on(scene.under->kind);
     }
@@ -248,11 +299,19 @@ void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
     draw_lane_axis(list, theme, scene.scale.amplitude, "g", std::array{0.0, peak_g});
     draw_lane_axis(list, theme, scene.scale.frequency, "Hz", shown_hz(scene.pattern));
     draw_axes(list, theme, scene.scale.frequency, {"s", "", false});
+    draw_ghost(list, theme, scene);
     draw_body(list, theme, scene);
+    draw_span(list, theme, scene);
     draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);
+    if (scene.playhead_s) {
+        for (const Plot* lane : {&scene.scale.amplitude, &scene.scale.frequency}) {
+            draw_cursor_line(list, theme, *lane, *scene.playhead_s, theme.accent);
+        }
+    }
     list.PushClipRect(area.min, area.max, true);
     draw_grips(list, theme, scene);
+    draw_ghost_words(list, theme, scene);
     draw_help(list, theme, area, scene);
     list.PopClipRect();
 }

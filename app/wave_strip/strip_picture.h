@@ -4,8 +4,9 @@
 #include <imgui.h>
 
 #include <optional>
+#include <string>
 
-#include "app/wave_strip/grips.h"
+#include "app/wave_strip/strip_state.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
@@ -18,6 +19,12 @@ struct StripScene {
     std::optional<Grip> chosen{};
     std::optional<Grip> under{};  // the mouse
     bool hovered = false;
+    ChosenNotes notes{};
+    std::optional<NoteBox> box{};
+    std::optional<double> playhead_s{};
+    const Waveform* ghost = nullptr;  // beneath all else, dim, with what it is called
+    std::string ghost_words{};
+    bool is_ruler_hovered = false;
 };
 
 void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,

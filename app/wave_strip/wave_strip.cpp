@@ -10,8 +10,10 @@
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/ui/widgets.h"
+#include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/strip_picture.h"
+#include "model/set/felt_versions.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -23,16 +25,39 @@ constexpr float kLeastHeightPx = 96.0F;
 constexpr float kClickPx = 3.0F;  // moved less, a press is a click
 constexpr double kBeyond = 1.06;  // the end is seen, and can be taken
 
-TimeRange whole(const Pattern& pattern) { return {0.0, kBeyond * pattern.duration_s}; }
+TimeRange view_of(const StripTime& time, const Pattern& pattern) {
+    const TimeRange shown = fitted(time.range, pattern.duration_s);
+    return {shown.start_s, shown.start_s + kBeyond * shown.length_s()};
+}
 
-void zoom(StripState& strip, const Pattern& pattern, const StripScale& scale) {
-    const float wheel = ImGui::GetIO().MouseWheel;
-    if (wheel == 0.0F) return;
-    const TimeRange all = whole(pattern);
+// The wheel zooms about the mouse; with Shift, or to the side, it pans, and so does a drag with the
+// middle button.
+void zoom_and_pan(StripTime& time, const Pattern& pattern, const StripScale& scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Axis& axis = scale.amplitude.x;
+    const double whole_s = pattern.duration_s;
+    TimeRange shown = fitted(time.range, whole_s);
+    const double per_px = (axis.high - axis.low) / static_cast<double>(axis.high_px - axis.low_px);
+    constexpr float kWheelPx = 60.0F;
+    float by_px = kWheelPx * ((io.KeyShift ? -io.MouseWheel : 0.0F) - io.MouseWheelH);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) by_px -= io.MouseDelta.x;
+    if (by_px != 0.0F) shown = panned(shown, static_cast<double>(by_px) * per_px, whole_s);
+    if (!io.KeyShift && io.MouseWheel != 0.0F) {
+        const double factor = std::pow(1.25, -static_cast<double>(io.MouseWheel));
+        shown = zoomed(shown, factor, to_value(axis, io.MousePos.x), whole_s);
+    }
+    if (by_px != 0.0F || io.MouseWheel != 0.0F) time.range = unless_whole(shown, whole_s);
+}
+
+// The ticks below the lanes: a drag there moves the playhead, a double click shows the whole.
+Rect ruler_of(const Rect& area, const StripScale& scale) {
+    return {{scale.frequency.area.min.x, scale.frequency.area.max.y}, area.max};
+}
+
+void scrub(StripState& strip, StripTime& time, const Pattern& pattern, const StripScale& scale) {
     const double at_s = to_value(scale.amplitude.x, ImGui::GetIO().MousePos.x);
-    const double factor = std::pow(1.25, -static_cast<double>(wheel));
-    const TimeRange view = zoomed(strip.view.value_or(all), factor, at_s, all.end_s);
-    strip.view = view.length_s() < all.end_s ? std::optional(view) : std::nullopt;
+    time.playhead_s = std::clamp(at_s, 0.0, pattern.duration_s);
+    if (!ImGui::IsItemActive()) strip.is_scrubbed = false;
 }
 
 void take(Workspace& work, GripKind kind, const Pattern& changed) {
@@ -72,7 +97,10 @@ void begin_drawing(Ui& ui, Workspace& work, StripState& strip, const Pattern& pa
         take(work, GripKind::note, changed);
         const auto drawn = end_of_note_at(changed, scale, mouse);
         strip.has_just_drawn = true;
-        if (drawn) strip.held = GripHold{*drawn, changed, scale, mouse, true, "Draw a note of"};
+        if (!drawn) return;
+        strip.held = GripHold{*drawn, changed, scale, mouse, true, "Draw a note of"};
+        choose_note(strip, changed, drawn->index);
+        ui.field.active = kChosenValue;
     } else if (scale.tool == StripTool::ticks) {
         const auto added =
             add_transient(changed, to_value(lane.x, mouse.x), to_value(lane.y, mouse.y));
@@ -84,23 +112,53 @@ void begin_drawing(Ui& ui, Workspace& work, StripState& strip, const Pattern& pa
     }
 }
 
+// With the tool of notes a note is chosen as it is taken; with Shift it is only that.
+bool press_note(Ui& ui, StripState& strip, const Pattern& pattern, const Grip& grip) {
+    if (ImGui::GetIO().KeyShift) {
+        toggle_note(strip, pattern, grip.index);
+        ui.field.active = kChosenValue;
+        return false;
+    }
+    const std::vector<NoteSteps> all = steps_of_notes(pattern);
+    if (!std::ranges::binary_search(strip.notes.onsets, all[grip.index].first)) {
+        choose_note(strip, pattern, grip.index);
+    }
+    ui.field.active = kChosenValue;
+    return true;
+}
+
 void press(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
            const StripScale& scale, std::optional<Grip> under) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
     strip.chosen.reset();
     strip.has_just_drawn = false;
+    const bool draws_notes = scale.tool == StripTool::notes;
+    if (under && is_note(under->kind) && draws_notes) {
+        if (!press_note(ui, strip, pattern, *under)) return;
+    } else {
+        strip.notes = {};
+    }
+    if (!under && draws_notes && ImGui::GetIO().KeyShift) {
+        strip.box = NoteBox{mouse.x, mouse.x, scale};
+        return;
+    }
     if (!under) return begin_drawing(ui, work, strip, pattern, scale);
-    strip.held = GripHold{*under, pattern, scale, ImGui::GetIO().MousePos};
+    strip.held = GripHold{*under, pattern, scale, mouse};
+    strip.held->notes = strip.notes;
     if (is_single(under->kind)) choose(ui, strip, *under);
 }
 
-void drag(Workspace& work, GripHold& held, float scale) {
+void drag(Ui& ui, Workspace& work, StripState& strip) {
+    GripHold& held = *strip.held;
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 way = io.MousePos - held.pressed;
-    held.moved = held.moved || std::hypot(way.x, way.y) > kClickPx * scale;
+    held.moved = held.moved || std::hypot(way.x, way.y) > kClickPx * ui.theme.scale;
     if (!held.moved) return;
-    take(work, held.grip.kind,
-         dragged(held.before, held.grip, held.scale,
-                 {held.pressed, io.MousePos, io.KeyShift, io.KeyAlt}));
+    const GripDrag by{held.pressed, io.MousePos, io.KeyShift, io.KeyAlt};
+    if (drag_chosen_notes(ui, work, strip, by)) return;
+    const Pattern changed = dragged(held.before, held.grip, held.scale, by);
+    take(work, held.grip.kind, changed);
+    if (!strip.notes.empty()) choose_note(strip, changed, held.grip.index);
 }
 
 void put_point(Ui& ui, Workspace& work, StripState& strip, GripKind line, double time_s) {
@@ -117,7 +175,12 @@ void put_point(Ui& ui, Workspace& work, StripState& strip, GripKind line, double
 void let_go(Ui& ui, Workspace& work, StripState& strip) {
     const GripHold held = *strip.held;
     strip.held.reset();
+    if (held.moved && held.notes.onsets.size() > 1) {
+        return commit_step(ui, work, "Change " + of_selection(work, "notes"));
+    }
     if (held.moved) return commit_step(ui, work, label_of(work, held.verb, held.grip.kind));
+    // A click on one of several chooses it alone.
+    if (!held.notes.empty()) choose_note(strip, held.before, held.grip.index);
     if (strip.tool != StripTool::curves) return;
     put_point(ui, work, strip, held.grip.kind, to_value(held.scale.amplitude.x, held.pressed.x));
 }
@@ -141,6 +204,7 @@ void change_rhythm(Ui& ui, Workspace& work, const std::string& verb, const Rhyth
 void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
                   const StripScale& scale, std::optional<Grip> under) {
     strip.held.reset();
+    strip.notes = {};
     // The first of the two presses drew what lies there now.
     if (std::exchange(strip.has_just_drawn, false)) return;
     if (under && is_single(under->kind)) {
@@ -190,7 +254,7 @@ void draw_height_bar(const Ui& ui, StripState& strip, float shown_px) {
     strip.height = static_cast<float>(std::clamp(height, kStripHeight.low, kStripHeight.high));
 }
 
-void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
+void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale, const Rect& ruler) {
     if (ui.rects.file.empty()) return;
     const ImVec2 kHalf{2.0F, 2.0F};
     for (const PlacedGrip& placed : placed_grips(pattern, scale)) {
@@ -203,7 +267,37 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale) {
         note_rect(ui.rects, "note:" + std::to_string(block.index), block.area.min, block.area.max);
     }
     note_rect(ui.rects, "strip:amplitude", scale.amplitude.area.min, scale.amplitude.area.max);
+    note_rect(ui.rects, "strip:ruler", ruler.min, ruler.max);
     note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);
+}
+
+// What lies beneath the pattern, dim: the recording that measures it, or its partner where that is
+// a recording.
+struct Ghost {
+    const Waveform* waveform = nullptr;
+    std::string words;
+};
+
+Ghost ghost_of(const Workspace& work, const Vibration& vibration) {
+    const auto& all = work.document.set.vibrations;
+    const auto measurement_of = [](const Vibration& one) {
+        return std::get_if<Measurement>(&one.source);
+    };
+    auto found = std::ranges::find_if(all, [&](const Vibration& one) {
+        const Measurement* measurement = measurement_of(one);
+        return measurement != nullptr && measurement->measures == vibration.name;
+    });
+    if (found == all.end()) {
+        found = std::ranges::find_if(all, [&](const Vibration& one) {
+            return one.name == work.selection.pinned && measurement_of(one) != nullptr;
+        });
+    }
+    if (found == all.end()) return {};
+    const Measurement& measurement = *measurement_of(*found);
+    const std::string since =
+        measurement.measures.empty() ? "" : words_on_twin(work.stale, found->name);
+    return {measurement.waveform.get(),
+            "beneath: " + found->name + (measurement.synthetic ? ", synthetic" : "") + since};
 }
 
 void follow_pattern(StripState& strip, const std::string& name) {
@@ -225,13 +319,16 @@ void follow_wheel(StripState& strip, bool hovered) {
 
 }  // namespace
 
-void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom& room) {
+void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time,
+                     const StripRoom& room) {
     const Vibration* vibration = current_vibration(work);
     const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
     if (source == nullptr) return;
     const Pattern pattern = *source;  // edits below replace the document's own
     follow_pattern(strip, vibration->name);
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
+    strip.notes =
+        strip.tool == StripTool::notes ? kept_choice(pattern, strip.notes) : ChosenNotes{};
     const Waveform* waveform = waveform_in_time(work.cache, *vibration);
     const float least_px = kLeastHeightPx * ui.theme.scale;
     const float most_px = std::max(least_px, room.most_px);
@@ -239,11 +336,13 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom
     const float height_px = room.fills ? most_px : std::min(wanted_px, most_px);
     const Rect area = rect_at(ImGui::GetCursorScreenPos(),
                               {ImGui::GetContentRegionAvail().x, std::round(height_px)});
-    const double peak = peak_in_time(work.cache, *vibration);
-    const StripScale scale = strip.held
-                                 ? strip.held->scale
-                                 : strip_scale(pattern, peak, area, ui.theme,
-                                               strip.view.value_or(whole(pattern)), strip.tool);
+    const Ghost ghost = ghost_of(work, *vibration);
+    const double peak = std::max(peak_in_time(work.cache, *vibration),
+                                 ghost.waveform == nullptr ? 0.0 : peak_g(*ghost.waveform));
+    const StripScale scale =
+        strip.held ? strip.held->scale
+                   : strip_scale(pattern, peak, area, ui.theme, view_of(time, pattern), strip.tool);
+    const Rect ruler = ruler_of(area, scale);
     ImGui::InvisibleButton("wave strip", area.size());
     note_rect(ui.rects, "strip tool", area.min, area.max, name_of(strip.tool));
     note_rect(ui.rects, "wave strip", area.min, area.max);  // by the mouse alone: no stop of Tab
@@ -254,20 +353,37 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, const StripRoom
     follow_wheel(strip, hovered);
     if (hovered && !strip.is_scrolled_past) {
         ImGui::SetItemUsingMouseWheel();
-        zoom(strip, pattern, scale);
+        zoom_and_pan(time, pattern, scale);
     }
-    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    const bool on_ruler = hovered && ruler.contains(ImGui::GetIO().MousePos);
+    if (on_ruler && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        time.range = {};
+    } else if (on_ruler && ImGui::IsItemActivated()) {
+        strip.is_scrubbed = true;
+    } else if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         double_click(ui, work, strip, pattern, scale, under);
     } else if (ImGui::IsItemActivated()) {
         press(ui, work, strip, pattern, scale, under);
     }
-    if (strip.held && ImGui::IsItemActive()) drag(work, *strip.held, ui.theme.scale);
+    if (strip.is_scrubbed) scrub(strip, time, pattern, scale);
+    if (strip.held && ImGui::IsItemActive()) drag(ui, work, strip);
     if (strip.held && !ImGui::IsItemActive()) let_go(ui, work, strip);
+    if (strip.box) strip.box->to_px = ImGui::GetIO().MousePos.x;
+    if (strip.box && !ImGui::IsItemActive()) {
+        choose_boxed(strip, pattern, kClickPx * ui.theme.scale);
+        if (!strip.notes.empty()) ui.field.active = kChosenValue;
+    }
+    strip.pointed_s.reset();
+    if (hovered) strip.pointed_s = to_value(scale.amplitude.x, ImGui::GetIO().MousePos.x);
     const PatternLook look = look_of(ui, work, work.selection.current);
     draw_strip_picture(*ImGui::GetWindowDrawList(), ui.theme, area,
                        {pattern, scale, waveform, look.colour, strip.chosen,
-                        strip.held ? std::optional(strip.held->grip) : under, hovered});
-    note_grips(ui, pattern, scale);
+                        strip.held ? std::optional(strip.held->grip) : under, hovered, strip.notes,
+                        strip.box, time.playhead_s, ghost.waveform, ghost.words, on_ruler});
+    if (ghost.waveform != nullptr) {
+        note_rect(ui.rects, "strip:ghost", area.min, area.max, ghost.words);
+    }
+    note_grips(ui, pattern, scale, ruler);
     if (!room.fills) draw_height_bar(ui, strip, area.height());
 }
 
@@ -276,6 +392,7 @@ float strip_height(const Ui& ui, const StripState& strip) {
 }
 
 bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
+    if (remove_notes(ui, work, strip)) return true;
     const Vibration* vibration = current_vibration(work);
     if (!strip.chosen || vibration == nullptr || vibration->name != strip.pattern) return false;
     const Pattern* pattern = editable_pattern(*vibration);
@@ -304,6 +421,7 @@ void choose_next(Ui& ui, const Workspace& work, StripState& strip, int step) {
     const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
     if (pattern == nullptr) return;
     follow_pattern(strip, vibration->name);
+    if (strip.tool == StripTool::notes) return choose_next_note(ui, strip, *pattern, step);
     const auto next = next_single(*pattern, strip.chosen, step);
     if (!next) return say(ui, "The pattern has no points and no transients yet.");
     choose(ui, strip, *next);

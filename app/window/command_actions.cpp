@@ -21,11 +21,13 @@
 #include "app/map/map_follow.h"
 #include "app/opening/opening.h"
 #include "app/patterns/set_panel.h"
+#include "app/pictures/copying.h"
 #include "app/play/listening.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
 #include "app/subset/picked_list.h"
 #include "app/subset/subset_follow.h"
+#include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
@@ -36,6 +38,28 @@ namespace tact {
 void remove_chosen_or_selected(App& app) {
     if (remove_chosen(app.ui, app.work, app.pattern_panes.strip)) return;
     remove_selected(app.ui, app.work);
+}
+
+void copy_notes_or_selected(App& app) {
+    if (!copy_notes(app.ui, app.work, app.pattern_panes.strip)) copy_selected(app.ui, app.work);
+}
+
+void paste_notes_or_patterns(App& app) {
+    const double at_s = app.timeline.playhead.at_s;
+    if (!paste_notes(app.ui, app.work, app.pattern_panes.strip, at_s)) paste(app.ui, app.work);
+}
+
+void double_notes_or_selected(App& app) {
+    if (repeat_notes(app.ui, app.work, app.pattern_panes.strip, 2)) return;
+    duplicate_selected(app.ui, app.work);
+}
+
+void choose_all(App& app) {
+    if (!choose_all_notes(app.ui, app.work, app.pattern_panes.strip)) select_all(app.work);
+}
+
+bool has_chosen_notes(const App& app) {
+    return has_chosen_notes(app.work, app.pattern_panes.strip);
 }
 
 bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
@@ -142,6 +166,8 @@ void escape(App& app) {
         app.physiology.view.explained.reset();
     } else if (app.physiology.view.open) {
         app.physiology.view.open.reset();
+    } else if (has_chosen_notes(app)) {
+        app.pattern_panes.strip.notes = {};
     } else if (app.layout.maximised) {
         app.layout.maximised.reset();
     } else if (app.studying.is_open) {
@@ -257,6 +283,7 @@ const char* what_lacks(const App& app, const Command& command) {
         Lack{has_subset, "nothing is picked yet"},
         Lack{has_pairs, "needs two patterns"},
         Lack{has_editable_pattern, "needs a pattern that is no recording and not locked"},
+        Lack{has_chosen_notes, "choose notes of the strip first, with the tool of notes (B)"},
         Lack{has_neighbours, "needs three patterns, and one that can be edited"},
         Lack{has_corners, "select two to four patterns first"},
         Lack{has_missing, "no pattern is missing: raise the number to pick first"},

@@ -21,7 +21,15 @@ bool has_exact_subset(const App& app);
 bool has_study(const App& app);
 bool has_map_of_all(const App& app);
 
+bool has_chosen_notes(const App& app);
+
+// Of the notes that are chosen on the strip, or else of the patterns that are selected.
 void remove_chosen_or_selected(App& app);
+void copy_notes_or_selected(App& app);
+void paste_notes_or_patterns(App& app);
+void double_notes_or_selected(App& app);
+void choose_all(App& app);
+
 void start_rename(App& app);
 void open_effect_export(App& app);
 void swap_alternating(App& app);

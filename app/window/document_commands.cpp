@@ -19,6 +19,7 @@
 #include "app/sounds/sounds_follow.h"
 #include "app/subset/subset_export.h"
 #include "app/transform/transform_follow.h"
+#include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/command_actions.h"
 #include "app/window/commands.h"
@@ -176,8 +177,8 @@ constexpr auto
                  [](App& app) { redo(app.ui, app.work); }},
                 {"Edit", "New pattern", ctrl('n'), always,
                  [](App& app) { add_pattern(app.ui, app.work); }, nullptr, "add vibration"},
-                {"Edit", "Duplicate", ctrl('d'), has_selection,
-                 [](App& app) { duplicate_selected(app.ui, app.work); }},
+                {"Edit", "Duplicate", ctrl('d'), has_selection, double_notes_or_selected, nullptr,
+                 "double notes copy again"},
                 {"Edit", "Generate candidates...", ctrl('g'),
                  always, [](App& app) { open_generate(app.ui, app.work, app.generating); }, nullptr,
                  "design space factorial sample sobol latin hypercube levels"},
@@ -229,6 +230,11 @@ constexpr auto
                  "tool envelope sweep points line"},
                 {"Edit", "Put ticks", plain('k'), has_editable_pattern, take_tool<StripTool::ticks>,
                  has_tool<StripTool::ticks>, "tool transient burst click accent"},
+                {"Edit", "Repeat the notes 4 times", plain('r'), has_chosen_notes,
+                 [](App& app) {
+                     (void)repeat_notes(app.ui, app.work, app.pattern_panes.strip, kRepeats);
+                 },
+                 nullptr, "bar copy loop double rhythm"},
                 {"Edit",
                  "Add a point of amplitude at the playhead",
                  {},
@@ -250,10 +256,10 @@ constexpr auto
                  add_at_playhead<GripKind::transient>,
                  nullptr,
                  "burst click tick"},
-                {"Edit", "Next point of the pattern", plain('n'), has_editable_pattern,
+                {"Edit", "Next point or note of the pattern", plain('n'), has_editable_pattern,
                  choose_next_point<1>, nullptr, "transient curve choose"},
                 {"Edit",
-                 "Previous point of the pattern",
+                 "Previous point or note of the pattern",
                  {'n', key::kUnknown, false, true},
                  has_editable_pattern,
                  choose_next_point<-1>,
@@ -266,8 +272,7 @@ constexpr auto
                 {"Edit", "Exclude", ctrl('l', true), has_selection,
                  [](App& app) { toggle_dropped(app.ui, app.work); }, is_current_dropped,
                  "drop from subsets never pick include take back"},
-                {"Edit", "Copy", ctrl('c'), has_selection,
-                 [](App& app) { copy_selected(app.ui, app.work); }},
+                {"Edit", "Copy", ctrl('c'), has_selection, copy_notes_or_selected},
                 {"Edit", "Copy picture", ctrl('c', true), always,
                  [](App& app) { app.exports.copy_asked = true; }, nullptr,
                  "clipboard image view slides png"},
@@ -278,9 +283,8 @@ constexpr auto
                  copy_shown_table,
                  nullptr,
                  "clipboard csv numbers matrix candidates spreadsheet"},
-                {"Edit", "Paste", ctrl('v'), always, [](App& app) { paste(app.ui, app.work); }},
-                {"Edit", "Select all", ctrl('a'), has_selection,
-                 [](App& app) { select_all(app.work); }},
+                {"Edit", "Paste", ctrl('v'), always, paste_notes_or_patterns},
+                {"Edit", "Select all", ctrl('a'), has_selection, choose_all},
                 {"Edit", "Delete", special(key::kDelete), has_selection, remove_chosen_or_selected,
                  nullptr, "remove"},
             });

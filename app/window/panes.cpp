@@ -397,8 +397,9 @@ void draw_physiology(App& app) {
 
 void draw_editor(App& app) {
     const bool has_foot = app.layout.physiology == Fold::row && !app.ui.as_picture;
-    const auto done = draw_editor_panel(app.ui, app.work, app.pattern_panes, app.shown_map,
-                                        has_foot ? [&app] { draw_stage_row(app); } : DrawFoot());
+    const auto done =
+        draw_editor_panel(app.ui, app.work, app.pattern_panes, app.timeline, app.shown_map,
+                          has_foot ? [&app] { draw_stage_row(app); } : DrawFoot());
     const auto& all = app.work.document.set.vibrations;
     if (!done || done->neighbour >= all.size()) return;
     const std::size_t current = app.work.selection.current;

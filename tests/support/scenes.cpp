@@ -23,6 +23,7 @@
 #include "app/window/commands.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/set/set_file.h"
+#include "model/set/measured_twin.h"
 #include "tests/support/places.h"
 #include "tests/support/scene_steps.h"
 #include "tests/support/temporary_folder.h"
@@ -136,6 +137,26 @@ void add_textbook(std::vector<Scene>& all) {
 void add_arrangements(std::vector<Scene>& all) {
     all.push_back({"design", [](Program&) {}});
     all.push_back({"editor, notes", [](Program& p) { draw_in_strip(p, StripTool::notes); }});
+    all.push_back({"editor, notes chosen", [](Program& p) {
+                       draw_in_strip(p, StripTool::notes);
+                       p.press('n', false);
+                       p.press('a', true);
+                   }});
+    all.push_back({"editor, over a recording", [](Program& p) {
+                       draw_in_strip(p, StripTool::curves);
+                       PatternSet& set = p.app.work.document.edit();
+                       Waveform wave = waveform_of(set.vibrations[2]);
+                       Vibration twin;
+                       twin.name = set.vibrations[0].name + " measured";
+                       twin.source = Measurement{std::make_shared<const Waveform>(std::move(wave)),
+                                                 {},
+                                                 1.0,
+                                                 set.vibrations[0].name};
+                       insert_twin(set, twin);
+                       document_changed(p.app.work);
+                       p.wait_for_exact_map();
+                       p.settle();
+                   }});
     all.push_back({"editor, a tick", [](Program& p) {
                        draw_in_strip(p, StripTool::ticks);
                        choose_next(p.app.ui, p.app.work, p.app.pattern_panes.strip, 1);

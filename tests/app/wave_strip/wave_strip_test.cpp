@@ -7,6 +7,7 @@
 #include "app/document/editing.h"
 #include "app/screen/input_queue.h"
 #include "app/workspaces/workspaces.h"
+#include "model/set/measured_twin.h"
 #include "tests/support/program.h"
 
 namespace wave_strip_test {
@@ -201,7 +202,7 @@ TEST_CASE("wave strip: the wheel zooms in time at the mouse, and the pane does n
     push(strip.window.input, {strip.window.now_s, MouseWheel{0.0F, 3.0F}});
     strip.settle();
     CHECK(strip.at("grip:attack:0").middle().x == doctest::Approx(before).epsilon(0.01));
-    CHECK(strip.app.pattern_panes.strip.view);
+    CHECK(strip.app.timeline.range.length_s() > 0.0);
     CHECK(strip.at("wave strip").min.y == top);
 }
 
@@ -269,6 +270,195 @@ TEST_CASE("wave strip: a double click where nothing was draws once, and on a not
     for (int k = 0; k < 60; ++k) strip.frame();  // what follows is another double click
     twice();
     CHECK(std::ranges::count(strip.rhythm(), 'x') == 0);
+}
+
+namespace {
+
+// Two bars of a second each, sixteenths.
+struct Notes : Band {
+    Notes() {
+        pattern().rhythm = {"x=--5---", 0.0625};
+        pattern().duration_s = 1.0;
+        document_changed(app.work);
+        commit_step(app.ui, app.work, "Tap");
+        press('b', false);
+        settle();
+    }
+    // By steps from the start, low in the lane.
+    ImVec2 step(double at) const { return in_lane(static_cast<float>(at * 0.0625 / 1.06), 0.05F); }
+    void shift(bool down) {
+        push(window.input, {window.now_s, KeyChange{key::kLeftShift, down, false, 0}});
+        settle();
+    }
+    void box(double from, double to) {
+        shift(true);
+        drag(step(from), step(to), 5);
+        shift(false);
+    }
+    const ChosenNotes& chosen() const { return app.pattern_panes.strip.notes; }
+};
+
+}  // namespace
+
+TEST_CASE("wave strip: a box chooses its notes, and Ctrl+D has them once more after themselves") {
+    Notes strip;
+    strip.box(2.6, 7.9);
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{4});
+    CHECK(strip.chosen().span == NoteSteps{3, 7});
+    strip.box(-0.4, 8.1);
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{0, 4});
+    CHECK(strip.at("notes chosen").value == "2 notes");
+    const std::size_t patterns = strip.app.work.document.set.vibrations.size();
+    strip.press('d', true);
+    CHECK(strip.rhythm() == "x=--5---x=--5---");
+    CHECK(strip.last_step() == "Double notes of p1");
+    CHECK(strip.app.work.document.set.vibrations.size() == patterns);
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{8, 12});
+    strip.press_key(key::kEscape);
+    CHECK(strip.chosen().empty());
+    strip.press('d', true);  // of the pattern again
+    CHECK(strip.app.work.document.set.vibrations.size() == patterns + 1);
+}
+
+TEST_CASE("wave strip: chosen notes are copied to where the mouse is, or to the playhead") {
+    Notes strip;
+    strip.box(-0.4, 7.9);
+    strip.press('c', true);
+    strip.hover(strip.step(10.5));
+    strip.press('v', true);
+    CHECK(strip.rhythm() == "x=--5---x=x=--5---");
+    CHECK(strip.pattern().duration_s == doctest::Approx(18 * 0.0625));
+    strip.press('z', true);
+    CHECK(strip.rhythm() == "x=--5---");
+    CHECK(strip.pattern().duration_s == doctest::Approx(1.0));
+    strip.hover({5.0F, 5.0F});
+    strip.app.timeline.playhead.at_s = 3 * 0.0625;
+    strip.press('v', true);
+    CHECK(strip.rhythm() == "x=-x=--5----5---");
+    // Another tool: the clipboard is no pattern, and nothing is pasted.
+    strip.press('c', false);
+    const std::string before = strip.rhythm();
+    strip.press('v', true);
+    CHECK(strip.rhythm() == before);
+}
+
+TEST_CASE("wave strip: chosen notes move by steps and by beats, and are removed, one step each") {
+    Notes strip;
+    strip.box(-0.4, 7.9);
+    strip.press_key(key::kRight);
+    CHECK(strip.rhythm() == "-x=--5--");
+    CHECK(strip.last_step() == "Change notes of p1");
+    strip.press_key(key::kLeft);
+    CHECK(strip.rhythm() == "x=--5---");
+    strip.drag(strip.step(4.4), strip.step(6.4), 6);
+    CHECK(strip.rhythm() == "--x=--5-");
+    undo(strip.app.ui, strip.app.work);
+    strip.settle();
+    strip.pattern().rhythm.text = "--5-------------";
+    document_changed(strip.app.work);
+    strip.settle();
+    strip.window.move(strip.step(2.4));
+    strip.window.button(true);
+    strip.settle();
+    strip.shift(true);
+    strip.hover(strip.step(5.1));
+    CHECK(strip.rhythm() == "----5-----------");
+    strip.shift(false);
+    strip.window.button(false);
+    strip.settle();
+}
+
+TEST_CASE("wave strip: the top of one chosen note makes all stronger by as much") {
+    Notes strip;
+    strip.box(-0.4, 7.9);
+    const Place first = strip.at("note:0");
+    const float ninth = (first.max.y - first.min.y) / 9.0F;
+    const float x = first.middle().x;
+    strip.drag({x, first.min.y}, {x, first.min.y + 3.0F * ninth}, 6);
+    CHECK(strip.rhythm() == "6=--2---");
+    CHECK(strip.last_step() == "Change notes of p1");
+    strip.press_key(key::kDelete);
+    CHECK(strip.rhythm() == "--------");
+    CHECK(strip.last_step() == "Remove notes of p1");
+    CHECK(strip.app.work.document.set.vibrations.size() == 2);
+}
+
+TEST_CASE("wave strip: notes are chosen by keys, and one more by Shift and a click") {
+    Notes strip;
+    strip.press(U'n');
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{0});
+    strip.press(U'n');
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{4});
+    strip.shift(true);
+    strip.click_at(strip.step(1.0));
+    strip.shift(false);
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{0, 4});
+    strip.press('a', true);
+    CHECK(strip.chosen().onsets.size() == 4);  // with the text's repetition
+    strip.click_at(strip.step(4.4));
+    CHECK(strip.chosen().onsets == std::vector<std::size_t>{4});
+    strip.click("entry:chosen_strength");
+    strip.type("100");
+    strip.press_key(key::kEnter);
+    CHECK(strip.rhythm() == "x=--x---");
+    strip.click("entry:chosen_length_ms");
+    strip.type("130");
+    strip.press_key(key::kEnter);
+    CHECK(strip.rhythm() == "x=--x=--");
+}
+
+TEST_CASE("wave strip: its time is the one of all views, moved, fitted and begun again") {
+    Notes strip;
+    const auto range = [&] { return strip.app.timeline.range; };
+    const auto wheel = [&](float x, float y) {
+        push(strip.window.input, {strip.window.now_s, MouseWheel{x, y}});
+        strip.settle();
+    };
+    strip.hover(strip.step(8.0));
+    wheel(0.0F, 4.0F);
+    const TimeRange zoomed_in = range();
+    REQUIRE(zoomed_in.length_s() > 0.0);
+    CHECK(zoomed_in.length_s() < 0.6);
+    CHECK(zoomed_in.start_s < 0.5);
+    CHECK(zoomed_in.end_s > 0.5);
+    strip.shift(true);
+    wheel(0.0F, -1.0F);
+    strip.shift(false);
+    CHECK(range().start_s > zoomed_in.start_s);
+    CHECK(range().length_s() == doctest::Approx(zoomed_in.length_s()));
+    strip.press('0', false);
+    CHECK(range().length_s() == 0.0);
+    wheel(0.0F, 4.0F);
+    const ImVec2 ruler = strip.at("strip:ruler").middle();
+    strip.drag(ruler, ruler + ImVec2{40.0F, 0.0F}, 3);
+    CHECK(strip.app.timeline.playhead.at_s > range().start_s);
+    CHECK(strip.app.timeline.playhead.at_s < range().end_s);
+    for (int k = 0; k < 60; ++k) strip.frame();  // a double click of its own
+    strip.click_at(ruler);
+    strip.click_at(ruler);
+    CHECK(range().length_s() == 0.0);
+    strip.hover(strip.step(8.0));
+    wheel(0.0F, 4.0F);
+    REQUIRE(range().length_s() > 0.0);
+    strip.app.work.document.open({short_patterns(2), {}, short_patterns(2)});
+    ++strip.app.work.document_number;
+    strip.settle();
+    CHECK(range().length_s() == 0.0);
+}
+
+TEST_CASE("wave strip: what measures the pattern lies beneath it, and says its name") {
+    Strip strip;
+    CHECK(!strip.shows("strip:ghost"));
+    const Waveform wave = render(strip.pattern());
+    Vibration twin;
+    twin.name = "p1 measured";
+    twin.source = Measurement{std::make_shared<const Waveform>(wave), {}, 1.0, "p1"};
+    insert_twin(strip.app.work.document.edit(), twin);
+    document_changed(strip.app.work);
+    commit_step(strip.app.ui, strip.app.work, "Import");
+    select_only(strip.app.work, 0);
+    strip.settle();
+    CHECK(strip.at("strip:ghost").value.starts_with("beneath: p1 measured"));
 }
 
 TEST_CASE("wave strip: with the tool of ticks every press puts one, and a drag moves it") {

@@ -34,6 +34,7 @@ struct Counted : Program {
     explicit Counted(std::size_t patterns) : Program(short_patterns(patterns)) {
         patterns < 2 ? make_jobs(app) : compute_map();
     }
+    explicit Counted(const PatternSet& set) : Program(set) { compute_map(); }
     ~Counted() { stop_jobs(app); }
 
     void clicks(const std::string& name, bool shift = false) {
@@ -87,7 +88,6 @@ struct Counted : Program {
 
     const std::vector<Vibration>& all() const { return app.work.document.set.vibrations; }
 
-  private:
     void hold(int which, bool down) {
         push(window.input, {window.now_s, KeyChange{which, down, false, 0}});
         settle();
@@ -169,6 +169,27 @@ TEST_CASE("tasks: candidates, the most distinct of them with one kept and one le
     CHECK(program.all()[2].dropped);
     program.wait_until([&] { return std::filesystem::exists(folder.path / "chosen"); });
     CHECK(program.actions == 12);  // 24 before
+}
+
+TEST_CASE("tasks: of many candidates the unfelt left out, and ten of the rest picked" *
+          doctest::test_suite("long")) {
+    PatternSet set = short_patterns(14);
+    for (const std::size_t k : {2U, 9U}) {
+        std::get<Pattern>(set.vibrations[k].source).amplitude_g = 0.001;
+    }
+    Counted program(set);
+    program.clicks("workspace:Select");
+    program.wait_until([&] { return program.shows("candidates:exclude unfelt"); });
+    program.clicks("candidates:exclude unfelt");
+    program.fills("subset:count", "10");
+    program.wait_until([&] {
+        const Subset* subset = shown_subset(program.app.shown_map, program.app.picking);
+        return subset != nullptr && subset->members.size() == 10;
+    });
+    CHECK(program.all()[2].dropped);
+    CHECK(program.all()[9].dropped);
+    CHECK(std::ranges::count(program.all(), true, &Vibration::dropped) == 2);
+    CHECK(program.actions <= 4);
 }
 
 TEST_CASE("tasks: a picture of the map in a file") {
@@ -351,6 +372,11 @@ struct Drawn : Counted {
         ++actions;
         drag(from, to, 5);
     }
+    void drags_in_lane_with_shift(ImVec2 from, ImVec2 to) {
+        hold(key::kLeftShift, true);
+        drags_in_lane(from, to);
+        hold(key::kLeftShift, false);
+    }
     void clicks_in_lane(ImVec2 place) {
         ++actions;
         window.click(place);
@@ -374,6 +400,25 @@ TEST_CASE("tasks: a heartbeat of two notes of unequal strength, drawn") {
     program.drags_in_lane(top, {top.x, second.max.y - 5.0F / 9.0F * (second.max.y - top.y)});
     CHECK(program.pattern(0).rhythm.text == "x=--5=----------");
     CHECK(program.actions == 5);  // 6 at most were asked for
+}
+
+TEST_CASE("tasks: a bar copied four times") {
+    Drawn program;
+    program.letter('b');
+    // The bar is there: two notes in the first half of a second.
+    for (const double from : {0.02, 0.27}) {
+        program.drag(program.in_lane(from, 0.3), program.in_lane(from + 0.08, 0.3), 5);
+    }
+    REQUIRE(program.pattern(0).rhythm.text == "x=--x=----------");
+    program.actions = 0;
+    program.drags_in_lane_with_shift(program.in_lane(0.01, 0.3), program.in_lane(0.5, 0.3));
+    program.letter('r');
+    CHECK(program.pattern(0).rhythm.text == "x=--x=--x=--x=--x=--x=--x=--x=--");
+    CHECK(program.pattern(0).duration_s == doctest::Approx(2.0));
+    CHECK(program.actions == 2);  // 3 at most
+    program.press('z', true);
+    CHECK(program.pattern(0).rhythm.text == "x=--x=----------");
+    CHECK(program.pattern(0).duration_s == doctest::Approx(1.0));
 }
 
 TEST_CASE("tasks: a rising sweep, drawn") {
