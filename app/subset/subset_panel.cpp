@@ -194,7 +194,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
                    PlayState& play, SubsetState& picking, const Pick& pick, const Subset& subset) {
     const std::string a = name_of(pick, subset.weakest.first);
     const std::string b = name_of(pick, subset.weakest.second);
-    ImGui::PushFont(ui.theme.fonts.large);
+    ImGui::PushFont(ui.theme.fonts.headline);
     const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
     const double worth = by_sum ? subset.sum : subset.weakest_dissimilarity;
     ImGui::TextUnformatted(worth_text(worth).c_str());
@@ -203,7 +203,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     std::snprintf(exact, sizeof exact, "%.17g", worth);
     note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", exact);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    const float lower = ui.theme.fonts.large->FontSize - ui.theme.fonts.regular->FontSize;
+    const float lower = ui.theme.fonts.headline->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     const std::string what = quantity_of(pick.request, pick.mark) +
                              (by_sum ? ", the sum of all pairs" : " of the weakest pair");

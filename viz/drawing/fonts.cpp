@@ -226,13 +226,19 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::string& extra_text)
     const auto semibold = chain_of("SemiBold.otf", "-Bold.ttf");
 
     Fonts fonts;
-    fonts.regular = add_font(loader, std::round(15.0F * scale), regular);
-    fonts.semibold = add_font(loader, std::round(15.0F * scale), semibold);
-    fonts.title = add_font(loader, std::round(17.0F * scale), semibold);
-    fonts.presented = add_font(loader, std::round(17.0F * scale), regular);
-    fonts.fine = add_font(loader, std::round(12.0F * scale), regular);
-    fonts.small = add_font(loader, std::round(13.0F * scale), regular);
-    fonts.large = add_font(loader, std::round(20.0F * scale), semibold);
+    constexpr TypeLadder kType;
+    const auto load = [&](float size, const std::vector<std::string>& chain) {
+        return add_font(loader, std::round(size * scale), chain);
+    };
+    fonts.regular = load(kType.body, regular);
+    fonts.semibold = fonts.title = load(kType.body, semibold);
+    fonts.presented = load(kType.presented, regular);
+    fonts.fine = load(kType.fine, regular);
+    fonts.small = load(kType.small, regular);
+    fonts.large = load(kType.large, semibold);
+    // Numbers alone: names are never set so large.
+    std::erase_if(loader.wanted, [](ImWchar c) { return c > 0xFF; });
+    fonts.headline = load(kType.headline, semibold);
     std::array<int, kDiscRadiiPx.size()> discs{};
     for (std::size_t i = 0; i < discs.size(); ++i) {
         const int size = 2 * kDiscRadiiPx[i] + 2;

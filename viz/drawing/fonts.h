@@ -1,10 +1,8 @@
 // Type: Inter where it is installed, DejaVu Sans for what Inter lacks, further system fonts for
 // the scripts that names are written in.
 //
-// Five roles: title, value, body, label, fine print; and a body for those at the back of a room.
-//
-// Titles are a little above the body, and labels on whole pixels at any scale, so that no line is
-// blurred.
+// Five sizes: fine print, label, body (titles in semibold), value, headline; and a body for those
+// at the back of a room. All are on whole pixels at any scale, so that no line is blurred.
 //
 // Valid     characters up to U+FFFF (what a stock ImGui build can hold)
 // Left out  shaping and right-to-left order (ImGui has neither), colour emoji.
@@ -22,14 +20,25 @@ namespace tact {
 // triangles. Each entry is (u0, v0, u1, v1) of a disc of kDiscRadiiPx with 1 px margin around it.
 inline constexpr std::array<int, 4> kDiscRadiiPx{4, 8, 16, 32};
 
+// The ladder of type, px at a scale of 1. Nothing is set in another size.
+struct TypeLadder {
+    float fine = 12.0F;
+    float small = 13.0F;
+    float body = 15.0F;
+    float presented = 17.0F;
+    float large = 20.0F;
+    float headline = 28.0F;
+};
+
 struct Fonts {
-    ImFont* regular = nullptr;                          // 15 px, body: text and numbers
-    ImFont* semibold = nullptr;                         // 15 px: what stands out of the body
-    ImFont* title = nullptr;                            // 17 px: of panes and dialogs
-    ImFont* presented = nullptr;                        // 17 px: a lesson's text before a class
-    ImFont* small = nullptr;                            // 13 px, label: axes, units, captions
-    ImFont* fine = nullptr;                             // 12 px, fine print: hints
-    ImFont* large = nullptr;                            // 20 px, value: headline numbers
+    ImFont* regular = nullptr;                          // body: text and numbers
+    ImFont* semibold = nullptr;                         // body: what stands out of it
+    ImFont* title = nullptr;                            // the same: of panes and dialogs
+    ImFont* presented = nullptr;                        // a lesson's text before a class
+    ImFont* small = nullptr;                            // label: axes, units, captions
+    ImFont* fine = nullptr;                             // fine print: hints
+    ImFont* large = nullptr;                            // value: large words and numbers
+    ImFont* headline = nullptr;                         // the numbers one looks for first, Latin-1
     float em = 1.0F;                                    // of all fonts, over their line height
     std::array<ImVec4, kDiscRadiiPx.size()> disc_uv{};  // all zero: no discs, triangles are used
 };

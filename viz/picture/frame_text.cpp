@@ -50,8 +50,8 @@ std::optional<Rect> kept_of(const ImFontGlyph& g, const TexturedQuad& quad) {
 
 GlyphIndex glyph_index(const Fonts& fonts) {
     GlyphIndex index;
-    for (const ImFont* font : {fonts.regular, fonts.semibold, fonts.title, fonts.presented,
-                               fonts.small, fonts.fine, fonts.large}) {
+    for (const ImFont* font : {fonts.regular, fonts.semibold, fonts.presented, fonts.small,
+                               fonts.fine, fonts.large, fonts.headline}) {
         if (font == nullptr) continue;
         for (const ImFontGlyph& glyph : font->Glyphs) {
             if (glyph.Visible != 0) index.insert({{glyph.U0, glyph.V0}, {font, &glyph}});

@@ -158,8 +158,8 @@ void write(Writer& writer, const Shape& shape, const GradientPolygon& polygon) {
 void write(Writer& writer, const Shape& shape, const TextRun& run) {
     std::string places;
     for (const float along : run.along_px) places += (places.empty() ? "" : " ") + number(along);
-    const bool bold = run.font == writer.fonts.semibold || run.font == writer.fonts.title ||
-                      run.font == writer.fonts.large;
+    const bool bold = run.font == writer.fonts.semibold || run.font == writer.fonts.large ||
+                      run.font == writer.fonts.headline;
     const float degrees = std::atan2(run.direction.y, run.direction.x) * 57.295780F;
     // A clip rectangle is level, so it goes around what is turned.
     const std::string clip = clip_of(writer, shape.clip);

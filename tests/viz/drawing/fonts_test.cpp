@@ -13,7 +13,8 @@ TEST_CASE("fonts: the sizes are those of the design, times the scale") {
     CHECK(fonts.semibold->FontSize == 30.0F);
     CHECK(fonts.small->FontSize == 26.0F);
     CHECK(fonts.large->FontSize == 40.0F);
-    CHECK(fonts.title->FontSize == 34.0F);
+    CHECK(fonts.title->FontSize == 30.0F);
+    CHECK(fonts.headline->FontSize == 56.0F);
     CHECK(fonts.fine->FontSize == 24.0F);
 }
 
