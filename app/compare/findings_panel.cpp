@@ -70,7 +70,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         return;
     }
     ImGui::BeginDisabled(busy);
-    check(ImGui::Button(kCheck));
+    check(primary_button(ui.theme, kCheck));
     note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
     if (busy || comparing.findings) {

@@ -108,11 +108,13 @@ bool is_outdated(const PatternSet& set, const AlikeRequest& request) {
 }  // namespace
 
 void draw_library_folder(Ui& ui, const Workspace& work, LibraryState& state) {
-    if (ImGui::Button("Open library\u2026")) {
+    constexpr const char* kOpen = "Open library\u2026";
+    const bool is_first = state.folder.empty();
+    if (is_first ? primary_button(ui.theme, kOpen) : ImGui::Button(kOpen)) {
         ui.waiting.emplace_back([&ui, &work] { open_library_dialog(ui, work); });
     }
     note_item(ui.rects, "library:open");
-    if (state.folder.empty()) return;
+    if (is_first) return;
     flow_on(button_width("Read again"), ui.theme.gap_px);
     if (ImGui::Button("Read again")) read_library_again(ui, state);
     note_item(ui.rects, "library:again");

@@ -116,7 +116,7 @@ ToolbarParts toolbar_parts(const Ui& ui, const Workspace& work) {
 
 void draw_toolbar(Ui& ui, Workspace& work) {
     const ToolbarParts parts = toolbar_parts(ui, work);
-    if (ImGui::Button("New")) add_pattern(ui, work);
+    if (primary_button(ui.theme, "New")) add_pattern(ui, work);
     note_item(ui.rects, "button:new");
     draw_tooltip(ui, "Add a pattern (Ctrl+N)");
     flow_on(button_width("Duplicate"), ui.theme.gap_px);

@@ -339,7 +339,7 @@ bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const st
     const float words_px = static_cast<float>(lines) * text_size(theme.fonts.small, "0").y;
     ImGui::SetCursorScreenPos({words.centre().x - 0.5F * button_width(button),
                                words.centre().y + words_px + 1.5F * theme.gap_px});
-    return ImGui::Button(button);
+    return primary_button(theme, button);
 }
 
 void coloured_text(ImU32 colour, const std::string& text) {
