@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "app/document/shown_side.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kEaseS = 0.18;
 constexpr double kGhostS = 1.6;
+constexpr double kSeenS = 0.3;  // a ring that was there for less has hardly been seen
 
 double smooth(double share) {
     const double t = std::clamp(share, 0.0, 1.0);
@@ -43,6 +45,19 @@ bool are_known(const MapPlaces* places, const MapTransition& map) {
            saved_places(*map.shown, *places).rows.size() == static_cast<std::size_t>(map.to.rows());
 }
 
+// As large as the map, in its first two dimensions.
+Eigen::MatrixXd ring_for(const Eigen::MatrixXd& map) {
+    Eigen::MatrixXd ring = Eigen::MatrixXd::Zero(map.rows(), map.cols());
+    const double radius = map.rowwise().norm().maxCoeff();
+    for (Eigen::Index k = 0; k < map.rows() && map.cols() > 1; ++k) {
+        const double turn =
+            2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(map.rows());
+        ring(k, 0) = radius * std::cos(turn);
+        ring(k, 1) = radius * std::sin(turn);
+    }
+    return ring;
+}
+
 }  // namespace
 
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map) {
@@ -51,6 +66,11 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
     next.to = aligned_to_anchor(shown_map.transition, *map);
     next.from = next.to;
     next.ghost = ghosts_of(*map, shown_map.transition);
+    const auto waited = ui.ages.find(kWaitingRing);
+    const bool is_first = shown_map.transition.shown == nullptr;
+    if (is_first && waited != ui.ages.end() && ui.time_s - waited->second.since_s > kSeenS) {
+        next.from = ring_for(next.to);
+    }
     if (shown_map.transition.shown && shown_map.transition.to.cols() == next.to.cols()) {
         const Common common = common_rows(*map, *shown_map.transition.shown);
         const Eigen::MatrixXd now = eased_points(ui, shown_map);

@@ -22,7 +22,10 @@ void take_maps(const Ui& ui, ShownMap& shown_map);
 // there again after undo.
 void note_map_places(Workspace& work, ShownMap& shown_map);
 
-// Puts a map on the screen, aligned to the one before it.
+// Since when the patterns have stood in a ring and waited for their first map, in Ui::ages.
+inline constexpr const char* kWaitingRing = "the ring before the first map";
+
+// Puts a map on the screen, aligned to the one before it; the first comes out of that ring.
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map);
 
 // Tells the selection which patterns no receptor answers to, as the shown map has found; of those

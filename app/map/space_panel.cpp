@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 
 #include "app/document/editing.h"
+#include "app/document/pattern_looks.h"
 #include "app/document/shown_side.h"
 #include "app/map/map_follow.h"
 #include "app/map/unshifted_map.h"
@@ -14,6 +17,7 @@
 #include "app/ui/widgets.h"
 #include "model/subset/confusable.h"
 #include "model/text/numbers.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -112,6 +116,26 @@ float draw_waiting(Ui& ui, Workspace& work, ShownMap& shown_map) {
     return ImGui::GetCursorPosY() - top + ui.theme.gap_px;
 }
 
+// The patterns are there at once, in a ring in their order, from which they drift to their places.
+void draw_waiting(Ui& ui, const Workspace& work, const Rect& area) {
+    const std::size_t count = work.document.set.vibrations.size();
+    ui.ages.try_emplace(kWaitingRing, ShownAge{nullptr, false, ui.time_s});
+    const float radius = 0.36F * std::min(area.width(), area.height());
+    const auto many = static_cast<float>(std::max<std::size_t>(count, 1));
+    const float apart_px = 2.0F * std::numbers::pi_v<float> * radius / many;
+    const float dot_px = std::clamp(0.4F * apart_px, 1.0F, 7.0F * ui.theme.scale);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t k = 0; k < count; ++k) {
+        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(k) / many;
+        const ImVec2 at = area.centre() + ImVec2{radius * std::cos(turn), -radius * std::sin(turn)};
+        draw_disc(list, ui.theme, at, dot_px, faded(look_of(ui, work, k).colour, 0.55F));
+    }
+    const float half = 0.62F * radius;
+    const Rect words{area.centre() - ImVec2{half, half}, area.centre() + ImVec2{half, half}};
+    draw_empty(list, ui.theme, words, "Computing the space", "A preview comes first.");
+    note_rect(ui.rects, "map:waiting", words.min, words.max, std::to_string(count));
+}
+
 void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area, MapState state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown_side(work) != Side::both && shown_set(work).vibrations.size() < 2) {
@@ -126,7 +150,7 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                    patterns_text(count) + "." + (one ? " " + one->words : ""));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
-        if (ImGui::Button("Compute anyway")) {
+        if (primary_button(ui.theme, "Compute anyway")) {
             compute_exact(work, shown_map);
         }
         note_item(ui.rects, "button:compute anyway");
@@ -138,8 +162,7 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                    "Add patterns on the left: their distance here is how different they feel.");
         return;
     }
-    draw_empty(list, ui.theme, area, "Computing the space",
-               "The first map of a set takes a moment.");
+    draw_waiting(ui, work, area);
 }
 
 // At the top: the foot has the axes and what the mouse can do.
@@ -157,14 +180,14 @@ void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
     line(ui.theme.dim_text, ghosts);
 }
 
-// A number in the large role, and beside it what it is. Where the next one may begin.
+// A number in the largest type, and beside it what it is. Where the next one may begin.
 float draw_headline_number(const Ui& ui, ImVec2 corner, ImU32 ink, const std::string& number,
                            const std::string& what) {
     const Fonts& fonts = ui.theme.fonts;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text(list, fonts.large, corner, ink, number);
-    const float x = corner.x + text_size(fonts.large, number).x + ui.theme.gap_px;
-    const float lower = 0.8F * (text_size(fonts.large, "0").y - text_size(fonts.small, "0").y);
+    draw_text(list, fonts.headline, corner, ink, number);
+    const float x = corner.x + text_size(fonts.headline, number).x + ui.theme.gap_px;
+    const float lower = 0.8F * (text_size(fonts.headline, "0").y - text_size(fonts.small, "0").y);
     draw_text(list, fonts.small, {x, corner.y + lower}, ui.theme.dim_text, what);
     return x + text_size(fonts.small, what).x;
 }
@@ -204,7 +227,7 @@ void draw_verdict(Ui& ui, ShownMap& shown_map, const Rect& area, float used_px) 
     const Fonts& fonts = ui.theme.fonts;
     const ImVec2 size = text_size(fonts.small, words);
     const ImVec2 corner{area.max.x - size.x,
-                        area.min.y + 0.8F * (text_size(fonts.large, "0").y - size.y)};
+                        area.min.y + 0.8F * (text_size(fonts.headline, "0").y - size.y)};
     if (corner.x < used_px + 3.0F * ui.theme.gap_px) return;
     draw_text(*ImGui::GetWindowDrawList(), fonts.small, corner, ink, words);
     note_rect(ui.rects, "map:verdict", corner, corner + size, words);
@@ -216,7 +239,7 @@ float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& ar
                     const RowPlaces& places) {
     const LiveMap& map = *shown_map.transition.shown;
     const Theme& theme = ui.theme;
-    const float height = text_size(theme.fonts.large, "0").y + theme.gap_px;
+    const float height = text_size(theme.fonts.headline, "0").y + theme.gap_px;
     const float least_px = 380.0F * theme.scale;
     if (area.width() < least_px || area.height() < 8.0F * height || map.sorted_pm.empty()) return 0;
     const MapState state = map_state(work, shown_map);
@@ -238,7 +261,7 @@ float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& ar
     const auto [a, b] = pair_at(map.prediction.pm.size, map.closest);
     const auto& all = map.request.set->vibrations;
     const std::string pm = significant(map.sorted_pm.front());
-    const float used = x + text_size(theme.fonts.large, pm).x + theme.gap_px;
+    const float used = x + text_size(theme.fonts.headline, pm).x + theme.gap_px;
     const std::string preview = state == MapState::preview ? ", preview" : "";
     const std::string what = shortened(
         theme.fonts.small, "PM, closest pair " + all[a].name + " \u2013 " + all[b].name + preview,

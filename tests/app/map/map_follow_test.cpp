@@ -1,5 +1,6 @@
 #include "app/map/map_follow.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/map/map_rows.h"
@@ -28,6 +29,21 @@ TEST_CASE("map: it follows the document, exact in the end") {
     CHECK(map_state(program.app.work, program.app.shown_map) == MapState::stale);
     program.wait_for_exact_map();
     CHECK(program.app.shown_map.transition.shown->request.revision == program.app.work.revision);
+}
+
+TEST_CASE("map: until the first one the patterns stand in a ring, and drift to their places") {
+    Program program(short_patterns(5));
+    CHECK(program.at("map:waiting").value == "5");
+    double farthest = 0.0;
+    program.after_frame = [&] {
+        const MapTransition& map = program.app.shown_map.transition;
+        if (map.shown) farthest = std::max(farthest, (map.from - map.to).norm() / map.to.norm());
+    };
+    for (int k = 0; k < 30; ++k) program.frame();  // long enough to be seen
+    program.compute_map();
+    CHECK_FALSE(program.shows("map:waiting"));
+    CHECK(farthest > 0.5);
+    stop_jobs(program.app);
 }
 
 TEST_CASE("map: its numbers are those of a run on the set alone, whatever was shown before") {
