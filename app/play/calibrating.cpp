@@ -4,6 +4,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
+#include "app/play/ear_preview.h"
 #include "app/play/playing.h"
 #include "app/session/folders.h"
 #include "app/ui/file_question.h"
@@ -93,21 +94,35 @@ std::string calibration_text(const PlayState& play) {
 }
 
 DrivenBy driven_by(const PlayState& play) {
-    return {play.calibration, play.full_scale_g, play.is_protected};
+    return {play.calibration, play.full_scale_g, play.is_protected, play.for_ear};
 }
 
 DriveRequest drive_request(const PlayState& play, const Vibration& vibration) {
     return {0, vibration, driven_by(play), false};
 }
 
+namespace {
+
+Waveform waveform_for(const DriveRequest& request) {
+    const auto* pattern = std::get_if<Pattern>(&request.vibration.source);
+    if (request.by.for_ear && pattern != nullptr) return render(for_ear(*pattern));
+    return waveform_of(request.vibration);
+}
+
+}  // namespace
+
 MadeDrive made_drive(const DriveRequest& request) {
-    const Waveform waveform = waveform_of(request.vibration);
+    const Waveform waveform = waveform_for(request);
     MadeDrive made{request, {}, {}};
+    if (request.by.for_ear && std::holds_alternative<Measurement>(request.vibration.source)) {
+        made.remark =
+            request.vibration.name + " is a recording: it is heard as it is, not two octaves up. ";
+    }
     if (!request.by.calibration) {
         ProtectedDrive kept = protected_drive(drive_of(waveform, request.by.full_scale_g),
                                               request.loops, request.by.is_protected);
         made.drive = std::move(kept.drive);
-        if (!kept.remark.empty()) made.remark = request.vibration.name + " " + kept.remark + ".";
+        if (!kept.remark.empty()) made.remark += request.vibration.name + " " + kept.remark + ".";
         return made;
     }
     CalibratedDrive driven = calibrated_drive(waveform, *request.by.calibration, request.loops);

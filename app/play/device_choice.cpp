@@ -11,7 +11,7 @@ namespace tact {
 
 void keep_devices(Workspace& work, const PlayState& play) {
     Session& session = work.session;
-    session.device = play.choice.id;
+    session.device = play.for_ear ? std::string() : play.choice.id;
     session.device_choices = play.choices;
     if (!session.device.empty()) {
         session.device_choices.insert(session.device_choices.begin(), play.choice);
@@ -57,7 +57,7 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
     const auto same = [](const std::string& id) {
         return [id](const DeviceChoice& other) { return other.id == id; };
     };
-    if (!play.choice.id.empty()) {
+    if (!play.choice.id.empty() && !std::exchange(play.for_ear, false)) {
         std::erase_if(play.choices, same(play.choice.id));
         play.choices.insert(play.choices.begin(), play.choice);
     }
@@ -109,6 +109,7 @@ std::string device_text(const PlayState& play) {
                                                         : "No device";
     }
     const std::optional<DeviceInfo> info = chosen_device(play);
+    if (play.for_ear) return "By ear: " + (info ? name_with_output(*info) : "no output");
     const std::string name =
         info ? info->name : play.choice.id.substr(play.choice.id.rfind('/') + 1);
     if (info && info->channels.empty()) return name;
@@ -130,7 +131,7 @@ std::string device_trouble(const PlayState& play) {
 
 bool can_be_calibrated(const PlayState& play) {
     const std::optional<DeviceInfo> device = chosen_device(play);
-    return device && device->kind == DeviceKind::audio;
+    return device && device->kind == DeviceKind::audio && !play.for_ear;
 }
 
 }  // namespace tact

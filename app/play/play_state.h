@@ -23,6 +23,7 @@ struct DrivenBy {
     std::shared_ptr<const Calibration> calibration;  // null: none
     double full_scale_g = kFullScaleG;
     bool is_protected = true;  // without a calibration: devices/device/protection.h
+    bool for_ear = false;      // two octaves up: app/play/ear_preview.h
 
     bool operator==(const DrivenBy&) const = default;
 };
@@ -81,6 +82,7 @@ struct PlayState {
     bool on_hover = false;  // a pattern pointed at in the map is felt
 
     bool is_protected = true;  // the actuator, where no calibration says what it bears
+    bool for_ear = false;      // the choice is of headphones, and of this run: ear_preview.h
 
     double level = kFirstLevel;
     bool was_softened = false;  // to that again, and it is still to be said

@@ -8,6 +8,7 @@
 #include "app/document/editing.h"
 #include "app/map/pair.h"
 #include "app/play/calibrating.h"
+#include "app/play/ear_preview.h"
 #include "app/play/sounding.h"
 #include "devices/audio/audio_host.h"
 #include "devices/device/ledger.h"
@@ -55,6 +56,7 @@ void start(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Soundin
     silence(timeline, play);
     timeline.playhead.speed = 1.0;
     play.sounding = std::move(sounding);
+    if (play.for_ear) say(ui, std::string("A ") + kEarWords + ".");
     play_current(ui, work, timeline, play);
 }
 
@@ -339,9 +341,15 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
 namespace {
 
 // Where it is pressed, and not only in the list of devices.
-void tell_silent(Ui& ui, const PlayState& play) {
+void tell_silent(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     if (!play.choice.id.empty()) return say(ui, device_text(play) + ": " + device_trouble(play));
     say(ui, "Plays silently: no actuator is chosen. The list beside the speeds has them.");
+    const std::optional<DeviceInfo> output = ear_output(play);
+    if (!output) return;
+    ui.status.more = "Listen on headphones, two octaves up";
+    ui.status.show_more = [&ui, &work, &timeline, &play] {
+        listen_by_ear(ui, work, timeline, play);
+    };
 }
 
 }  // namespace
@@ -356,12 +364,29 @@ void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
     const double end_s = shown_duration_s(work);
     if (!playhead.playing && playhead.at_s >= end_s) playhead.at_s = 0.0;
     playhead.playing = !playhead.playing && end_s > 0.0;
-    if (!playhead.playing || playhead.speed != 1.0) return;
+    if (!playhead.playing) return;
+    if (play.choice.id.empty() && !can_sound(play)) return tell_silent(ui, work, timeline, play);
+    if (playhead.speed != 1.0) return;
     if (can_sound(play) && current_vibration(work) != nullptr) {
         start(ui, work, timeline, play, of_transport(work, timeline, shown_map, play));
     } else {
-        tell_silent(ui, play);
+        tell_silent(ui, work, timeline, play);
     }
+}
+
+void listen_by_ear(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
+    const std::optional<DeviceInfo> output = ear_output(play);
+    if (!output || current_vibration(work) == nullptr) return;
+    DeviceChoice choice;
+    choice.id = output->id;
+    choice.everywhere = true;
+    choose_device(ui, timeline, play, choice);
+    play.for_ear = play.choice == choice;
+    open_chosen(ui, play);
+    if (!play.for_ear || !can_sound(play)) return;
+    const bool loops = timeline.playhead.loop;
+    start(ui, work, timeline, play,
+          {.names = {current_vibration(work)->name}, .loops = loops, .follows = loops});
 }
 
 void set_speed(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
@@ -384,7 +409,7 @@ void play_once(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std
                      {.names = {work.document.set.vibrations[index].name}});
     timeline.playhead.at_s = 0.0;
     timeline.playhead.playing = shown_duration_s(work) > 0.0;
-    tell_silent(ui, play);
+    tell_silent(ui, work, timeline, play);
 }
 
 void play_pair(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, std::size_t first,

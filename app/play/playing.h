@@ -69,6 +69,10 @@ void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
 void set_speed(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                PlayState& play, double speed);
 
+// A preview on headphones, where no actuator is chosen (app/play/ear_preview.h): the current
+// pattern begins, and all that is played from then on, until a device is chosen.
+void listen_by_ear(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play);
+
 void toggle_alternating(PlayState& play);
 bool is_alternating(const PlayState& play);
 

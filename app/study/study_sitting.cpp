@@ -131,6 +131,7 @@ void begin_participant(Ui& ui, const Workspace& work, Timeline& timeline, PlaySt
                        StudyState& studying) {
     const std::string obstacle = participant_obstacle(work, play, studying);
     if (!obstacle.empty()) return say(ui, obstacle);
+    if (play.for_ear) choose_device(ui, timeline, play, {});  // what is heard is not what is felt
     StudyRecord record;
     record.header = study_header(work, play, studying, unused_code(work, studying));
     const auto changes = changes_on_disk(study_folder(work, studying), record.header);

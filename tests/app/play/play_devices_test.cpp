@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "app/play/calibrating.h"
+#include "app/play/ear_preview.h"
 #include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
 
@@ -40,6 +42,39 @@ TEST_CASE("playing: without a device it says that it plays silently, and has a w
     CHECK_FALSE(program.app.ui.status.is_error);
     program.click("device");
     CHECK(program.at("device advice").value.find("Plug in") == 0);
+}
+
+TEST_CASE(
+    "playing: by ear a pattern is two octaves up, as strong and as long, and a recording says so") {
+    FeltProgram program;
+    Vibration tone = program.app.work.document.set.vibrations[0];
+    auto& pattern = std::get<Pattern>(tone.source);
+    pattern.carriers = {{100.0, 1.0, 0.0}};
+    pattern.frequency_curve = {{0.0, 100.0}, {0.1, 50.0}};
+    pattern.transients = {{0.02, 0.5, 200.0}};
+    const Pattern heard = for_ear(pattern);
+    CHECK(heard.carriers[0].frequency_hz == 400.0);
+    CHECK(heard.frequency_curve[1].frequency_hz == 200.0);
+    CHECK(heard.transients[0].frequency_hz == 800.0);
+    CHECK(heard.modulation == pattern.modulation);
+    CHECK(heard.duration_s == pattern.duration_s);
+    program.app.play.for_ear = true;
+    Vibration meant = tone;
+    meant.source = heard;
+    const MadeDrive made = made_drive(drive_request(program.app.play, tone));
+    CHECK(made.drive.samples ==
+          protected_drive(drive_of(waveform_of(meant), 1.0), false, true).drive.samples);
+    CHECK(made.remark.find("recording") == std::string::npos);
+    Vibration recording = tone;
+    recording.source = Measurement{std::make_shared<const Waveform>(waveform_of(tone)), {}, 1.0, {}};
+    CHECK(made_drive(drive_request(program.app.play, recording)).remark.find("as it is") !=
+          std::string::npos);
+    CHECK_FALSE(can_be_calibrated(program.app.play));
+    // It is nobody's actuator, and the next device is felt again.
+    keep_devices(program.app.work, program.app.play);
+    CHECK(program.app.work.session.device.empty());
+    choose_device(program.app.ui, program.app.timeline, program.app.play, {});
+    CHECK_FALSE(program.app.play.for_ear);
 }
 
 TEST_CASE("playing: a device that was chosen and is not there is not replaced by another") {
