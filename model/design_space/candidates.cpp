@@ -102,7 +102,7 @@ std::string word_of(const Pattern& pattern, Factor factor) {
         case Parameter::mix:
             return "mix " + digits(pattern.carriers[1].weight);
         case Parameter::kind:
-            return modulation.kind == ModulationKind::am ? "am" : "product";
+            return modulation.kind == ModulationKind::am ? "tremolo" : "ring";
         case Parameter::modulation:
             return "mod " + digits(modulation.frequency_hz) + " Hz";
         case Parameter::depth:

@@ -98,7 +98,7 @@ TEST_CASE("candidates: counts are products of levels, whatever the parameters") 
     const Candidates found = made(space);
     CHECK(found.kept.size() == 2 * 3 * 3 * 2 * 2 * 2 * 2 * 3 * 2);
     CHECK(found.kept[0].name ==
-          "60+150 Hz mix 0.25 product mod 4 Hz x- attack 10 ms release 0 ms 0.5 s");
+          "60+150 Hz mix 0.25 ring mod 4 Hz x- attack 10 ms release 0 ms 0.5 s");
 }
 
 TEST_CASE("candidates: combinations that make no difference are doubles, counted once") {
