@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/reach.h"
 #include "tests/support/scenes.h"
 
 namespace dialogs_test {
@@ -41,22 +42,6 @@ bool is_end(std::string_view name) {
 bool is_within(const Place& place, const ImRect& area) {
     return place.min.x >= area.Min.x - 1.0F && place.min.y >= area.Min.y - 1.0F &&
            place.max.x <= area.Max.x + 1.0F && place.max.y <= area.Max.y + 1.0F;
-}
-
-// What of a window cannot be scrolled to.
-std::string out_of_reach(const ImGuiWindow& window) {
-    const ImVec2 content = window.DC.CursorMaxPos - window.DC.CursorStartPos;
-    const ImVec2 room = window.WorkRect.GetSize();
-    const bool has_bar = (window.Flags & ImGuiWindowFlags_NoScrollbar) == 0;
-    const bool is_wide = (window.Flags & ImGuiWindowFlags_HorizontalScrollbar) != 0;
-    std::string faults;
-    if (content.x > room.x + 1.5F && !is_wide) {
-        faults += "to the right by " + std::to_string(content.x - room.x) + " px; ";
-    }
-    if (content.y > room.y + 1.5F && !has_bar) {
-        faults += "below by " + std::to_string(content.y - room.y) + " px; ";
-    }
-    return faults;
 }
 
 std::vector<std::string> faults_of(const SceneWindow& window, const ImGuiWindow& dialog) {

@@ -1,0 +1,84 @@
+// Every pane of every workspace, at every size of text: whatever is in it is in sight or can be
+// scrolled to, and what scrolls has room for a row at least.
+
+#include <imgui_internal.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/support/felt_program.h"
+#include "tests/support/reach.h"
+#include "tests/support/scenes.h"
+
+namespace panes_test {
+
+using namespace tact;
+
+namespace {
+
+bool is_of_panes(const Scene& scene) {
+    for (const char* other : {"dialog, ", "menu ", "popup ", "tooltip ", "palette"}) {
+        if (scene.name.starts_with(other)) return false;
+    }
+    return !scene.is_costly;
+}
+
+// Of the windows on screen, each within what it is a part of.
+std::vector<std::string> faults_on_screen() {
+    std::vector<std::string> faults;
+    const ImRect screen({}, ImGui::GetIO().DisplaySize);
+    for (const ImGuiWindow* one : ImGui::GetCurrentContext()->Windows) {
+        if (!one->WasActive || one->Hidden || (one->Flags & ImGuiWindowFlags_Tooltip) != 0)
+            continue;
+        const std::string name = one->Name;
+        if (one == one->RootWindow && !screen.Contains(one->Rect())) {
+            faults.push_back(name + " leaves the screen");
+        }
+        const std::string lost = out_of_reach(*one);
+        if (!lost.empty()) faults.push_back(name + ": " + lost);
+    }
+    return faults;
+}
+
+}  // namespace
+
+TEST_CASE("panes: at any size of text nothing in a pane is out of reach" *
+          doctest::test_suite("long")) {
+    SceneWindow window;
+    for (const ImVec2 size : {ImVec2{1600.0F, 1000.0F}, ImVec2{1280.0F, 720.0F}}) {
+        for (const float scale : {1.0F, 1.5F, 2.0F}) {
+            CAPTURE(size.x);
+            CAPTURE(scale);
+            window.resize(size, scale);
+            for (const Scene& scene : scenes()) {
+                if (!is_of_panes(scene)) continue;
+                CAPTURE(scene.name);
+                window.show(scene);
+                window.settle();
+                for (const std::string& fault : faults_on_screen()) FAIL_CHECK(fault);
+            }
+        }
+    }
+}
+
+// The level of all that is felt, what stops it, and what chooses where it goes.
+TEST_CASE("panes: the bar keeps its level, its device and Play at any size of text") {
+    FeltProgram program;
+    for (const ImVec2 size : {ImVec2{1600.0F, 1000.0F}, ImVec2{1280.0F, 720.0F}}) {
+        for (const float scale : {1.0F, 1.5F, 2.0F}) {
+            CAPTURE(size.x);
+            CAPTURE(scale);
+            program.resize(size, scale);
+            for (const char* name : {"level", "device", "transport:play"}) {
+                CAPTURE(name);
+                REQUIRE(program.shows(name));
+                CHECK(program.at(name).min.x >= 0.0F);
+                CHECK(program.at(name).max.x <= size.x);
+                CHECK(program.at(name).max.y <= size.y);
+            }
+        }
+    }
+}
+
+}  // namespace panes_test

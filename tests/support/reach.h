@@ -1,0 +1,25 @@
+// What of a window cannot be scrolled to.
+#pragma once
+
+#include <imgui_internal.h>
+
+#include <string>
+
+namespace tact {
+
+inline std::string out_of_reach(const ImGuiWindow& window) {
+    const ImVec2 content = window.DC.CursorMaxPos - window.DC.CursorStartPos;
+    const ImVec2 room = window.WorkRect.GetSize();
+    const bool has_bar = (window.Flags & ImGuiWindowFlags_NoScrollbar) == 0;
+    const bool is_wide = (window.Flags & ImGuiWindowFlags_HorizontalScrollbar) != 0;
+    std::string faults;
+    if (content.x > room.x + 1.5F && !is_wide) {
+        faults += "to the right by " + std::to_string(content.x - room.x) + " px; ";
+    }
+    if (content.y > room.y + 1.5F && !has_bar) {
+        faults += "below by " + std::to_string(content.y - room.y) + " px; ";
+    }
+    return faults;
+}
+
+}  // namespace tact
