@@ -262,7 +262,7 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     if (row_link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
     note_item(ui.rects, "link:map look");
     draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
-    open_below_last_item(ui.theme);
+    open_beside_pane(ui.theme, kPopupPx * ui.theme.scale);
     if (!ImGui::BeginPopup("map look")) return;
     ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted("Look of the map");
