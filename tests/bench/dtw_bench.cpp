@@ -35,7 +35,7 @@ std::vector<std::vector<double>> envelopes(std::size_t count) {
     return result;
 }
 
-// Of one set: all pairs, or those of the first pattern with the others.
+// All pairs of one set, or those of the first pattern with the others.
 std::vector<SignalPair> pairs_of(const std::vector<std::vector<double>>& patterns,
                                  bool only_first) {
     std::vector<SignalPair> pairs;

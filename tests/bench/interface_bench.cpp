@@ -159,7 +159,7 @@ PatternSet drawn_full() {
     return set;
 }
 
-// While the amplitude of it is dragged. What is computed of it is beside the window.
+// Drags the amplitude of a full strip. What is computed of it runs in the background.
 void drag_in_full_strip(benchmark::State& state) {
     Program program(drawn_full());
     make_render_job(program.app.work.cache, {});

@@ -10,7 +10,7 @@ namespace {
 
 struct Recorded {
     std::vector<double> samples;                    // of one channel
-    std::vector<std::pair<double, double>> stamps;  // so many frames, when
+    std::vector<std::pair<double, double>> stamps;  // number of frames, when
 
     double at_s(std::size_t frame) const {
         const auto found = std::ranges::find_if(
@@ -34,7 +34,7 @@ double largest_step(const std::vector<double>& samples, std::size_t from, std::s
     return largest;
 }
 
-// Of the tone after it: what is no multiple of the tone before. A gap shifts all that follows.
+// Share of the tone after it that is no multiple of the tone before. A gap shifts all that follows.
 double share_of_another(const std::vector<double>& samples, std::size_t before, std::size_t after,
                         std::size_t count) {
     double own = 0.0;

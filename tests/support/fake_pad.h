@@ -1,4 +1,4 @@
-// A controller that is none, for tests of what plays on it.
+// A simulated controller, for tests of what plays on it.
 #pragma once
 
 #include <chrono>

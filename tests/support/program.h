@@ -151,7 +151,7 @@ struct Program {
         }
     }
 
-    // Frames until the stages on screen are those of the patterns as they are; starts the jobs.
+    // Draws frames until the stages on screen are those of the present patterns; starts the jobs.
     void wait_for_stages() {
         if (!app.shown_map.full_job) make_jobs(app);
         [[maybe_unused]] const auto until = end_of_patience();  // checks may be off

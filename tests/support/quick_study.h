@@ -22,7 +22,7 @@ inline bool answers_are_read(const StudyState& studying) {
 struct StudyWindow : Program {
     using Program::Program;
 
-    // Frames until this is on screen, of the files as they are.
+    // Draws frames until this is on screen, from the present files.
     void wait_for(const std::string& name) {
         const auto until = end_of_patience();
         while (!shows(name) || !answers_are_read(app.studying)) {

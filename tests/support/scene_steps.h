@@ -10,10 +10,10 @@
 
 namespace tact {
 
-// Frames go on until then, or until the end of patience.
+// Draws frames until then, or until the end of patience.
 void wait_until(Program& program, const std::function<bool()>& is_so);
 
-// The command of the palette. Throws if there is none of that name.
+// Runs a command of the palette. Throws if no command has that name.
 void run(Program& program, std::string_view name);
 
 // What has no room on a small screen cannot be pressed there.

@@ -582,8 +582,8 @@ void SceneWindow::show(const Scene& scene) {
     wait_for_stages();  // of the scene before they may still be on screen
     remake_fonts(*this);
     scene.show(*this);
-    // What the map is asked is told by a preview first, in longer words. Where a scene is of work
-    // under way, that goes on behind it.
+    // What the map is asked is told by a preview first, in longer words. If a scene shows work
+    // under way, that continues behind it.
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (is_asking(app.maybes) && std::chrono::steady_clock::now() < until) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -1,5 +1,5 @@
 // until_killed WHAT FOLDER [TURNS]: starts as the window does, edits and writes as it does, over
-// and over, until it is killed, or a write fails, or so many turns are over. For tests/faults.
+// and over, until it is killed, or a write fails, or TURNS turns are over. For tests/faults.
 //
 // WHAT      save: the set FOLDER/set.tactspace.json by File > Save
 //           autosave: unsaved changes of it, as frames keep them; each fifth turn is saved instead
@@ -90,7 +90,7 @@ void keep(App& app) {
     autosave_if_due(app.ui, app.work);  // hears how it went
 }
 
-// As a person starts: with the file where that is what was saved last, else without.
+// Starts as a person does: with the file if that was saved last, otherwise without.
 std::string start(App& app, const fs::path& file, bool autosaves) {
     std::vector<fs::path> paths;
     if (!autosaves && fs::exists(file)) paths = {file};

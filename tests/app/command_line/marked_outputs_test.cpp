@@ -58,7 +58,7 @@ bool is_silent(const fs::path& file) {
     const std::string kind = file.extension().string();
     if (kind == ".png" || kind == ".py" || kind == ".R") return true;  // compared below; programs
     if (kind == ".ahap") return true;  // the pattern alone, which no model made
-    // Of one pattern and its path through the model: model.txt beside them says it.
+    // One pattern and its path through the model: model.txt beside them says it.
     return kind == ".csv" && file.parent_path().filename() == "stages";
 }
 
@@ -75,7 +75,7 @@ Words cells_of(const std::string& line) {
     return cells;
 }
 
-// Of a table with such columns, in every line.
+// Whether every line of a table has such columns.
 bool has_counts(const std::string& text) {
     std::istringstream lines(text);
     std::string line;
@@ -170,8 +170,8 @@ struct Bench {
             CHECK(contains(lower_case(bytes_of(entry.path())), "synthetic"));
         }
     }
-    // The same of whom the numbers leave out; `raw`: files with a line an answer of those who
-    // count.
+    // The same for people whom the numbers leave out; `raw`: files with a line an answer of those
+    // who count.
     void check_says_left_out(const Words& arguments, const std::set<std::string>& raw = {}) const {
         std::string words;
         for (const std::string& word : arguments) words += word + " ";
@@ -371,7 +371,7 @@ TEST_CASE("marked outputs: all that a command prints or writes says that nobody 
     }
 }
 
-// Of commands that make numbers of ratings; the others have no people to leave out.
+// Commands that make numbers of ratings; the others have no people to leave out.
 const Checks& left_out_checks() {
     static const Checks kChecks{
         {"space",

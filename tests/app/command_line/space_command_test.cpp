@@ -106,7 +106,7 @@ TEST_CASE("space --align-to: a map turned onto itself stays, and another is told
     CHECK(farthest(same.at("coordinates"), before.at("coordinates")) <= 1e-12);
     CHECK(same.at("aligned").at("procrustes_m2").get<double>() <= 1e-12);
     CHECK(same.at("aligned").at("K").get<double>() <= 1e-12);
-    // Of five patterns all 120 orders are tried.
+    // Five patterns: all 120 orders are tried.
     CHECK(same.at("aligned").at("protest_p") == 1.0 / 120.0);
     CHECK(same.at("aligned").at("patterns") == 5);
     const std::string picture = maps.at("nc.png");

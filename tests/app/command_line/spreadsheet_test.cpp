@@ -21,7 +21,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// As JSON writes them and as they are; each begins with another sign that a spreadsheet runs.
+// Names as JSON writes them, and themselves; each begins with another sign that a spreadsheet runs.
 const std::vector<std::pair<std::string, std::string>>& names() {
     static const std::vector<std::pair<std::string, std::string>> kNames{
         {R"(=1+1|A)", "=1+1|A"},       {R"(+A,\"b\")", "+A,\"b\""},   {R"(-A;b)", "-A;b"},

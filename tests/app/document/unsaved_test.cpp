@@ -67,7 +67,8 @@ TEST_CASE("unsaved: an autosave is of the set as it was, and a frame goes on mea
     const fs::path file = app.work.session.autosave;
     while (!is_autosaving(app.work)) program.frame();
     const PatternSet as_it_was = app.work.document.set;
-    edit_patterns(app.work, [](Pattern& pattern) { pattern.amplitude_g = 3.0; });  // a drag goes on
+    edit_patterns(app.work, [](Pattern& pattern) { pattern.amplitude_g = 3.0; });  // a drag
+                                                                                   // continues
     wait_for_autosave(app.work);
     Session later = app.work.session;
     const Restored restored = restore(later);

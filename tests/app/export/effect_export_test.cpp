@@ -139,7 +139,7 @@ TEST_CASE("export vibrations: an answer to an earlier choice looks stale and can
     dialog.wait_for_loss();
     CHECK(dialog.program.at("export:actuator").value == "mpeg");
     CHECK(dialog.program.at("export:summary").value != before);
-    // As it is between the choice and its answer.
+    // The state between the choice and its answer.
     dialog.effects().request.number += 1;
     dialog.program.settle();
     CHECK(dialog.program.at("export:loss").value == "stale");

@@ -262,7 +262,7 @@ TEST_CASE("job: a frame never waits for an old answer, or an old request, to be 
     CHECK(job.latest()->value == 2);
     CHECK_FALSE(job.busy());
     CHECK(job.failure().empty());
-    job.submit(3);  // nor does the next question
+    job.submit(3);  // the next question has none either
     job.cancel();
     gate->may_go.release();
     REQUIRE(eventually([&] { return gate->was_let.load(); }));

@@ -179,7 +179,7 @@ TEST_CASE("manual: its numbers are the model's" * doctest::test_suite("long")) {
     const auto [least, most] = std::ranges::minmax(pm.condensed);
     CHECK(number("nearest_pm") == significant_digits(least, 4));
     CHECK(number("farthest_pm") == significant_digits(most, 4));
-    // Of two patterns the most distinct are those that are farthest apart.
+    // The two most distinct patterns are those that are farthest apart.
     CHECK(number("weakest 2") == number("farthest_pm"));
     CHECK(number("picked 2") == number("farthest"));
     CHECK(number("picked 12").starts_with("L-0-half, L-0-full, "));

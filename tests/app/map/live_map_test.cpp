@@ -77,7 +77,7 @@ TEST_CASE("live map: a stopped run answers nothing, and the next one starts from
     const auto again = work(request_of(set, false), {}, progress);
     CHECK(again->prediction.pm == first->prediction.pm);
     CHECK(again->space.points == first->space.points);
-    CHECK(again->prediction.codes == first->prediction.codes);  // the very same, not computed anew
+    CHECK(again->prediction.codes == first->prediction.codes);  // the very same, not computed again
 }
 
 TEST_CASE("live map: a set as it was some edits ago is not computed again") {

@@ -74,7 +74,7 @@ TEST_CASE("unshifted map: of a set that was opened with shifted thresholds it is
     CHECK(map.anchor->prediction.pm == unshifted);
     CHECK(map.shown->prediction.pm != unshifted);
     CHECK(map.ghost.allFinite());
-    // And anew where a pattern is edited meanwhile.
+    // And again if a pattern is edited meanwhile.
     edit_patterns(program.app.work, [](Pattern& p) { p.modulation.frequency_hz = 40.0; });
     program.wait_for_exact_map();
     wait_for_ghosts(program);

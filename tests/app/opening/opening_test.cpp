@@ -1,4 +1,4 @@
-// Files are read beside the window: a frame never waits for one, and what was read comes only where
+// Files are read in the background: a frame never waits for one, and what was read comes only where
 // it was asked for.
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// Work that fails beside the window: each pane that waits for it says why, and asks again when
+// Work that fails in the background: each pane that waits for it says why, and asks again when
 // something changes.
 // GCC 12 takes a part of std::stop_source for one that is not set where a job is inlined whole.
 #ifndef __clang__
@@ -44,7 +44,7 @@ struct Failing : Program {
     Failing() : Program(short_patterns(4)) {}
     ~Failing() { stop_jobs(app); }
 
-    // What is asked anew meanwhile fails anew.
+    // What is asked again meanwhile fails again.
     bool says(const std::string& pane) {
         const auto until = end_of_patience();
         const std::string name = "failed:" + pane;

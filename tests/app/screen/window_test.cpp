@@ -1,4 +1,4 @@
-// What of the window needs no screen; the rest is tested with a real one (tests/e2e).
+// The parts of the window that need no screen; the rest is tested with a real one (tests/e2e).
 #include "app/screen/window.h"
 
 #include <doctest/doctest.h>

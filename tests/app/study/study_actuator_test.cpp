@@ -102,7 +102,7 @@ TEST_CASE("actuator: one that goes pauses the study, says so, and the play does 
     CHECK(contains(program.at("study:warning").value, "The actuator stopped"));
     CHECK(contains(program.at("study:warning").value, "the coil is gone"));
     CHECK_FALSE(program.device->playing());
-    // It is not back: who goes on may try, and is stopped again.
+    // It is not back: whoever continues may try, and is stopped again.
     program.press_key(key::kEnter);
     program.wait(0.2);
     CHECK(program.page() == "trial 0");

@@ -70,7 +70,7 @@ TEST_CASE("participants: of a saved set, they stay with its file and in sight of
     CHECK(contains_study(program.folder.path / "mine study"));
     CHECK(program.sees_participant());
     CHECK(contains(app.ui.status.text, "Its participants stay in"));
-    // Of a document that is opened next, they are none.
+    // A document that is opened next has no participants.
     new_document(app.ui, app.work);
     CHECK_FALSE(program.sees_participant());
 }

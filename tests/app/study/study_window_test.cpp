@@ -172,7 +172,7 @@ TEST_CASE("study window: every answer is in the file before the next trial is on
     }
     CHECK(read_study_file(file)->answers.size() == 3);
     CHECK(read_study_file(file)->header.consented);
-    // Esc, leave: it goes on later.
+    // Esc, leave: it continues later.
     program.key(key::kEscape);
     CHECK(program.page() == "asking 3");
     program.press('q');

@@ -1,4 +1,4 @@
-// A subset is picked as soon as there is a map, says that it is of a preview, and is picked anew
+// A subset is picked as soon as there is a map, says that it is of a preview, and is picked again
 // once the map is exact.
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"

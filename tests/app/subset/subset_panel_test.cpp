@@ -46,7 +46,7 @@ struct SubsetBench {
         program.settle();
     }
 
-    // Until the subset and the curve are those of the document and the question as they are.
+    // Waits until the subset and the curve are those of the present document and question.
     void wait_for_pick() {
         program.wait_for_exact_map();
         wait([this] {

@@ -54,7 +54,7 @@ struct Out : one_channel::Out {
         return static_cast<double>(last) / rate_hz;
     }
     double sounds_s() const { return last_sound_s() - first_sound_s(); }
-    // Of the loudest second.
+    // Rms of the loudest second.
     double rms() const {
         const auto window = static_cast<std::size_t>(rate_hz);
         double sum = 0.0;

@@ -197,7 +197,7 @@ TEST_CASE("rendering: kinds are called by their keys, and a wrong one lists them
 
 namespace {
 
-// Of a coil that gives most at 80 Hz.
+// Response of a coil that gives most at 80 Hz.
 Calibration resonant_coil() {
     Calibration calibration;
     calibration.actuator = "coil";

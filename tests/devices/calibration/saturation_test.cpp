@@ -45,9 +45,9 @@ struct Made {
         for (double& sample : made) sample = magnet.of(sample);
         return made;
     }
-    // Of a drive so weak that nothing gives out.
+    // Gain at a drive so weak that nothing gives out.
     double truth_g(double f_hz) const { return is_flat ? 1.0 : coil.gain_at(f_hz); }
-    // Of a sine, in the end.
+    // What a sine gives once it is steady.
     double felt_g(double f_hz, double drive) const {
         std::vector<double> samples(20'000);
         for (std::size_t n = 0; n < samples.size(); ++n) {

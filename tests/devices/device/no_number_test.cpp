@@ -29,7 +29,7 @@ Clip constant(float value, float peak) {
     return clip;
 }
 
-// The loudest of a quarter of a second of it; NaN where any frame is none.
+// The loudest of a quarter of a second of it; NaN if any frame is NaN.
 float loudest(const Clip& clip, float level, float later_level) {
     Playback playback;
     playback.level = level;

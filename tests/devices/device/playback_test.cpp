@@ -118,7 +118,7 @@ TEST_CASE("playback: too loud a clip is turned down as a whole, and the clip lig
         REQUIRE(std::abs(stream.heard[kPad + n] - 0.4F * clip.samples[n]) < 1e-6F);
     }
     CHECK(notes_of(stream.playback, 1).clipped);
-    // At a level that fits it is as it is.
+    // A clip at a level that fits is unchanged.
     Stream quiet;
     quiet.playback.level = 0.4F;
     quiet.playback.wanted = &clip;

@@ -92,7 +92,7 @@ TEST_CASE("haptic page: a descriptor that floods its reader with fields is none"
     };
     CHECK_FALSE(haptic_page(flood(1)));
     CHECK_FALSE(haptic_page(flood(32)));
-    const auto nothing = haptic_page(flood(0));  // fields of no bits are none
+    const auto nothing = haptic_page(flood(0));  // fields without bits do not count
     REQUIRE(nothing);
     CHECK(nothing->waveforms.empty());
 }

@@ -386,7 +386,7 @@ TEST_CASE("hid: what a loop becomes plays no longer than that may, from its own 
     CHECK(ended(device));
     CHECK(PadClock::now() - begun < std::chrono::milliseconds(1500));  // a loop would never end
     CHECK_FALSE(device.status().is_warm);
-    // The other way round it goes on.
+    // The other way round it continues.
     REQUIRE(device.play(shorter, true));
     device.change(tone(0.1));
     std::this_thread::sleep_for(std::chrono::milliseconds(500));

@@ -139,7 +139,7 @@ TEST_CASE("hid: frames that a slow write has passed by are skipped, not queued" 
 
 TEST_CASE("hid: a motor moves at a tenth of the level, and patterns keep their proportions" *
           doctest::test_suite("long")) {
-    // Of a steady tone of the weak motor's band.
+    // Strength of a steady tone of the weak motor's band.
     const auto strength = [](double level, double amplitude) {
         const auto pad = std::make_shared<FakePad>();
         HidDevice device = device_on(pad, actuator(ActuatorKind::dualshock_4, HidBus::usb));

@@ -1,4 +1,4 @@
-// A controller goes on with what it was told last: it is brought to rest after every ending that
+// A controller continues with what it was told last: it is brought to rest after every ending that
 // leaves somebody to do so.
 #include <doctest/doctest.h>
 

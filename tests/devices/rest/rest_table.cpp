@@ -158,7 +158,7 @@ void bring_to_end(const Ending& ending, MockBench& bench, Row& row) {
     if (row.player.terminal >= 0) close(row.player.terminal);
 }
 
-// How long each kind went on after the ending; all of them at a time.
+// How long each kind continued after the ending; all of them at a time.
 std::vector<Clock::duration> times_to_rest(const Ending& ending, const std::string& set) {
     std::vector<Row> rows;
     std::vector<MockPad> pads;

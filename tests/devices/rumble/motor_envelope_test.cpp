@@ -33,7 +33,7 @@ std::vector<RumbleFrame> frames_of(const Drive& drive) {
     return motor_pair_frames(motor_pair_strengths(drive, kHopS), kHopS, 1.0);
 }
 
-// What a motor's strength becomes of a steady envelope.
+// A motor's strength after a second of a steady envelope.
 double strength_after_a_second(const Motor& motor, double envelope, double level) {
     double speed = 0.0;
     for (const double duty : motor_duties(motor, std::vector<double>(70, envelope), kHopS, level)) {
@@ -159,7 +159,7 @@ TEST_CASE("motors: a faint end does not flutter on and off") {
     Drive drive = tone(150.0, 0.04, 0.0, 1.0, 1.0);
     for (const RumbleFrame& frame : intensity_frames(intensity_strengths(drive, kHopS), 1.0))
         CHECK(frame.low == 0.0);
-    // The same faintness goes on where it follows something stronger.
+    // The same faintness continues if it follows something stronger.
     for (std::size_t n = 0; n < 3000; ++n) drive.samples[n] *= 10.0;
     const auto frames = intensity_frames(intensity_strengths(drive, kHopS), 1.0);
     CHECK(frames[10].low > 0.35);

@@ -67,7 +67,7 @@ TEST_CASE("even path: of ways that are as even, the one whose shares are spread 
     const auto alike = [](std::size_t, std::size_t, std::size_t) { return 1.0; };
     CHECK(even_path(layers, alike, 0.02).chosen == std::vector<std::size_t>{0, 2, 0});
     CHECK(even_path(layers, alike, 0.02).ratio == 1.0);
-    // A ratio within the tolerance is told as it is.
+    // A ratio within the tolerance is told unchanged.
     const auto nearly = [](std::size_t layer, std::size_t, std::size_t) {
         return layer == 0 ? 1.0 : 1.01;
     };

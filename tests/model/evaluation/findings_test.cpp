@@ -38,7 +38,7 @@ PredictedSet predicted(const char* name, Rule rule) {
     return result;
 }
 
-// Of vibrations that people would find as the publication says, or the other way about.
+// Vibrations that people would find as the publication says, or the other way about.
 KnownSets known(bool as_published) {
     const auto am = [=](const Pattern& a, const Pattern& b) {
         const auto felt = [](double f) { return f >= 40.0 ? 0.1 : f > 0.0 ? 1.0 + f : 0.0; };

@@ -51,7 +51,7 @@ std::vector<Waveform> every_tenth(const std::vector<Waveform>& waveforms) {
     return thin;
 }
 
-// Of 0.1 s, as DTW is quadratic; two of them silent, two the same, one shorter.
+// Waveforms of 0.1 s, as DTW is quadratic; two of them silent, two the same, one shorter.
 std::vector<Waveform> short_set() {
     std::vector<Waveform> waveforms;
     for (const double f_hz : {60.0, 150.0, 210.0, 150.0}) {
@@ -258,7 +258,7 @@ TEST_CASE("metric matrix: none and one pattern have no pairs") {
     }
 }
 
-// Mid-ranks of the values as they are, by counting.
+// Mid-ranks of the values, by counting.
 std::vector<double> plain_ranks(const std::vector<double>& values) {
     std::vector<double> ranks;
     for (const double value : values) {

@@ -78,7 +78,7 @@ TEST_CASE("envelope error: accents that are left are counted, among those that s
     CHECK(error.accents == 8);
     CHECK(error.accents_left == 3);
     CHECK(words_of(error).back() == "3 of 8 accents are left");
-    // One that does not stand out is none.
+    // A transient that does not stand out is no accent.
     Pattern over = tone(0.8);
     over.transients = {{0.1, 0.05, 150.0, 0.02}};
     CHECK(envelope_error(over, over).accents == 0);

@@ -1,5 +1,5 @@
 // Notes are notes: a rhythm of n notes is n notes in every format that can hold them, each as loud
-// as it was, and silent between. A format that cannot hold so many says so.
+// as it was, and silent between. A format that cannot hold that many says so.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -37,8 +37,7 @@ Vibration called(const char* name, const Pattern& pattern) {
     return vibration;
 }
 
-// Effects of three formats, a recording, a set, a file that is broken, and one that is none of
-// these.
+// Effects of three formats, a recording, a set, a file that is broken, and one of no known kind.
 struct Shelf {
     TemporaryFolder folder;
 

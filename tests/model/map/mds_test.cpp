@@ -325,7 +325,7 @@ TEST_CASE("mds: stopped, it returns the best so far and says so") {
 }
 
 TEST_CASE("mds: different objects closer than a millionth of the map are on one spot") {
-    // Not moved: the verdict is on the map as it is.
+    // Not moved: the verdict is on the present map.
     const Dissimilarity dissimilarity{4, {3.0, 4.0, 5.0, 6.0, 2.0, 1.0}};
     const auto verdict_at = [&](double apart) {
         MatrixXd start(4, 2);

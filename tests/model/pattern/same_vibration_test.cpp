@@ -72,7 +72,7 @@ TEST_CASE("same vibration: what is not felt does not count") {
     b.modulation = {ModulationKind::am, 0.0, 0.3};
     b.rhythm = {"x===", 0.125};
     CHECK(essence(a) == essence(b));
-    b.attack_s = 0.01;  // now the notes of b begin anew
+    b.attack_s = 0.01;  // now the notes of b begin again
     CHECK(essence(a) != essence(b));
     a.amplitude_g = 0.0;
     b = Pattern{};

@@ -79,7 +79,7 @@ TEST_CASE("felt versions: an edited pattern, one that is gone and their twins ar
     CHECK(stale.lone_twins == Names{"d synthetic"});
     CHECK(words_on_twin(stale, "a synthetic") == ", which was edited since");
     CHECK(words_on_twin(stale, "d synthetic") == ", which is no longer in the set");
-    // The rest goes on, of what is there.
+    // The rest continues with what is there.
     const auto study = study_of(set);
     REQUIRE(study);
     CHECK(study->gone == Names{"d"});

@@ -36,7 +36,7 @@ TEST_CASE("pattern set: a new name is the first that is free") {
     PatternSet set;
     set.vibrations = {named("tap", 1.0), named("tap 2", 1.0)};
     CHECK(unused_name(set, "tap") == "tap 3");
-    CHECK(unused_name(set, "tap 2") == "tap 3");  // the number of a copy goes on
+    CHECK(unused_name(set, "tap 2") == "tap 3");  // the number of a copy continues
     CHECK(unused_name(set, "buzz") == "buzz");
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("alignment: a recording far from its pattern's strength is said, which
     for (const double factor : {0.72, 1.0, 1.4}) {  // within 3 dB
         CHECK(remarks_on(aligned(burst(0.8 * factor), intended)).empty());
     }
-    // Of something else there is no gain to speak of.
+    // Something else has no gain to speak of.
     CHECK(remarks_on(aligned({10'000.0, std::vector<double>(2000, 0.0)}, intended)).size() == 1);
 }
 

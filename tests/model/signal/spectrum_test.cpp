@@ -85,7 +85,7 @@ TEST_CASE("spectrum: a filter without delay takes what its gain says, where it w
     for (std::size_t n = 0; n < samples.size(); ++n) {
         CHECK(std::abs(half[n] - samples[n] / 2.0) <= 1e-12);
     }
-    // Of two tones, that below 100 Hz stays: in place, and in the middle to its height.
+    // Only the tone below 100 Hz stays: in place, and in the middle to its height.
     std::vector<double> low(2000);
     std::vector<double> both(2000);
     for (std::size_t n = 0; n < low.size(); ++n) {

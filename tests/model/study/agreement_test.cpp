@@ -38,7 +38,7 @@ Table table_in(const Json& rows) {
     return table;
 }
 
-// Of as many patterns as have so many pairs at least; pairs beyond are rated by nobody.
+// A study of just enough patterns for these pairs; nobody rated the pairs beyond.
 RatingStudy study_of(std::vector<std::vector<double>> people) {
     std::size_t patterns = 2;
     while (pair_count(patterns) < people.front().size()) ++patterns;
@@ -207,7 +207,7 @@ TEST_CASE("order: who felt the right side first has the order against the sides"
 }
 
 TEST_CASE("order: p of drawn signs is never below one of all draws, and of all signs never 0") {
-    // 30 people with one shift: no drawn signs of so many are all alike.
+    // 30 people with one shift: drawn signs of that many are never all alike.
     const std::vector<std::vector<double>> many(30, {20.0, 20.0, 20.0});
     const Shift drawn = order_effects(records_with(many)).side;
     CHECK_FALSE(drawn.is_exact);

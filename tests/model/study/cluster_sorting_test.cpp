@@ -45,7 +45,7 @@ TEST_CASE("cluster sorting: a pair never sorted together is unknown, not far apa
     const Dissimilarity d = sorting_dissimilarity(3, subset);
     CHECK(d(0, 1) == doctest::Approx(2.0 / 3.0).epsilon(1e-15));
     CHECK(std::isnan(d(0, 2)));
-    // Of the rounds that had both alone.
+    // Only the rounds that had both count.
     CHECK(sorting_dissimilarity(3, std::vector<Sorting>{{0, 0, kUnsorted}, {0, 1, 1}})(1, 2) ==
           0.0);
     CHECK(std::isnan(sorting_dissimilarity(2, {})(0, 1)));

@@ -88,7 +88,7 @@ TEST_CASE("pairwise study: the publication's twelve patterns make 265 trials of 
 TEST_CASE("pairwise study: one seed makes one list, two make two") {
     CHECK(trial_list({12, 4, 1, 7}) == trial_list({12, 4, 1, 7}));
     CHECK(trial_list({12, 4, 1, 7}) != trial_list({12, 4, 1, 8}));
-    // These digits must never change: a killed study goes on by its seed.
+    // These digits must never change: a killed study continues by its seed.
     const std::vector<Trial> first = trial_list({4, 2, 1, 1});
     REQUIRE(first.size() == 13);
     std::string list;

@@ -30,7 +30,7 @@ RatingStudy study_of(const Json& json) {
     return study;
 }
 
-// Three patterns, two people, one of whom went through them twice.
+// Three patterns, two people; one went through them twice.
 RatingStudy small_study() {
     return {{"a", "b", "c"},
             true,

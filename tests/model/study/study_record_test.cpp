@@ -94,7 +94,7 @@ TEST_CASE("study record: whatever people are asked otherwise is named, and nothi
     CHECK(sorts([](StudyHeader& h) {
               h.design.groups = {0, 3};
           }) == "rounds free 3, not by default");
-    // Of the other kind of study, or nothing that a person notices.
+    // Fields of the other kind of study, or nothing that a person notices.
     CHECK(pairs([](StudyHeader& h) { h.design.groups = {0, 3}; }).empty());
     CHECK(sorts([](StudyHeader& h) {
               h.design.repetitions = 2;

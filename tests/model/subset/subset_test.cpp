@@ -20,7 +20,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// Points at random in so many dimensions, even in a cube.
+// Points at random in a number of dimensions, even in a cube.
 Dissimilarity of_points(std::size_t n, int dimensions, std::uint64_t seed) {
     RandomStream random{seed};
     std::vector<std::vector<double>> points(n);

@@ -75,7 +75,7 @@ TEST_CASE("body cache: what is not drawn goes, what is drawn stays") {
     const std::vector<double> samples = noise(400);
     BodyCache cache;
     const View steady{0.0, 399.0, 20};
-    // Held, lest another takes its place in memory.
+    // Held, so that no other takes its place in memory.
     const auto first =
         kept_body(cache, 1, samples, steady.first, steady.last, steady.columns, steady.scale);
     for (int frame = 1; frame <= 2000; ++frame) {

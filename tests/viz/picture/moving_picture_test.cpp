@@ -1,4 +1,4 @@
-// Moving pictures: what is painted anew, which colours stand for many, and what the files hold.
+// Moving pictures: what is painted again, which colours stand for many, and what the files hold.
 // Whole films are read by another program in tests/e2e/film.
 #include <doctest/doctest.h>
 

@@ -56,7 +56,7 @@ AmplitudeCurve random_curve(std::mt19937& random, std::size_t points) {
     return curve;
 }
 
-// Of lines through the kept points, at the points of the curve.
+// The error of lines through the kept points, at the points of the curve.
 double largest_db(const AmplitudeCurve& curve, const std::vector<std::size_t>& kept) {
     double largest = 0.0;
     for (std::size_t k = 0; k + 1 < kept.size(); ++k) {

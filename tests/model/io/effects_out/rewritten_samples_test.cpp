@@ -24,7 +24,7 @@ struct Sample {
     EffectsRead read;
 };
 
-// Of all that are read, in one of the formats that are written.
+// All samples that are read, in one of the formats that are written.
 std::vector<Sample> samples_of(EffectFormat format) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(kGoldenDir) / "effects")) {

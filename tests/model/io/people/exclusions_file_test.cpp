@@ -66,7 +66,7 @@ TEST_CASE("exclusions: who is recorded with a reason is left out by whoever read
     CHECK(ratings.study.judgements.size() == 2);
     REQUIRE(ratings.left_out.size() == 1);
     CHECK(ratings.left_out[0].why == "excluded by name: asleep");
-    // Of a single file the folder is asked, too.
+    // The folder of a single file is asked, too.
     const std::vector<std::filesystem::path> one{people.folder.path / "P1.jsonl",
                                                  people.folder.path / "P3.jsonl"};
     const auto two = read_ratings(one, RatingScale::guess);

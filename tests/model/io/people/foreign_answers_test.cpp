@@ -142,7 +142,7 @@ TEST_CASE("foreign answers: what is no rating is refused by its words, names of 
         parse_ratings("a;b;rating\nx;y;1,234\n", "r.csv", RatingScale::dissimilarity);
     REQUIRE_FALSE(doubtful);
     CHECK(contains(doubtful.error().message, "may be thousands"));
-    // One name is that of a file, the others are not: all stay as they are.
+    // One name is that of a file, the others are not: all stay unchanged.
     const auto mixed =
         parse_ratings("a,b,rating\nx.wav,y,3\n", "r.csv", RatingScale::dissimilarity);
     REQUIRE(mixed);

@@ -261,7 +261,7 @@ TEST_CASE("study file: what the disk has no room for is refused, and the file en
         REQUIRE(log.append(answer_line(header(), 1, kOther)));
     }
     CHECK(*read_study_file(path) == StudyRecord{header(), {kAnswer, kOther}, {}, false});
-    // Of a participant who could not be begun nothing is left.
+    // Nothing is left of a participant who could not be begun.
     const NoMoreThan full(20);
     CHECK_FALSE(StudyLog::begin(folder.path / "P2.jsonl", header()));
     CHECK_FALSE(std::filesystem::exists(folder.path / "P2.jsonl"));

@@ -95,7 +95,7 @@ TEST_CASE("told columns: a unit of times agrees with the name, and needs times")
     const std::string plain = table("no;when;q;force", ';');
     const auto ms = read(plain, "time=when,x=force", TimeUnit::ms);
     REQUIRE(ms);
-    // A unit that is none of ours is put right by the one that is said.
+    // The unit that is said puts an unknown one right.
     const auto ticks = read(table("no;time (ticks);q;force", ';'), "x=force", TimeUnit::ms);
     REQUIRE_MESSAGE(ticks, ticks.error().message);
     CHECK(ticks->waveform.samples_g == ms->waveform.samples_g);
@@ -120,7 +120,7 @@ TEST_CASE("told columns: a separator and a decimal sign that somebody says hold"
         doubtful += std::to_string(n) + "," + std::to_string(n % 2) + "\n";
     CHECK(fault_of(read(doubtful, "")) != "");
     CHECK(read(doubtful, "", TimeUnit::ms, {',', '.'}));
-    // Points, where commas were said to be decimal, are none.
+    // Points do not count if commas were said to be decimal.
     CHECK(fault_of(read(table("no;when;q;force", ';'), "time=when,x=force", TimeUnit::ms,
                         {',', {}})) != "");
 }

@@ -1,4 +1,4 @@
-// Small files that once came in wrong, or not at all: what becomes of each, by which door, in which
+// Small files that once came in wrong, or not at all: what happens to each, by which door, in which
 // words. tests/golden/cases.tsv has a row a file and door: file, door, outcome, what is there, what
 // is said. The files were made for this purpose; the letter before "_" is their kind.
 #include <doctest/doctest.h>

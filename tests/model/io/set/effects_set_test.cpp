@@ -89,7 +89,7 @@ TEST_CASE(
     REQUIRE_MESSAGE(half, fault(half));
     CHECK(names(half->set) == std::vector<std::string>{"buzz_continuous"});
     CHECK(says(*half, "its transients in buzz_transients.ahap are not read"));
-    // Of another project: two patterns.
+    // Another project: two patterns.
     folder.write("buzz_transients.ahap", R"({"Metadata": {"Project": "other"}, )" + kTap.substr(1));
     CHECK(names(load_set(folder.path)->set) ==
           std::vector<std::string>{"a_transients", "buzz_continuous", "buzz_transients"});

@@ -124,12 +124,12 @@ TEST_CASE("set file: what a set names outside of its folder is heard, but never 
         CHECK_FALSE(contains(refused.error().message, "root"));
         CHECK(contains(refused.error().message, "outside of the set's folder"));
     }
-    // Of its own files and by themselves they say what is wrong with them.
+    // Its own files, and files opened by themselves, say what is wrong with them.
     CHECK(contains(read("own.txt").error().message, "root:x"));
     CHECK(contains(read("../set/own.txt").error().message, "root:x"));
     CHECK(contains(load_set(folder.path / "secret.txt").error().message, "root:x"));
     CHECK(contains(read("../gone.txt").error().message, "there is no such file"));
-    // What users have saved goes on opening.
+    // What users have saved still opens.
     CHECK(read("../plain.wav"));
     CHECK(read((folder.path / "plain.wav").string()));
 }
