@@ -193,7 +193,7 @@ def level_by_rms(pattern):
 
 
 def continued(samples, hz, end):
-    """The sine that was heard 60 to 20 ms before `end`, as if it went on."""
+    """The sine that was heard 60 to 20 ms before `end`, continued."""
     at = np.arange(end - int(0.06 * RATE), end - int(0.02 * RATE))
     basis = np.stack([np.sin(2 * np.pi * hz * at / RATE), np.cos(2 * np.pi * hz * at / RATE)], 1)
     weights, *_ = np.linalg.lstsq(basis, samples[at], rcond=None)

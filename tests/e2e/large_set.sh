@@ -3,7 +3,7 @@
 # MPI leaks; the unit tests look for leaks of ours.
 export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
 
-# A set of so many patterns of 30 ms, all different.
+# A set of that many patterns of 30 ms, all different.
 make_set() {
     awk -v count="$1" 'BEGIN {
         printf "{\"tactspace\": 1, \"patterns\": ["

@@ -5,11 +5,11 @@ output=audio/ALSA/pulse
 is_on() { [ "$(value "$1")" = on ]; }
 is_off() { [ "$(value "$1")" = off ]; }
 is_chosen() { [ "$(value "choose:$1")" = chosen ]; }
-# A menu may not be there yet, or close again where the list of devices changes: then anew.
+# A menu may not be there yet, or close again where the list of devices changes: then it tries again.
 shows_menu() {
     shows device:dialog || { click device && soon shows device:dialog; }
 }
-# In a combo of the dialog, whose list may still be on its way to its place: then anew.
+# In a combo of the dialog, whose list may still be on its way to its place: then it tries again.
 chooses() { # FIELD VALUE
     shows "choose:$1 $2" || click "combo:$1"
     soon shows "choose:$1 $2" || return 1

@@ -41,9 +41,9 @@ arrives() {
         gap_ms=$("$capture" gap "$scratch/raw" 4 2)
         whole=yes
         "$capture" lines "$scratch/raw" 4 2 "$@" || whole=no
-        # Of a single period, 5 ms, that came just too late PulseAudio leaves no trace.
+        # PulseAudio leaves no trace of a single period, 5 ms, that came just too late.
         [ "$told" -gt 0 ] || [ "$gap_ms" -le 6 ] || fail "$name has a gap of $gap_ms ms, and it says that it has none"
-        # Where a server tells of gaps again and again that are none, it is enough that all arrived.
+        # Where a server tells again and again of gaps that do not exist, it is enough that all arrived.
         [ "$whole" = no ] || { [ "$told" -gt 0 ] && [ "$round" -le 5 ]; } || return 0
         echo "once more: it tells $told gaps, the longest silence is of $gap_ms ms"
     done

@@ -27,7 +27,7 @@ export ASAN_OPTIONS=detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}
 children=()  # started here, and to be ended here
 
 is_gone() { ! kill -0 "$1" 2>/dev/null; }
-# In a group of processes that nobody waits for no program halts: it goes on by itself.
+# In a group of processes that nobody waits for no program halts: it continues by itself.
 is_halted() { [[ $(ps -o stat= -p "$1") == T* ]]; }
 are_gone() {
     local child
@@ -63,11 +63,11 @@ fail() {
 }
 
 tell_more() { :; }  # besides what failed
-progress() { :; }  # what changes while work goes on
+progress() { :; }  # what changes while work is under way
 
-# until_true WHAT COMMAND...: the command must succeed within so many looks, which begin anew with each
+# until_true WHAT COMMAND...: the command must succeed within a number of looks, which starts again with each
 # sign of progress. They are counted, not timed: on a busy machine they take longer, and one that was
-# halted goes on where it was. What takes long is looked at less often: looking takes the processor, too.
+# halted continues where it was. What takes long is looked at less often: looking takes the processor, too.
 until_true() {
     local what=$1 seen="" now tries=0
     shift

@@ -10,7 +10,7 @@ pid=""
 display_pid=""
 : >"$scratch/display"
 
-# Two servers that look for a free number at one time can end up without one: then anew. A server that
+# Two servers that look for a free number at one time can end up without one: then it tries again. A server that
 # resets once its last client has left refuses those who come meanwhile.
 display_answers() {
     if [ -z "$display_pid" ] || is_gone "$display_pid"; then
@@ -181,7 +181,7 @@ save_as() {
 press() { xdotool mousedown 1; }
 release() { xdotool mouseup 1; }
 
-# The pointer to a share of the modulation slider's width, the button as it is.
+# The pointer to a share of the modulation slider's width, the button unchanged.
 slide_to() {
     local place
     place=$(awk -F'\t' -v share="$1" '$1 == "slider:modulation_hz" {

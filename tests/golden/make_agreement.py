@@ -6,7 +6,7 @@ Source   SciPy's F distribution; mean squares by least squares on indicator colu
 What     f: quantiles and shares below of F, of whole and of broken degrees of freedom.
          icc: tables (a row a pair, a column a person), ICC(2,1) and ICC(3,k) with 95 % intervals.
          The first is that of Shrout & Fleiss 1979, table 2, whose .29 and .91 it must give.
-         alpha: ratings of people, None where there is none, and alpha of interval data. The first
+         alpha: ratings of people, None where one is missing, and alpha of interval data. The first
          is Krippendorff's own example (2011, section C), whose .849 it must give.
          signs: differences within persons and pairs, the statistic and its exact p.
 Run      /usr/bin/python3 tests/golden/make_agreement.py

@@ -1,6 +1,6 @@
 """Writes effects.json, beside this script: how Meta's renderer plays .haptic clips, by its published rules.
 
-Source   Meta's Haptics SDK, core/renderer_c (MIT), read as a description and written anew, sample by sample: a sine whose
+Source   Meta's Haptics SDK, core/renderer_c (MIT), read as a description and written again, sample by sample: a sine whose
          phase is a running sum of its frequency; a burst whose two shapes are mixed by the emphasis' frequency and whose
          gain falls in a straight line; the sine is multiplied by the ducking while a burst lasts; a new burst cuts the
          last one; 0.1 s more where the last point has an emphasis; 0.5 until the first frequency point.

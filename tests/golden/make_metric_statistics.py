@@ -5,7 +5,7 @@ Source   scipy.stats (t, spearmanr), scipy.spatial (procrustes), numpy.quantile,
 What     student: two-sided p and quantiles of Student's t.
          holm: corrected p.
          protest: two maps of six points; of all orders of the points, those that fit as well.
-         people: matrices of six people of eight patterns, and three metrics. Of each person rho with
+         people: matrices of six people of eight patterns, and three metrics. Rho of each person with
          the mean of the others and of all, and with the metrics, with quartiles; jackknife over
          people of rho and of differences from the first metric; standard errors by 6,000 draws of
          patterns, and of patterns and people; partial rho given a fourth matrix as the correlation

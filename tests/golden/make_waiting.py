@@ -1,7 +1,7 @@
 """Writes waiting.json: DTW with a cost on steps at which one signal waits.
 
 Source   the recurrence printed in model/dtw/dtw.h, here as the shortest way through a graph: a node
-         a cell, an edge a step, its length what the cell costs and, unless both signals go on, w.
+         a cell, an edge a step, its length what the cell costs and, unless both signals advance, w.
 What     waiting.json: 36 pairs of signals of 1 to 40 samples at costs of 0 to 2.
 Run      python3 tests/golden/make_waiting.py
 Needs    Python 3.11, NumPy 1.24, SciPy 1.10 (Debian 12: python3-numpy, python3-scipy).
@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
 
-# Edges of no length are none to csgraph: each gets this, and the way's own count of it is taken off.
+# Edges of no length do not exist for csgraph: each gets this, and the way's own count of it is taken off.
 LIFT = 1.0
 
 

@@ -1,4 +1,4 @@
-"""Python goes on while the model works, and stops it."""
+"""Python continues while the model works, and stops it."""
 
 import os
 import signal

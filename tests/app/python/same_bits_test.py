@@ -34,7 +34,7 @@ def table(text):
 
 class SameBits(unittest.TestCase):
     def setUp(self):
-        # Of synthetic ratings and of maps that say little there is nothing new to be said here.
+        # Warnings of synthetic ratings and of maps that say little are expected here.
         silence = warnings.catch_warnings()
         silence.__enter__()
         self.addCleanup(silence.__exit__, None, None, None)
@@ -182,7 +182,7 @@ class SameBits(unittest.TestCase):
                     for key in keys:
                         theirs = float("nan") if row[key] is None else row[key]
                         np.testing.assert_array_equal(ours[key], theirs, key)
-            # Of the mean alone nobody knows how far people agree; rho is the same.
+            # The mean alone does not tell how far people agree; rho is the same.
             alone = tactspace.compare(tactspace.predict(given["waves"]), ratings["mean"])
             self.assertEqual(alone["rho"], rows[0]["rho"])
             self.assertTrue(np.isnan(alone["reliability"]))

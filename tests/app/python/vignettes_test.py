@@ -29,7 +29,7 @@ class Vignettes(unittest.TestCase):
         self.ratings = simulated_ratings(self.set, folder.name)
 
     def holds(self, *command):
-        """The command prints every row of Table 2 as the program does, that nobody was asked, and whom
+        """The command prints every row of Table 2 as the program does, that nobody was asked, and what
         to pick; what it printed."""
         environment = dict(os.environ, RETICULATE_PYTHON=sys.executable)
         done = subprocess.run([*map(str, command)], capture_output=True, text=True, env=environment)

@@ -1,4 +1,4 @@
-# Sourced by the tables of endings on outputs, beside a server of so many "channels", which start_capture
+# Sourced by the tables of endings on outputs, beside a server of that many "channels", which start_capture
 # records and all_sound and is_up look at: however a play ends, its channel is silent within 100 ms, and
 # stays so. Signals are sent to one program each, on channels of their own, at one time.
 
@@ -22,7 +22,7 @@ await_end() { # CHANNEL
 }
 is_halted_or_gone() { is_halted "$1" || is_gone "$1"; }
 
-# Of the last sound, and silence was recorded after it. What JACK's recorder is given ends early where
+# The end of the last sound, with silence recorded after it. What JACK's recorder is given ends early where
 # another client crashes.
 is_in_time() { # CHANNEL NAME
     local heard
@@ -74,7 +74,7 @@ signals_once() { # NAME...
     [ "$all" = yes ]
 }
 
-# What was halted stays at rest when it goes on, and says so.
+# What was halted stays at rest when it continues, and says so.
 go_on() {
     local channel=0 name
     for name in "$@"; do
