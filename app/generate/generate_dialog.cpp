@@ -150,7 +150,7 @@ std::string words_of(const GeneratePlan& plan, Before before) {
                      grouped_digits(plan.replace.fresh.size());
 }
 
-// Asks again if there are so many patterns that every edit will wait.
+// Asks again if the patterns are enough to make every edit wait.
 void draw_question(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan& plan) {
     const Before before = *generating.asking;
     const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;

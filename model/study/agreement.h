@@ -35,7 +35,7 @@ struct InterRater {
     Icc single;                   // ICC(2,1): absolute agreement of one person with another
     Icc mean;                     // ICC(3,k): consistency of the mean of all `people`
     double alpha = 0.0;           // Krippendorff's, of all pairs rated by two at least
-    std::size_t alpha_pairs = 0;  // so many
+    std::size_t alpha_pairs = 0;  // of alpha
 };
 
 InterRater inter_rater(const RatingStudy& study);

@@ -45,7 +45,7 @@ struct Counted {
 // What a rehearsal is left out for.
 inline constexpr const char* kNothingFelt = "a rehearsal, nothing was felt";
 
-// The reason for someone whom the experimenter left out.
+// The reason for someone left out by the experimenter.
 std::string excluded_because(const std::string& because);
 
 // An excluded participant counts if included by name; a rehearsal never does. Beside people who

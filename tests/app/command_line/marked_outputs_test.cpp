@@ -170,7 +170,7 @@ struct Bench {
             CHECK(contains(lower_case(bytes_of(entry.path())), "synthetic"));
         }
     }
-    // The same for people whom the numbers leave out; `raw`: files with a line an answer of those
+    // The same for people that the numbers leave out; `raw`: files with a line an answer of those
     // who count.
     void check_says_left_out(const Words& arguments, const std::set<std::string>& raw = {}) const {
         std::string words;
