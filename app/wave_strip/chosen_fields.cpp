@@ -164,18 +164,19 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
         return static_cast<std::ptrdiff_t>(std::llround(value / unit_ms));
     };
     const auto from = static_cast<std::ptrdiff_t>(first.first);
-    draw_note_number(ui, work, strip,
-                     {.id = kChosenValue,
-                      .label = "Start",
-                      .format = "%.5g ms",
-                      .slider = ms,
-                      .typed = ms,
-                      .step = unit_ms,
-                      .snap = unit_ms,
-                      .help = "Of the first of the chosen notes; the others keep their distance."},
-                     unit_ms * static_cast<double>(first.first), [&](const Pattern& p, double to) {
-                         return with_notes_moved(p, strip.notes, steps_of(to) - from);
-                     });
+    draw_note_number(
+        ui, work, strip,
+        {.id = kChosenValue,
+         .label = "Start",
+         .format = "%.5g ms",
+         .slider = ms,
+         .typed = ms,
+         .step = unit_ms,
+         .snap = unit_ms,
+         .help = "Where the first of the chosen notes begins; the others keep their distance."},
+        unit_ms * static_cast<double>(first.first), [&](const Pattern& p, double to) {
+            return with_notes_moved(p, strip.notes, steps_of(to) - from);
+        });
     const Range length_ms{unit_ms, std::max(unit_ms, ms.high)};
     draw_note_number(ui, work, strip,
                      {.id = "chosen_length_ms",
@@ -185,7 +186,7 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                       .typed = length_ms,
                       .step = unit_ms,
                       .snap = unit_ms,
-                      .help = "Of each of the chosen notes, up to the next note."},
+                      .help = "How long each of the chosen notes lasts, up to the next note."},
                      unit_ms * static_cast<double>(first.last + 1 - first.first),
                      [&](const Pattern& p, double to) {
                          const auto steps = std::max<std::ptrdiff_t>(1, steps_of(to));
@@ -194,21 +195,21 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
     const std::string& text = pattern.rhythm.text;
     const double ninths = 9.0 * velocity_of(text[first.first % text.size()]);
     constexpr double kNinth = 100.0 / 9.0;
-    draw_note_number(
-        ui, work, strip,
-        {.id = "chosen_strength",
-         .label = "Strength",
-         .format = "%.3g %%",
-         .slider = {kNinth, 100.0},
-         .typed = {kNinth, 100.0},
-         .step = kNinth,
-         .snap = kNinth,
-         .help = "Of the first of the chosen notes, in ninths of the amplitude; the others keep "
-                 "their differences to it."},
-        kNinth * ninths, [&](const Pattern& p, double to) {
-            return with_notes_stronger(p, strip.notes,
-                                       static_cast<int>(std::lround(to / kNinth - ninths)));
-        });
+    draw_note_number(ui, work, strip,
+                     {.id = "chosen_strength",
+                      .label = "Strength",
+                      .format = "%.3g %%",
+                      .slider = {kNinth, 100.0},
+                      .typed = {kNinth, 100.0},
+                      .step = kNinth,
+                      .snap = kNinth,
+                      .help = "How strong the first of the chosen notes is, in ninths of the "
+                              "amplitude; the others keep "
+                              "their differences to it."},
+                     kNinth * ninths, [&](const Pattern& p, double to) {
+                         return with_notes_stronger(
+                             p, strip.notes, static_cast<int>(std::lround(to / kNinth - ninths)));
+                     });
     ImGui::TableNextColumn();
     const std::size_t count = strip.notes.onsets.size();
     const std::string words = std::to_string(count) + (count == 1 ? " note" : " notes");

@@ -51,8 +51,7 @@ const char* help_on(GripKind kind) {
             return "Drag: where the note begins; Shift to beats, Alt to quarters of a step.";
         case GripKind::note:
             return "Drag: move the note; Shift by beats, Alt to quarters of a step. Shift and a "
-                   "click: "
-                   "choose it, too. Double click: remove.";
+                   "click: choose it, too. Double click: remove.";
         case GripKind::note_end:
             return "Drag: where the note ends; Shift to beats, Alt to quarters of a step.";
         case GripKind::note_top:

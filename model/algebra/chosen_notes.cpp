@@ -21,8 +21,8 @@ Error too_many_steps() {
     return Error{"A rhythm has at most " + grouped_digits(kMaxRhythmSteps) + " steps."};
 }
 
-// The text with room for so many steps: written out to the pattern's end where it has less, with
-// rests behind that.
+// The text with at least that many steps: a shorter one is written out to the pattern's end, and
+// rests follow.
 Expected<std::string> with_room(const Pattern& pattern, std::size_t steps) {
     const std::string& text = pattern.rhythm.text;
     if (steps <= text.size()) return text;

@@ -1,7 +1,7 @@
 // Notes of a rhythm that are chosen together: moved, strengthened, copied, pasted and repeated.
 //
-// A choice counts the steps from the pattern's start on, repetitions of the text included. What
-// changes a repetition alone has the text written out to the pattern's end before.
+// A choice counts the steps from the pattern's start on, repetitions of the text included. An edit
+// of one repetition alone first writes the text out to the pattern's end.
 //
 // Source    ours
 // Input     a pattern without fault, a choice that it has: kept_choice()
@@ -40,7 +40,7 @@ ChosenNotes with_toggled(const Pattern& pattern, const ChosenNotes& chosen, std:
 // The choice as far as the pattern has it.
 ChosenNotes kept_choice(const Pattern& pattern, const ChosenNotes& chosen);
 
-// As a text of steps, all other notes as rests.
+// The span as a text of steps; notes that are not chosen are rests in it.
 std::string copied_notes(const Pattern& pattern, const ChosenNotes& chosen);
 
 struct NotesEdit {
@@ -48,26 +48,26 @@ struct NotesEdit {
     ChosenNotes chosen;
 };
 
-// By so many steps, or as many as there is room for in the text and in the pattern. Of a note that
-// they come upon the beginning stays.
+// The chosen notes moved by a number of steps, or by as many as the text and the pattern have room
+// for. A note that they are moved onto keeps its beginning.
 Expected<NotesEdit> with_notes_moved(const Pattern& pattern, const ChosenNotes& chosen,
                                      std::ptrdiff_t steps);
 
-// Each by so many ninths, within one to nine.
+// Each note's strength changed by a number of ninths, within one to nine.
 Expected<NotesEdit> with_notes_stronger(const Pattern& pattern, const ChosenNotes& chosen,
                                         int ninths);
 
-// Each held for so many steps, or as many as there are before the next note.
+// Each note held for a number of steps, or up to the next note.
 Expected<NotesEdit> with_notes_held(const Pattern& pattern, const ChosenNotes& chosen,
                                     std::size_t steps);
 
 Expected<NotesEdit> without_notes(const Pattern& pattern, const ChosenNotes& chosen);
 
-// The text of steps in the place of what is there; its notes are then chosen.
+// The text of steps put in the place of what is there; its notes are then chosen.
 Expected<NotesEdit> with_notes_pasted(const Pattern& pattern, std::size_t at,
                                       std::string_view text);
 
-// The span `times` times in all, each right after the one before; the last is then chosen.
+// The span repeated `times` times in all, each right after the one before; the last is then chosen.
 Expected<NotesEdit> with_notes_repeated(const Pattern& pattern, const ChosenNotes& chosen,
                                         int times);
 

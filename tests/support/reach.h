@@ -1,4 +1,4 @@
-// What of a window cannot be scrolled to.
+// How far a window's content lies where nobody can scroll to it; empty: nowhere.
 #pragma once
 
 #include <imgui_internal.h>
