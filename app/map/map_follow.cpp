@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEaseS = 0.18;
 constexpr double kGhostS = 1.6;
-constexpr double kSeenS = 0.3;  // a ring that was there for less has hardly been seen
+constexpr double kSeenS = 0.5;  // a ring that was there for less has hardly been seen
 
 double smooth(double share) {
     const double t = std::clamp(share, 0.0, 1.0);

@@ -116,13 +116,15 @@ MadeDrive made_drive(const DriveRequest& request) {
     MadeDrive made{request, {}, {}};
     if (request.by.for_ear && std::holds_alternative<Measurement>(request.vibration.source)) {
         made.remark =
-            request.vibration.name + " is a recording: it is heard as it is, not two octaves up. ";
+            request.vibration.name + " is a recording: it is heard unchanged, not two octaves up.";
     }
     if (!request.by.calibration) {
         ProtectedDrive kept = protected_drive(drive_of(waveform, request.by.full_scale_g),
                                               request.loops, request.by.is_protected);
         made.drive = std::move(kept.drive);
-        if (!kept.remark.empty()) made.remark += request.vibration.name + " " + kept.remark + ".";
+        if (kept.remark.empty()) return made;
+        if (!made.remark.empty()) made.remark += " ";
+        made.remark += request.vibration.name + " " + kept.remark + ".";
         return made;
     }
     CalibratedDrive driven = calibrated_drive(waveform, *request.by.calibration, request.loops);

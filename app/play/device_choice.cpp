@@ -57,17 +57,20 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
     const auto same = [](const std::string& id) {
         return [id](const DeviceChoice& other) { return other.id == id; };
     };
-    if (!play.choice.id.empty() && !std::exchange(play.for_ear, false)) {
+    const bool was_for_ear = std::exchange(play.for_ear, false);
+    if (!play.choice.id.empty() && !was_for_ear) {
         std::erase_if(play.choices, same(play.choice.id));
         play.choices.insert(play.choices.begin(), play.choice);
     }
     std::erase_if(play.choices, same(choice.id));
     // What is a weak level on one actuator, or by one calibration, may be a strong one on the next.
-    const bool is_other = choice.id != play.choice.id || choice.channel != play.choice.channel ||
+    const bool is_other = was_for_ear || choice.id != play.choice.id ||
+                          choice.channel != play.choice.channel ||
                           choice.of_channels != play.choice.of_channels ||
                           choice.calibration != play.choice.calibration;
     if (is_other) begin_softly(play);
     play.choice = choice;
+    if (was_for_ear) play.choice.everywhere = false;  // an actuator has one channel
     play.opened = {};
     play.device.reset();
     play.status = {};
@@ -75,7 +78,7 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
 }
 
 DeviceChoice remembered_choice(const PlayState& play, const std::string& id) {
-    if (play.choice.id == id) return play.choice;
+    if (play.choice.id == id && !play.for_ear) return play.choice;
     const auto known = std::ranges::find(play.choices, id, &DeviceChoice::id);
     if (known != play.choices.end()) return *known;
     DeviceChoice choice;

@@ -18,7 +18,7 @@ std::optional<DeviceInfo> ear_output(const PlayState& play) {
     const auto is_output = [](const DeviceInfo& device) {
         return device.kind == DeviceKind::audio && device.trouble.empty();
     };
-    constexpr std::array<std::string_view, 3> kBySystem{"/default", "/pulse", "/pipewire"};
+    constexpr std::array<std::string_view, 3> kBySystem{"/pulse", "/pipewire", "/default"};
     for (const std::string_view end : kBySystem) {
         const auto found = std::ranges::find_if(*play.listed, [&](const DeviceInfo& device) {
             return is_output(device) && device.id.ends_with(end);

@@ -173,7 +173,7 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
          .typed = ms,
          .step = unit_ms,
          .snap = unit_ms,
-         .help = "Where the first of the chosen notes begins; the others keep their distance."},
+         .help = "When the first of the chosen notes begins; the others keep their distance."},
         unit_ms * static_cast<double>(first.first), [&](const Pattern& p, double to) {
             return with_notes_moved(p, strip.notes, steps_of(to) - from);
         });
@@ -186,7 +186,7 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                       .typed = length_ms,
                       .step = unit_ms,
                       .snap = unit_ms,
-                      .help = "How long each of the chosen notes lasts, up to the next note."},
+                      .help = "How long each of the chosen notes is held, up to the next note."},
                      unit_ms * static_cast<double>(first.last + 1 - first.first),
                      [&](const Pattern& p, double to) {
                          const auto steps = std::max<std::ptrdiff_t>(1, steps_of(to));
@@ -204,8 +204,7 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                       .step = kNinth,
                       .snap = kNinth,
                       .help = "How strong the first of the chosen notes is, in ninths of the "
-                              "amplitude; the others keep "
-                              "their differences to it."},
+                              "amplitude; the others keep their differences to it."},
                      kNinth * ninths, [&](const Pattern& p, double to) {
                          return with_notes_stronger(
                              p, strip.notes, static_cast<int>(std::lround(to / kNinth - ninths)));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/document/editing.h"
 #include "app/wave_strip/note_grips.h"

@@ -139,6 +139,9 @@ struct Program {
         make_jobs(app);
         request_maps(app.work, app.shown_map, app.rendered);
         wait_for_exact_map();
+        // The first map may come out of a ring: its points are on their way for a moment.
+        constexpr double kEaseS = 0.2;
+        while (app.ui.time_s - app.shown_map.transition.since_s < kEaseS) frame();
     }
 
     // Frames until the map on screen is the exact one of the document.

@@ -39,7 +39,7 @@ TEST_CASE("map: until the first one the patterns stand in a ring, and drift to t
         const MapTransition& map = program.app.shown_map.transition;
         if (map.shown) farthest = std::max(farthest, (map.from - map.to).norm() / map.to.norm());
     };
-    for (int k = 0; k < 30; ++k) program.frame();  // long enough to be seen
+    for (int k = 0; k < 60; ++k) program.frame();  // long enough to be seen
     program.compute_map();
     CHECK_FALSE(program.shows("map:waiting"));
     CHECK(farthest > 0.5);

@@ -66,15 +66,24 @@ TEST_CASE(
           protected_drive(drive_of(waveform_of(meant), 1.0), false, true).drive.samples);
     CHECK(made.remark.find("recording") == std::string::npos);
     Vibration recording = tone;
-    recording.source = Measurement{std::make_shared<const Waveform>(waveform_of(tone)), {}, 1.0, {}};
-    CHECK(made_drive(drive_request(program.app.play, recording)).remark.find("as it is") !=
+    recording.source =
+        Measurement{std::make_shared<const Waveform>(waveform_of(tone)), {}, 1.0, {}};
+    CHECK(made_drive(drive_request(program.app.play, recording)).remark.find("unchanged") !=
           std::string::npos);
     CHECK_FALSE(can_be_calibrated(program.app.play));
     // It is nobody's actuator, and the next device is felt again.
     keep_devices(program.app.work, program.app.play);
     CHECK(program.app.work.session.device.empty());
-    choose_device(program.app.ui, program.app.timeline, program.app.play, {});
+    // The same output, chosen as the actuator's: another thing, and softly again.
+    program.app.play.choice.everywhere = true;
+    program.app.play.level = 1.0;
+    const std::string id = program.app.play.choice.id;
+    choose_device(program.app.ui, program.app.timeline, program.app.play,
+                  remembered_choice(program.app.play, id));
     CHECK_FALSE(program.app.play.for_ear);
+    CHECK(program.app.play.choice.id == id);
+    CHECK_FALSE(program.app.play.choice.everywhere);
+    CHECK(program.app.play.level == kFirstLevel);
 }
 
 TEST_CASE("playing: a device that was chosen and is not there is not replaced by another") {
