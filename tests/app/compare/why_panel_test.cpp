@@ -52,6 +52,30 @@ TEST_CASE("why tab: a part in which two do not differ has no share, though ties 
     CHECK(part_shares(prediction, 3).oc == 0.75);
 }
 
+TEST_CASE("why tab: it says whether people notice what two single carriers differ in") {
+    PatternSet set = short_patterns(4);
+    const double hz[] = {40.0, 250.0, 44.0, 40.0};
+    for (std::size_t k = 0; k < 4; ++k) {
+        Pattern& pattern = std::get<Pattern>(set.vibrations[k].source);
+        pattern.carriers = {{.frequency_hz = hz[k]}};
+        pattern.amplitude_g = 1.0;
+    }
+    std::get<Pattern>(set.vibrations[3].source).carriers.push_back({.frequency_hz = 90.0});
+    CompareBench bench(set);
+    bench.program.click("tab:Why");
+    const auto said_of = [&](std::size_t a, std::size_t b) {
+        choose_pair(bench.program.app.work, a, b);
+        bench.wait_for_difference();
+        return bench.program.shows("why:noticed") ? bench.program.at("why:noticed").value
+                                                  : std::string();
+    };
+    CHECK(
+        contains(said_of(0, 1), "40 against 250 Hz, 6.25 times; people tell these apart at once"));
+    CHECK(contains(said_of(0, 2), "most people do not notice that"));
+    CHECK_FALSE(contains(said_of(0, 2), "forgotten"));
+    CHECK(said_of(0, 3).empty());  // of several carriers nothing is said
+}
+
 TEST_CASE("why tab: a cell of the matrix makes the pair") {
     CompareBench bench;
     const ImVec2 middle = bench.program.at("view:Matrix").middle();
