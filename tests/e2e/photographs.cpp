@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/photograph.h"
 #include "tests/support/scenes.h"
-#include "viz/picture/picture.h"
 
 using namespace tact;
 
@@ -25,23 +25,12 @@ const Screen kScreens[] = {
     {"1600x1000 at 1.5x", {1600.0F, 1000.0F}, 1.5F}, {"1600x1000 at 2x", {1600.0F, 1000.0F}, 2.0F},
     {"2560x1440", {2560.0F, 1440.0F}, 1.0F},         {"3840x2160 at 2x", {3840.0F, 2160.0F}, 2.0F}};
 
-Image taken(const Theme& theme) {
-    const ImDrawData& frame = *ImGui::GetDrawData();
-    Image image = blank_image(static_cast<int>(frame.DisplaySize.x),
-                              static_cast<int>(frame.DisplaySize.y), theme.background);
-    const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    rasterise(frame, {atlas.TexWidth, atlas.TexHeight, atlas.TexPixelsAlpha8}, image);
-    return image;
-}
-
 void take_all(SceneWindow& window, const std::filesystem::path& folder, const std::string& words) {
     std::filesystem::create_directories(folder);
     for (const Scene& scene : scenes()) {
         if (scene.name.find(words) == std::string::npos) continue;
         window.show(scene);
-        const auto written =
-            write_png((folder / (scene.name + ".png")).string(), taken(window.app.ui.theme));
-        if (!written) throw std::runtime_error(written.error().message);
+        write_photograph(folder / (scene.name + ".png"), window.app.ui.theme);
     }
 }
 

@@ -21,7 +21,7 @@ struct Class : ProgramWithStages {
 
     // Until the numbers of the lesson as it is are there: while it is edited, older ones show.
     void wait_for_numbers() {
-        const auto until = end_of_patience();
+        [[maybe_unused]] const auto until = end_of_patience();
         const auto arrived = [this] {
             const auto& answered = app.lesson.answered;
             return answered && answered->with_pairs && answered->of == app.lesson.shown;
