@@ -19,6 +19,10 @@ namespace tact {
 namespace {
 
 constexpr Range kCardShare{0.15, 0.5};
+constexpr const char* kHideSource = "Hide the source";
+// Of the window, for words and options to be whole: beside the picture, and above or below it.
+constexpr float kMostOfWidth = 0.6F;
+constexpr float kMostOfHeight = 0.7F;
 
 bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
 
@@ -31,16 +35,42 @@ float measure_px(const Ui& ui, const LessonState& state) {
     return kMeasure * text_size(font, kLetters).x / static_cast<float>(kLetters.size());
 }
 
-// Wide enough to read, or as high as its words; no more than that, and never more than half of the
-// window.
+// Along the top or the foot the card is as high as its words, unless it is written.
+bool is_low(const LessonState& state) { return !is_upright(state.dock) && !state.editing; }
+
+bool is_same_place(const CardGrowth& a, const CardGrowth& b) {
+    return a.step == b.step && a.dock == b.dock && a.area.x == b.area.x && a.area.y == b.area.y &&
+           a.font_px == b.font_px;
+}
+
+CardGrowth growth_at(const Ui& ui, const LessonState& state, const Rect& area) {
+    return {*state.step, state.dock, area.size(), lesson_fonts(ui, state).text->FontSize, 0.0F};
+}
+
+// Wide enough to read, and for all its words to be in sight; no more than that. A low one is as
+// high as its words.
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
+    if (is_low(state)) {
+        const float most = kMostOfHeight * area.height();
+        return std::round(std::min(state.low_card_px > 0.0F ? state.low_card_px : most, most));
+    }
     const bool upright = is_upright(state.dock);
     const float all = upright ? area.width() : area.height();
     const float least = (upright ? 250.0F : 80.0F) * ui.theme.scale;
     const float most = static_cast<float>(kCardShare.high) * all;
-    const float high = state.low_card_px > 0.0F ? state.low_card_px : most;
-    const float needed = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : high;
-    return std::round(std::min({std::max(state.card_share * all, least), needed, most}));
+    const float read = upright ? measure_px(ui, state) + 2.0F * ui.theme.padding_px : most;
+    const float wanted = std::min({std::max(state.card_share * all, least), read, most});
+    const bool grown = is_same_place(state.grown, growth_at(ui, state, area));
+    const float needed = grown ? std::min(state.grown.width_px, kMostOfWidth * all) : 0.0F;
+    return std::round(std::max(wanted, needed));
+}
+
+// Words that have no room below each other get it beside each other. `words_px`: their height.
+void grow_card(const Ui& ui, LessonState& state, const Rect& area, const Rect& card,
+               float words_px) {
+    if (!is_upright(state.dock) || state.editing || words_px <= card.height()) return;
+    state.grown = growth_at(ui, state, area);
+    state.grown.width_px = std::ceil(card.width() * words_px / card.height());
 }
 
 std::string text_in(const LessonState& state, const std::string& text) {
@@ -102,19 +132,27 @@ void draw_lacking(Ui& ui, const LessonState& state) {
     note_item(ui.rects, "lesson:lacking", text);
 }
 
-void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
-    if (step.source.empty()) return;
+void draw_source_link(Ui& ui, LessonState& state, const LessonStep& step) {
     ImGui::PushFont(lesson_fonts(ui, state).small);
-    if (link(ui, "source", state.shows_source ? "Hide the source" : "Source")) {
+    if (link(ui, "source", state.shows_source ? kHideSource : "Source")) {
         state.shows_source = !state.shows_source;
     }
     note_item(ui.rects, "lesson:source", state.shows_source ? step.source : std::string());
-    if (state.shows_source) {
-        ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui, step.source);
-        ImGui::PopTextWrapPos();
-    }
     ImGui::PopFont();
+}
+
+void draw_source_text(Ui& ui, const LessonState& state, const LessonStep& step) {
+    if (step.source.empty() || !state.shows_source) return;
+    ImGui::PushFont(lesson_fonts(ui, state).small);
+    ImGui::PushTextWrapPos(0.0F);
+    dim_text(ui, step.source);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
+    if (!step.source.empty()) draw_source_link(ui, state, step);
+    draw_source_text(ui, state, step);
 }
 
 struct WayWords {
@@ -174,12 +212,32 @@ void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
     note_item(ui.rects, last ? "tour:finish" : "tour:leave");
 }
 
-// A low card has them beside its head, in sight whatever there is to read.
-void draw_way_at_head(const LessonHands& hands, LessonState& state, float right) {
-    const Theme& theme = hands.ui.theme;
-    const float left = right - way_width(hands.ui, way_words(state));
-    ImGui::SetCursorPos({left, theme.padding_px});
+// On the line of the buttons, smaller than they are.
+void beside_buttons(const Ui& ui, const LessonState& state) {
+    ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    const float small = text_size(lesson_fonts(ui, state).small, "Move").y;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetFrameHeight() - small));
+}
+
+// What stands to the right on the first line of a low card.
+float head_width(const Ui& ui, const LessonState& state, bool with_source) {
+    const float source = text_size(lesson_fonts(ui, state).small, kHideSource).x;
+    return way_width(ui, way_words(state)) + 2.0F * ui.theme.gap_px + move_px(ui, state) +
+           (with_source ? 2.0F * ui.theme.gap_px + source : 0.0F);
+}
+
+void draw_way_at_right(const LessonHands& hands, LessonState& state, const LessonStep& step,
+                       bool with_source) {
+    Ui& ui = hands.ui;
+    const float rest = ImGui::GetContentRegionAvail().x - head_width(ui, state, with_source);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, rest));
     draw_way(hands, state, true);
+    beside_buttons(ui, state);
+    if (with_source) {
+        draw_source_link(ui, state, step);
+        ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
+    }
+    draw_move(ui, state);
 }
 
 // Of a card along the top or the foot, side by side: what it is about, its words, and the rest of
@@ -221,19 +279,37 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
         draw_text_of(ui, state, step);
         draw_source(ui, state, step);
         ImGui::TableNextColumn();
-        const float rest = ImGui::GetContentRegionAvail().x - move_px(ui, state) -
-                           2.0F * ui.theme.gap_px - way_width(ui, way_words(state));
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, rest));
-        draw_way(hands, state, true);
-        ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
-        const float below =
-            0.5F * (ImGui::GetFrameHeight() - text_size(lesson_fonts(ui, state).small, "Move").y);
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + below);
-        draw_move(ui, state);
+        draw_way_at_right(hands, state, step, false);
         if (asks) draw_lesson_question(hands, state, *step.question);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
+}
+
+// Too narrow for columns: its head beside the buttons, in sight whatever there is to read.
+void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& step) {
+    Ui& ui = hands.ui;
+    const bool asks = question_of(state) != nullptr;
+    const bool with_source = !step.source.empty();
+    ImGui::AlignTextToFramePadding();
+    draw_count(ui, state);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    const float rest = ImGui::GetContentRegionAvail().x - head_width(ui, state, with_source);
+    const float title =
+        text_size(lesson_fonts(ui, state).head, text_in(state, step.title)).x + ui.theme.gap_px;
+    const bool in_head = title <= rest;
+    if (in_head) {
+        ImGui::PushFont(lesson_fonts(ui, state).head);
+        ImGui::TextUnformatted(text_in(state, step.title).c_str());
+        ImGui::PopFont();
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+    }
+    draw_way_at_right(hands, state, step, with_source);
+    if (!in_head) draw_title(ui, state, step);
+    draw_lacking(ui, state);
+    draw_text_of(ui, state, step);
+    if (asks) draw_lesson_question(hands, state, *step.question);
+    draw_source_text(ui, state, step);
 }
 
 // One below the other.
@@ -316,19 +392,20 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const std::string count = count_text(state);
     Ui& ui = hands.ui;
     const Theme& theme = ui.theme;
+    const Rect& rest = places.rest;
+    const Rect whole{{std::min(card.min.x, rest.min.x), std::min(card.min.y, rest.min.y)},
+                     {std::max(card.max.x, rest.max.x), std::max(card.max.y, rest.max.y)}};
     ImGui::SetNextWindowPos(card.min);
     ImGui::SetNextWindowSize(card.size());
     ImGui::PushStyleColor(ImGuiCol_Border, theme.accent);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px * 1.5F);
-    // Along the top or the foot, too, though there by half as long again: it is low.
-    const float line = 1.5F * measure_px(ui, state);
-    const bool is_low = !is_upright(state.dock) && card.width() > 1.5F * line;
-    const auto columns =
-        is_low && !state.editing
-            ? card_columns(ui, state,
-                           card.width() - 2.0F * theme.padding_px - ImGui::GetStyle().ScrollbarSize)
-            : std::nullopt;
-    if (is_low && !state.editing && !columns) ImGui::SetNextWindowContentSize({line, 0.0F});
+    const bool low = is_low(state);
+    const float bar_px = ImGui::GetStyle().ScrollbarSize;
+    const float inner = card.width() - 2.0F * theme.padding_px - bar_px;
+    const auto columns = low ? card_columns(ui, state, inner) : std::nullopt;
+    // Lines are longer there than at a side, by three quarters: it is low.
+    const float line = std::min(1.75F * measure_px(ui, state), inner);
+    if (low && !columns) ImGui::SetNextWindowContentSize({line, 0.0F});
     if (ImGui::Begin("tour", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -336,33 +413,26 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         ImGui::PushFont(lesson_fonts(ui, state).text);
         const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
         const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
-        // On the line of the buttons beside it.
-        if (is_low && !columns)
-            ImGui::SetCursorPosY(theme.padding_px + ImGui::GetStyle().FramePadding.y);
-        if (columns) draw_in_columns(hands, state, step, *columns);
-        if (!columns) draw_in_a_column(hands, state, step, width);
-        // Where the words end; what stands beside their head needs less.
-        float end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-        if (is_low && !columns) {
-            draw_way_at_head(hands, state, width - move_px(ui, state) - 2.0F * theme.gap_px);
-        } else if (!columns) {
+        if (columns) {
+            draw_in_columns(hands, state, step, *columns);
+        } else if (low) {
+            draw_low(hands, state, step);
+        } else {
+            draw_in_a_column(hands, state, step, width);
             ImGui::Spacing();
             draw_way(hands, state, false);
-            end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
         }
-        if (!is_upright(state.dock)) {
-            state.low_card_px = std::ceil(end_px + ImGui::GetStyle().WindowPadding.y);
-        }
+        const float end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+        const float words_px = std::ceil(end_px + ImGui::GetStyle().WindowPadding.y);
+        if (low) state.low_card_px = words_px;
+        grow_card(ui, state, whole, card, words_px);
         ImGui::PopFont();
         note_rect(ui.rects, "tour", card.min, card.max, count);
     }
     ImGui::End();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    const Rect& rest = places.rest;
-    draw_edge(ui, state, card,
-              {{std::min(card.min.x, rest.min.x), std::min(card.min.y, rest.min.y)},
-               {std::max(card.max.x, rest.max.x), std::max(card.max.y, rest.max.y)}});
+    if (!low) draw_edge(ui, state, card, whole);
 }
 
 std::string drawn_text(const LessonState& state) {

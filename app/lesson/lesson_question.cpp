@@ -14,6 +14,8 @@ namespace tact {
 
 namespace {
 
+constexpr const char* kTick = "   \u2713";
+
 // Options are there before the model is: a choice's own, else none yet.
 const QuestionAnswer* answer_at(const LessonState& state, std::size_t step) {
     const LessonAnswers* answers = answers_of(state);
@@ -25,13 +27,16 @@ bool is_right(const QuestionAnswer& answer, std::size_t option) {
     return std::ranges::find(answer.right, option) != answer.right.end();
 }
 
+std::string option_text(const LessonState& state, const QuestionAnswer& answer, std::size_t k) {
+    return std::to_string(k + 1) + "  " + filled(answer.options[k], answers_of(state)->numbers);
+}
+
 void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::size_t k) {
     const Tally& tally = state.tallies[*state.step];
-    const LessonAnswers* answers = answers_of(state);
-    std::string text = std::to_string(k + 1) + "  " + filled(answer.options[k], answers->numbers);
-    if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
     const bool right = (tally.revealed || state.editing) && is_right(answer, k);
-    if (right) text += "   \u2713";
+    std::string text = option_text(state, answer, k);
+    if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
+    if (right) text += kTick;
     ImGui::PushID(static_cast<int>(k));
     if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
     wrapped_text(text);
@@ -41,6 +46,41 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     note_item(ui.rects, "option:" + std::to_string(k + 1),
               std::to_string(tally.votes[k]) + (right ? " right" : ""));
     ImGui::PopID();
+}
+
+// Beside each other where the card is low, as many in a row as have room for the longest, the last
+// row about as long as the others. A hand more or a tick moves none.
+void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
+    const std::size_t count = answer.options.size();
+    float widest = 0.0F;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float width = ImGui::CalcTextSize(option_text(state, answer, k).c_str()).x;
+        widest = std::max(widest, width);
+    }
+    widest += ImGui::CalcTextSize("   88").x + ImGui::CalcTextSize(kTick).x + ui.theme.gap_px;
+    const float all = ImGui::GetContentRegionAvail().x;
+    const auto most = static_cast<std::size_t>(std::max(1.0F, all / widest));
+    const bool low = state.dock == DockSide::bottom || state.dock == DockSide::top;
+    if (!low || state.editing || count < 2 || most < 2) {
+        for (std::size_t k = 0; k < count; ++k) draw_option(ui, state, answer, k);
+        return;
+    }
+    const std::size_t rows = (count + most - 1) / most;
+    const std::size_t columns = (count + rows - 1) / rows;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.0F, 0.5F * ImGui::GetStyle().ItemSpacing.y});
+    if (ImGui::BeginTable("options", static_cast<int>(columns),
+                          ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_NoSavedSettings |
+                              ImGuiTableFlags_SizingFixedSame)) {
+        for (std::size_t k = 0; k < columns; ++k) {
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            ImGui::TableNextColumn();
+            draw_option(ui, state, answer, k);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
 }
 
 void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
@@ -103,7 +143,7 @@ void draw_lesson_question(const LessonHands& hands, LessonState& state,
                    "Click in the map where it belongs, or move the cross with Shift and the "
                    "arrows. Or say next to which it lies:");
     }
-    for (std::size_t k = 0; k < answer->options.size(); ++k) draw_option(ui, state, *answer, k);
+    draw_options(ui, state, *answer);
     if (hidden) {
         return draw_small(ui, state, "Number keys count hands; the next step forward reveals.");
     }

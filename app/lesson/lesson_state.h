@@ -57,6 +57,15 @@ struct Tally {
 // Which edge of the window the card stands at.
 enum class DockSide { right, bottom, left, top };
 
+// How wide a card at a side has become for all its words to be in sight.
+struct CardGrowth {
+    std::size_t step = 0;
+    DockSide dock = DockSide::right;
+    ImVec2 area{};  // of the window
+    float font_px = 0.0F;
+    float width_px = 0.0F;
+};
+
 struct LessonAsked {
     std::shared_ptr<const Lesson> lesson;
     bool with_pairs = false;  // which take longer: they come second
@@ -108,8 +117,9 @@ struct LessonState {
     bool shows_source = false;
     std::u32string lacking;  // characters of the step's texts that no font here has
     DockSide dock = DockSide::right;
-    float card_share = 0.24F;  // of the window's width, or of its height
+    float card_share = 0.24F;  // of the window's width; of its height while it is written
     float low_card_px = 0.0F;  // what its words need along the top or the foot; 0: not known yet
+    CardGrowth grown;
     float present_scale = kPresentScale;      // of text while presenting
     std::filesystem::path sheet_to;           // a student sheet is wanted there ...
     std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn

@@ -17,7 +17,7 @@ using namespace tact;
 namespace {
 
 const LessonScreen kScreens[] = {
-    {{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true},
+    {{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true}, {{1280.0F, 720.0F}, 2.0F, true},
     {{1920.0F, 1080.0F}, 1.0F, true}, {{1920.0F, 1080.0F}, 1.5F, true},
     {{1280.0F, 720.0F}, 1.0F, false}, {{1280.0F, 720.0F}, 1.5F, false}};
 

@@ -1,0 +1,100 @@
+// What a class sees of a lesson's questions: all of them, whole, wherever the card stands.
+#include <doctest/doctest.h>
+
+#include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson_question.h"
+#include "tests/support/lesson_walk.h"
+
+namespace lesson_shown_test {
+
+using namespace tact;
+
+namespace {
+
+constexpr std::array<DockSide, 4> kEdges{DockSide::right, DockSide::bottom, DockSide::left,
+                                         DockSide::top};
+
+// Presented, text grows with the screen: what is 150 % on the smaller is on the larger, too.
+const LessonScreen kScreens[] = {
+    {{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true},
+    {{1280.0F, 720.0F}, 2.0F, true},  {{1280.0F, 720.0F}, 1.0F, false},
+    {{1280.0F, 720.0F}, 1.5F, false}, {{1920.0F, 1080.0F}, 1.0F, false},
+    {{1920.0F, 1080.0F}, 1.5F, true}};
+
+bool is_within(const Place& inner, const Place& outer) {
+    return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y &&
+           inner.max.y <= outer.max.y;
+}
+
+bool meet(const Place& a, const Place& b) {
+    return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+// Each option, apart from all others, in the card, which is in the window.
+void check_options(const LessonWalk& walk, std::size_t count) {
+    const Place card = walk.at("tour");
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    CHECK(is_within(card, {{0.0F, 0.0F}, screen, {}}));
+    for (std::size_t k = 1; k <= count; ++k) {
+        const std::string name = "option:" + std::to_string(k);
+        CAPTURE(std::string(name));
+        CHECK(is_within(walk.at(name), card));
+        for (std::size_t other = 1; other < k; ++other) {
+            CHECK_FALSE(meet(walk.at(name), walk.at("option:" + std::to_string(other))));
+        }
+    }
+    CHECK(is_within(walk.at("lesson:move"), card));
+    // With text twice as large a small window scrolls to them; keys lead on.
+    if (walk.app.ui.text_scale < 2.0F) CHECK(is_within(walk.at("tour:back"), card));
+}
+
+float left_in_card(const LessonWalk& walk, std::size_t option) {
+    return walk.at("option:" + std::to_string(option)).min.x - walk.at("tour").min.x;
+}
+
+void check_question(LessonWalk& walk, std::size_t k, DockSide side) {
+    const std::size_t count = answers_of(walk.lesson())->questions[k].options.size();
+    Tally& tally = walk.lesson().tallies[k];
+    tally = {};
+    walk.lesson().dock = side;
+    go_to_step(hands_of(walk.app), walk.lesson(), k);
+    walk.settle();
+    check_options(walk, count);
+    const float first = left_in_card(walk, 1);
+    const float last = left_in_card(walk, count);
+    for (int hand = 0; hand < 12; ++hand) vote(walk.lesson(), 0);
+    walk.settle();
+    CHECK(left_in_card(walk, 1) == first);
+    CHECK(left_in_card(walk, count) == last);
+    check_options(walk, count);
+    tally.revealed = true;
+    walk.settle();
+    check_options(walk, count);
+    CHECK(is_within(walk.at("lesson:answer"), walk.at("tour")));
+}
+
+}  // namespace
+
+TEST_CASE("lesson: every option of every question is seen whole, whatever the edge and the text" *
+          doctest::test_suite("long")) {
+    for (const char* path : bundled_lesson_paths()) {
+        CAPTURE(std::string(path));
+        LessonWalk walk(path);
+        for (const LessonScreen& screen : kScreens) {
+            CAPTURE(screen.size.x);
+            CAPTURE(screen.scale);
+            CAPTURE(screen.presented);
+            walk.show_on(screen);
+            for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
+                if (!walk.lesson().lesson->steps[k].question) continue;
+                CAPTURE(k);
+                for (const DockSide side : kEdges) {
+                    CAPTURE(std::string(edge_name(side)));
+                    check_question(walk, k, side);
+                }
+            }
+        }
+    }
+}
+
+}  // namespace lesson_shown_test
