@@ -35,13 +35,15 @@ struct BundledLesson {
 };
 
 inline constexpr const char* kTourLesson = "lessons/tour.tactlesson.json";
-inline constexpr std::array<BundledLesson, 6> kBundledLessons{{
+inline constexpr std::array<BundledLesson, 8> kBundledLessons{{
     {"lessons/thresholds.tactlesson.json", "Thresholds by frequency"},
     {"lessons/pacinian_meissner.tactlesson.json", "Pacinian against Meissner"},
     {"lessons/twins.tactlesson.json", "Amplitude twins, and where they part"},
     {"lessons/beats.tactlesson.json", "Beats and amplitude modulation"},
     {"lessons/gaps.tactlesson.json", "Gaps, and the window of 10 ms"},
     {"lessons/why.tactlesson.json", "Why PM puts these two apart"},
+    {"lessons/pipeline.tactlesson.json", "From two patterns to one distance"},
+    {"lessons/mds.tactlesson.json", "How a perceptual space is made"},
 }};
 
 // One that comes with the program.

@@ -12,21 +12,28 @@ namespace tact {
 
 namespace {
 
-bool asks_for_pairs(const Lesson& lesson) {
+bool has_placeholder(const Lesson& lesson, std::initializer_list<const char*> beginnings) {
     for (const LessonStep& step : lesson.steps) {
-        const auto& question = step.question;
-        if (question && !question->pairs.empty()) return true;
-        if (question && question->kind == QuestionKind::place) return true;
         for (const std::string& text : texts_of(step)) {
             for (const std::string& placeholder : placeholders_in(text)) {
-                if (placeholder.starts_with("nc") || placeholder.starts_with("oc") ||
-                    placeholder.starts_with("pm")) {
-                    return true;
+                for (const char* beginning : beginnings) {
+                    if (placeholder.starts_with(beginning)) return true;
                 }
             }
         }
     }
     return false;
+}
+
+bool asks_for_maps(const Lesson& lesson) { return has_placeholder(lesson, {"stress", "k", "rho"}); }
+
+bool asks_for_pairs(const Lesson& lesson) {
+    for (const LessonStep& step : lesson.steps) {
+        const auto& question = step.question;
+        if (question && !question->pairs.empty()) return true;
+        if (question && question->kind == QuestionKind::place) return true;
+    }
+    return has_placeholder(lesson, {"nc", "oc", "pm"}) || asks_for_maps(lesson);
 }
 
 std::string pair_name(const PatternPair& pair) { return pair.a + " and " + pair.b; }
@@ -62,12 +69,10 @@ std::string chosen_text(const std::vector<std::string>& options,
 // What people say of the same pairs, where the set has ratings of all of them.
 std::string people_text(const PatternSet& set, const LessonQuestion& question,
                         const std::vector<std::string>& options) {
-    if (set.ratings.empty()) return {};
+    const auto mean = people_of(set);
+    if (!mean) return {};
     const auto study = study_of(set);
-    if (!study) return {};
-    const Dissimilarity mean = mean_ratings(*study);
-    if (mean.size != set.vibrations.size()) return {};
-    const std::vector<double> values = of_pairs(set, question.pairs, mean);
+    const std::vector<double> values = of_pairs(set, question.pairs, *mean);
     if (std::ranges::any_of(values, [](double v) { return !std::isfinite(v); })) return {};
     const bool least = question.kind == QuestionKind::closest;
     const NumberMark mark = mark_of(*study);
@@ -178,6 +183,8 @@ LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_p
     PredictOptions options;
     options.stop = stop;
     pairs.prediction = predict(waveforms, lesson.set.model, options);
+    const bool with_maps = !stop.stop_requested() && asks_for_maps(lesson);
+    if (with_maps) pairs.maps = lesson_maps(lesson.set, *pairs.prediction, stop);
     return pairs;
 }
 

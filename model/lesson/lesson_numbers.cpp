@@ -19,7 +19,7 @@ namespace tact {
 
 namespace {
 
-enum class Arguments { fact, pattern, type_and_pattern, pair };
+enum class Arguments { none, fact, type, map, pattern, type_and_pattern, pair };
 
 struct Word {
     const char* name;
@@ -44,6 +44,14 @@ constexpr auto kWords = std::to_array<Word>({{"frequency", Arguments::pattern},
                                              {"oc", Arguments::pair},
                                              {"pm", Arguments::pair},
                                              {"pm rank", Arguments::pair},
+                                             {"density", Arguments::type},
+                                             {"interval", Arguments::type},
+                                             {"weight", Arguments::type},
+                                             {"excitatory layers", Arguments::none},
+                                             {"inhibitory layers", Arguments::none},
+                                             {"stress", Arguments::map},
+                                             {"k", Arguments::none},
+                                             {"rho", Arguments::none},
                                              {"fact", Arguments::fact},
                                              {"source", Arguments::fact}});
 
@@ -96,6 +104,40 @@ std::string fact_fault(const std::string& id) {
         names += (names.empty() ? "" : ", ") + fact.id;
     }
     return "the textbook has no fact " + in_quotes(id) + "; it has " + names;
+}
+
+std::size_t count_of(Arguments arguments) {
+    if (arguments == Arguments::none) return 0;
+    return arguments == Arguments::pair || arguments == Arguments::type_and_pattern ? 2 : 1;
+}
+
+std::string wanted_of(Arguments arguments) {
+    switch (arguments) {
+        case Arguments::none:
+            return "expected nothing behind it";
+        case Arguments::fact:
+            return "expected a fact of the textbook behind it";
+        case Arguments::type:
+            return "expected a receptor type behind it";
+        case Arguments::map:
+            return "expected pm or people behind it";
+        case Arguments::pattern:
+            return "expected a pattern behind it";
+        case Arguments::type_and_pattern:
+            return "expected a receptor type and a pattern behind it";
+        case Arguments::pair:
+            break;
+    }
+    return "expected two patterns behind it";
+}
+
+constexpr const char* kNoRatings = "the lesson's set has no ratings";
+
+bool needs_people(const std::string& word) { return word == "k" || word == "rho"; }
+
+std::string map_fault(const std::string& of, const PatternSet& set) {
+    if (of == "people") return set.ratings.empty() ? kNoRatings : "";
+    return of == "pm" ? "" : "expected pm or people, got " + in_quotes(of);
 }
 
 std::string list_of_words() {
@@ -161,6 +203,25 @@ std::string threshold_text(const PatternSet& set, Receptor receptor, const Vibra
     return plain_digits(portable::pow(10.0, at(curve, frequency_hz)), 2) + " \u00b5m";
 }
 
+bool is_of_table(const std::string& word) {
+    return word == "density" || word == "interval" || word == "weight";
+}
+
+// What the model gives a type, whatever the pattern.
+std::string value_of_table(const std::string& word, Receptor receptor, const PatternSet& set) {
+    if (word == "density")
+        return plain_digits(traits(receptor).density_per_mm2, 3) + " per mm\u00b2";
+    if (word == "interval") return plain_digits(grid_interval_mm(receptor), 3) + " mm";
+    return plain_digits(set.model.channel_weight[index_of(receptor)], 3);
+}
+
+std::string value_of_maps(const std::vector<std::string>& parts, const LessonMaps& maps) {
+    if (parts[0] == "k") return maps.k ? plain_digits(*maps.k, 2) : "\u2026";
+    if (parts[0] == "rho") return maps.rho ? plain_digits(*maps.rho, 2) : "\u2026";
+    const auto& stress = parts[1] == "pm" ? maps.pm_stress : maps.people_stress;
+    return stress ? plain_digits(*stress, 2) : "\u2026";
+}
+
 std::string value_of_type(const std::string& word, Receptor receptor, const CodedPattern& coded,
                           const PatternSet& set, const Vibration& vibration) {
     const std::size_t c = index_of(receptor);
@@ -184,10 +245,12 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
 }  // namespace
 
 std::string plain_digits(double value, int count) {
-    std::string text = significant_digits(value, count);
-    if (text.find("e+") == std::string::npos) return text;
+    if (std::abs(value) < portable::pow(10.0, count)) {
+        const std::string text = significant_digits(value, count);
+        if (text.find("e+") == std::string::npos) return text;
+    }
     char whole[64];
-    std::snprintf(whole, sizeof whole, "%.0f", finite_number_in(text).value_or(value));
+    std::snprintf(whole, sizeof whole, "%.0f", value);
     return whole;
 }
 
@@ -208,19 +271,18 @@ std::string placeholder_fault(const std::string& placeholder, const PatternSet& 
     const auto word =
         std::ranges::find(kWords, parts[0], [](const Word& w) { return std::string(w.name); });
     if (word == kWords.end()) return "expected one of " + list_of_words();
-    const bool takes_one =
-        word->arguments == Arguments::pattern || word->arguments == Arguments::fact;
-    if (parts.size() != (takes_one ? 2U : 3U)) {
-        return word->arguments == Arguments::fact      ? "expected a fact of the textbook behind it"
-               : word->arguments == Arguments::pattern ? "expected a pattern behind it"
-               : word->arguments == Arguments::pair
-                   ? "expected two patterns behind it"
-                   : "expected a receptor type and a pattern behind it";
+    if (parts.size() != 1 + count_of(word->arguments)) return wanted_of(word->arguments);
+    if (word->arguments == Arguments::none) {
+        return needs_people(parts[0]) && set.ratings.empty() ? kNoRatings : "";
     }
+    if (word->arguments == Arguments::map) return map_fault(parts[1], set);
     if (word->arguments == Arguments::fact) return fact_fault(parts[1]);
-    if (word->arguments == Arguments::type_and_pattern && !receptor_named(parts[1])) {
+    const bool of_type =
+        word->arguments == Arguments::type || word->arguments == Arguments::type_and_pattern;
+    if (of_type && !receptor_named(parts[1])) {
         return "expected Meissner, Pacinian, Merkel or Ruffini, got " + in_quotes(parts[1]);
     }
+    if (word->arguments == Arguments::type) return {};
     if (word->arguments == Arguments::pair) {
         const std::string fault = pattern_fault(set, parts[1], parts[0]);
         if (!fault.empty()) return fault;
@@ -247,6 +309,13 @@ std::string value_of(const std::string& placeholder, const PatternSet& set,
     const std::vector<std::string> parts = parts_of(placeholder);
     if (parts[0] == "fact") return value_text(*fact_named(parts[1]));
     if (parts[0] == "source") return source_text(*fact_named(parts[1]));
+    const NeuralCodingParams& coding = set.model.coding;
+    if (parts[0] == "excitatory layers") return std::to_string(coding.excitatory_layers);
+    if (parts[0] == "inhibitory layers") return std::to_string(coding.inhibitory_layers);
+    if (parts[0] == "stress" || needs_people(parts[0])) return value_of_maps(parts, pairs.maps);
+    if (is_of_table(parts[0])) {
+        return value_of_table(parts[0], *receptor_named(parts[1]), set);
+    }
     const std::size_t last = place_named(set, parts.back()).value();
     const Vibration& vibration = set.vibrations[last];
     if (parts.size() == 2) return value_of_pattern(parts[0], pairs.coded[last], vibration);

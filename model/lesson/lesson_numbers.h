@@ -14,6 +14,12 @@
 //     {receptors | TYPE | A}  {radius | TYPE | A}       how many answer, and how far out
 //     {on | TYPE | A}  {at cap | TYPE | A}   share of the time in which the centre of its network
 //                                  sends anything; as much as it can
+//     {density | TYPE}  {interval | TYPE}  {weight | TYPE}          Table 1 of the paper: how many
+//                                  receptors of the type, how far apart, what its signal counts
+//     {excitatory layers}  {inhibitory layers}                      of the relay networks
+//     {stress | pm}  {stress | people}                              of the map in three dimensions
+//     {k}  {rho}                   how far those two maps are from being one shape; how well PM has
+//                                  the order of people's dissimilarities. Both need ratings
 //     {nc | A | B}  {oc | A | B}  {pm | A | B}  {pm rank | A | B}   how far two are apart; the rank
 //                                  of the pair, from the closest
 //     {fact | ID}  {source | ID}   what was measured, with its unit, and by whom: "18 to 25 %",

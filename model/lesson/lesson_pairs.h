@@ -13,7 +13,8 @@
 
 namespace tact {
 
-// So many digits that count: "120", not "1.2e+02".
+// That many digits that count, and of a larger number its whole part, as pictures have it: "2414"
+// with three.
 std::string plain_digits(double value, int count);
 
 struct CodedPattern {
@@ -21,9 +22,23 @@ struct CodedPattern {
     PerReceptor<Firing> firing{};
 };
 
+// None: not asked for, or there is none.
+struct LessonMaps {
+    std::optional<double> pm_stress;
+    std::optional<double> people_stress;
+    std::optional<double> k;
+    std::optional<double> rho;
+};
+
+// What people said of the lesson's patterns, as a matrix of its set; empty: nobody rated them.
+std::optional<Dissimilarity> people_of(const PatternSet& set);
+
+LessonMaps lesson_maps(const PatternSet& set, const Prediction& prediction, std::stop_token stop);
+
 struct LessonPairs {
     std::vector<CodedPattern> coded;       // of each pattern; empty where no text asks for any
     std::optional<Prediction> prediction;  // where a text or a question asks for pairs
+    LessonMaps maps;                       // where a text asks for maps
 };
 
 LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs);

@@ -1,6 +1,8 @@
 // What a class sees of a lesson's questions: all of them, whole, wherever the card stands.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_question.h"
 #include "tests/support/lesson_walk.h"
@@ -73,7 +75,60 @@ void check_question(LessonWalk& walk, std::size_t k, DockSide side) {
     CHECK(is_within(walk.at("lesson:answer"), walk.at("tour")));
 }
 
+// Frequencies of what stands out in a spectrum: a fifth of the largest, and above its neighbours.
+std::vector<double> bars_of(const LiveStages& live) {
+    const auto& components = live.neural.components;
+    double most = 0.0;
+    for (const Component& component : components) {
+        most = std::max(most, component.amplitude_g);
+    }
+    std::vector<double> bars;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        const double here = components[k].amplitude_g;
+        const bool above_left = k == 0 || here >= components[k - 1].amplitude_g;
+        const bool above_right = k + 1 == components.size() || here > components[k + 1].amplitude_g;
+        if (here > 0.2 * most && above_left && above_right) {
+            bars.push_back(components[k].frequency_hz);
+        }
+    }
+    return bars;
+}
+
+// The axis is logarithmic from 1 to 500 Hz, and takes at least three quarters of the plot.
+double least_gap_px(const std::vector<double>& bars, const Place& plot) {
+    double least = 1e9;
+    for (std::size_t k = 1; k < bars.size(); ++k) {
+        const double share = std::log(bars[k] / bars[k - 1]) / std::log(500.0);
+        least = std::min(least, 0.75 * share * static_cast<double>(plot.max.x - plot.min.x));
+    }
+    return least;
+}
+
 }  // namespace
+
+TEST_CASE("lesson: bars of a spectrum that a step speaks of stand apart on a small screen" *
+          doctest::test_suite("long")) {
+    int several = 0;
+    for (const char* path : bundled_lesson_paths()) {
+        CAPTURE(std::string(path));
+        LessonWalk walk(path);
+        walk.show_on({{1280.0F, 720.0F}, 1.0F, true});
+        for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
+            const LessonStep& step = walk.lesson().lesson->steps[k];
+            if (step.view != "spectrum") continue;
+            CAPTURE(step.title);
+            walk.show_step(k, DockSide::right);
+            const std::vector<double> bars = bars_of(*walk.app.physiology.stages);
+            REQUIRE_FALSE(bars.empty());
+            several += bars.size() > 1 ? 1 : 0;
+            CHECK(least_gap_px(bars, walk.at("plot:spectrum")) >= 12.0);
+            if (step.partner.empty()) continue;
+            const std::vector<double> others = bars_of(*walk.app.physiology.pinned_stages);
+            CHECK(least_gap_px(others, walk.at("plot:spectrum pinned")) >= 12.0);
+        }
+    }
+    CHECK(several > 0);
+}
 
 TEST_CASE("lesson: every option of every question is seen whole, whatever the edge and the text" *
           doctest::test_suite("long")) {

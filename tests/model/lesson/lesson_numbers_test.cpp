@@ -4,16 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "assets/assets.h"
 #include "model/dtw/dtw.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_numbers.h"
+#include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
+#include "model/set/set_ratings.h"
+#include "model/study/ratings.h"
 #include "model/text/numbers.h"
 #include "model/textbook/textbook.h"
 
@@ -31,7 +36,7 @@ std::vector<Lesson> bundled() {
         REQUIRE_MESSAGE(lesson, (lesson ? "" : lesson.error().message));
         lessons.push_back(*std::move(lesson));
     }
-    REQUIRE(lessons.size() == 7);
+    REQUIRE(lessons.size() == 9);
     return lessons;
 }
 
@@ -56,12 +61,12 @@ std::size_t type_of(const std::string& name) {
 // Of numbers from 0.01 on.
 std::string two_digits(double value) {
     return value < 100.0 ? significant_digits(value, 2)
-                         : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
+                         : std::to_string(static_cast<int>(value + 0.5));
 }
 
 std::string three_digits(double value) {
     return value < 1000.0 ? significant_digits(value, 3)
-                          : std::to_string(10 * static_cast<int>(value / 10.0 + 0.5));
+                          : std::to_string(static_cast<int>(value + 0.5));
 }
 
 // The set taken apart from the front: waveforms, codes, pairs.
@@ -182,6 +187,71 @@ std::string of_pair(const Recomputed& model, const Prediction& prediction,
     return std::to_string(closer + 1) + " of " + std::to_string(pairs);
 }
 
+std::string of_table(const Recomputed& model, const std::vector<std::string>& words) {
+    const std::size_t type = type_of(words[1]);
+    constexpr std::array<double, 4> kPerMm2{1.4, 0.2, 0.7, 0.1};  // Table 1 of the paper
+    if (words[0] == "density") return significant_digits(kPerMm2[type], 3) + " per mm\u00b2";
+    if (words[0] == "interval")
+        return significant_digits(1.0 / std::sqrt(kPerMm2[type]), 3) + " mm";
+    return significant_digits(model.set.model.channel_weight[type], 3);
+}
+
+// K by its definition, from all distances of both maps.
+double k_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    double ab = 0.0;
+    double aa = 0.0;
+    double bb = 0.0;
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            const double of_a = (a.row(i) - a.row(j)).norm();
+            const double of_b = (b.row(i) - b.row(j)).norm();
+            ab += of_a * of_b;
+            aa += of_a * of_a;
+            bb += of_b * of_b;
+        }
+    }
+    return std::sqrt(1.0 - ab * ab / (aa * bb));
+}
+
+// Ranks that are equal share their mean; Pearson's correlation of them.
+double rho_of(const std::vector<double>& a, const std::vector<double>& b) {
+    const auto ranks = [](const std::vector<double>& values) {
+        std::vector<double> all;
+        for (const double v : values) {
+            const auto below = std::ranges::count_if(values, [v](double w) { return w < v; });
+            const auto equal = std::ranges::count(values, v);
+            all.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(equal));
+        }
+        return all;
+    };
+    const std::vector<double> x = ranks(a);
+    const std::vector<double> y = ranks(b);
+    const double mean = 0.5 * static_cast<double>(x.size());
+    double xy = 0.0;
+    double xx = 0.0;
+    double yy = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        xy += (x[k] - mean) * (y[k] - mean);
+        xx += (x[k] - mean) * (x[k] - mean);
+        yy += (y[k] - mean) * (y[k] - mean);
+    }
+    return xy / std::sqrt(xx * yy);
+}
+
+// The ratings of a bundled lesson have its patterns in their order.
+std::string of_maps(const Recomputed& model, const Prediction& prediction,
+                    const std::vector<std::string>& words) {
+    const Dissimilarity people = mean_ratings(*study_of(model.set));
+    if (words[0] == "rho") {
+        return significant_digits(rho_of(prediction.pm.condensed, people.condensed), 2);
+    }
+    const MdsParams params = standard_mds_params(model.waveforms.size(), 3);
+    const PerceptualSpace pm = nonmetric_mds(prediction.pm, params);
+    const PerceptualSpace rated = nonmetric_mds(people, params);
+    if (words[0] == "k") return significant_digits(k_of(pm.points, rated.points), 2);
+    return significant_digits(words[1] == "pm" ? pm.stress1 : rated.stress1, 2);
+}
+
 std::string recomputed(const Recomputed& model, const Prediction& prediction,
                        const std::string& placeholder) {
     const std::vector<std::string> words = words_of(placeholder);
@@ -190,6 +260,17 @@ std::string recomputed(const Recomputed& model, const Prediction& prediction,
         const TextbookFact* fact = fact_named(words[1]);
         REQUIRE(fact != nullptr);
         return words[0] == "fact" ? value_text(*fact) : source_text(*fact);
+    }
+    const bool of_map = words[0] == "stress" || words[0] == "k" || words[0] == "rho";
+    if (of_map) return of_maps(model, prediction, words);
+    if (words[0] == "excitatory layers") {
+        return std::to_string(model.set.model.coding.excitatory_layers);
+    }
+    if (words[0] == "inhibitory layers") {
+        return std::to_string(model.set.model.coding.inhibitory_layers);
+    }
+    if (words[0] == "density" || words[0] == "interval" || words[0] == "weight") {
+        return of_table(model, words);
     }
     if (words.size() == 2) return of_pattern(model, words);
     const bool pair = words[0] == "nc" || words[0] == "oc" || words[0].starts_with("pm");
@@ -250,6 +331,52 @@ TEST_CASE("lessons: no number is typed that the model could give") {
     }
 }
 
+TEST_CASE("lessons: a number is told where the stage that it belongs to is on screen") {
+    // Numbers of parameters belong anywhere; "all" shows every stage.
+    const std::map<std::string, std::string> stages{{"displacement", "spectrum filtered"},
+                                                    {"threshold", "spectrum"},
+                                                    {"felt", "receptors spikes"},
+                                                    {"spikes", "receptors spikes"},
+                                                    {"per cycle", "receptors spikes"},
+                                                    {"rate", "receptors spikes"},
+                                                    {"receptors", "receptors"},
+                                                    {"radius", "receptors"},
+                                                    {"density", "receptors"},
+                                                    {"interval", "receptors"},
+                                                    {"excitatory layers", "networks"},
+                                                    {"inhibitory layers", "networks"},
+                                                    {"on", "central brain"},
+                                                    {"at cap", "networks central"},
+                                                    {"weight", "brain"},
+                                                    {"nc", "brain map"},
+                                                    {"oc", "envelope brain map"},
+                                                    {"pm", "brain envelope map"},
+                                                    {"pm rank", "brain envelope map"},
+                                                    {"stress", "map"},
+                                                    {"k", "map"},
+                                                    {"rho", "map"}};
+    for (const Lesson& lesson : bundled()) {
+        CAPTURE(lesson.name);
+        for (const LessonStep& step : lesson.steps) {
+            CAPTURE(step.title);
+            std::set<std::string> told;  // patterns that numbers are told of
+            for (const std::string& placeholder : placeholders_in(step.text)) {
+                CAPTURE(placeholder);
+                const std::vector<std::string> words = words_of(placeholder);
+                const auto where = stages.find(words[0]);
+                if (where != stages.end()) {
+                    CHECK(
+                        (step.view == "all" || where->second.find(step.view) != std::string::npos));
+                }
+                for (std::size_t k = 1; k < words.size(); ++k) {
+                    if (place_named(lesson.set, words[k])) told.insert(words[k]);
+                }
+            }
+            CHECK((told.empty() || told.contains(step.pattern) || told.contains(step.partner)));
+        }
+    }
+}
+
 TEST_CASE("lessons: how slow a step is said to be is how slow it is, and no count is spelt out") {
     const auto says = [](const std::string& text, const std::string& word) {
         const auto is_letter = [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; };
@@ -285,11 +412,13 @@ TEST_CASE("lessons: how slow a step is said to be is how slow it is, and no coun
     CHECK(slow >= 2);
 }
 
-TEST_CASE("lessons: every step of a bundled lesson says where its facts are from") {
+TEST_CASE(
+    "lessons: every step of a bundled lesson says where its facts are from, and was looked up") {
     for (const Lesson& lesson : bundled()) {
         for (const LessonStep& step : lesson.steps) {
             CAPTURE(step.title);
             CHECK_FALSE(step.source.empty());
+            CHECK(step.source.find("not looked up") == std::string::npos);
             CHECK_FALSE(step.text.empty());
         }
     }
