@@ -216,7 +216,7 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
     lesson
         .add_option("LESSON", command.lesson,
                     "a .tactlesson.json file, or one that comes with the program: tour, "
-                    "thresholds, pacinian_meissner, twins, beats, gaps, why")
+                    "thresholds, pacinian_meissner, twins, beats, gaps, why, pipeline, mds")
         ->required();
     lesson.add_option("--out", command.out,
                       "a .html for students, or a .tactlesson.json as the program writes it; "

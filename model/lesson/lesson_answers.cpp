@@ -4,6 +4,7 @@
 #include "model/lesson/lesson_lacks.h"
 #include "model/lesson/lesson_numbers.h"
 #include "model/lesson/lesson_pairs.h"
+#include "model/lesson/number_words.h"
 #include "model/set/set_ratings.h"
 #include "model/study/ratings.h"
 #include "model/textbook/textbook.h"
@@ -36,7 +37,13 @@ bool asks_for_pairs(const Lesson& lesson) {
     return has_placeholder(lesson, {"nc", "oc", "pm"}) || asks_for_maps(lesson);
 }
 
-std::string pair_name(const PatternPair& pair) { return pair.a + " and " + pair.b; }
+std::string language_of(const Lesson& lesson) {
+    return lesson.languages.empty() ? std::string() : lesson.languages.front();
+}
+
+std::string pair_name(const Lesson& lesson, const PatternPair& pair) {
+    return pair.a + number_in(" and ", language_of(lesson)) + pair.b;
+}
 
 // Places of the least, or of the most, of some numbers; several where they are equal.
 std::vector<std::size_t> extreme_places(const std::vector<double>& values, bool least) {
@@ -84,7 +91,9 @@ std::string people_text(const PatternSet& set, const LessonQuestion& question,
 QuestionAnswer answer_of_pairs(const Lesson& lesson, const LessonQuestion& question,
                                const LessonPairs& pairs) {
     QuestionAnswer answer;
-    for (const PatternPair& pair : question.pairs) answer.options.push_back(pair_name(pair));
+    for (const PatternPair& pair : question.pairs) {
+        answer.options.push_back(pair_name(lesson, pair));
+    }
     if (!pairs.prediction || question.pairs.empty()) return answer;
     const std::vector<double> pm = of_pairs(lesson.set, question.pairs, pairs.prediction->pm);
     answer.right = extreme_places(pm, question.kind == QuestionKind::closest);
@@ -205,12 +214,14 @@ LessonAnswers lesson_answers(const Lesson& lesson, std::stop_token stop, bool wi
     LessonAnswers answers;
     const LessonPairs pairs = lesson_pairs(lesson, stop, with_pairs);
     if (stop.stop_requested()) return answers;
+    const std::string language = language_of(lesson);
     for (const LessonStep& step : lesson.steps) {
         for (const std::string& text : texts_of(step)) {
             for (const std::string& placeholder : placeholders_in(text)) {
                 if (answers.numbers.contains(placeholder)) continue;
                 if (!placeholder_fault(placeholder, lesson.set).empty()) continue;
-                answers.numbers[placeholder] = value_of(placeholder, lesson.set, pairs);
+                answers.numbers[placeholder] =
+                    number_in(value_of(placeholder, lesson.set, pairs), language);
             }
         }
         answers.questions.push_back(answer_of(lesson, step, pairs));
