@@ -16,10 +16,10 @@ using namespace tact;
 
 namespace {
 
-const LessonScreen kScreens[] = {
-    {{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true}, {{1280.0F, 720.0F}, 2.0F, true},
-    {{1920.0F, 1080.0F}, 1.0F, true}, {{1920.0F, 1080.0F}, 1.5F, true},
-    {{1280.0F, 720.0F}, 1.0F, false}, {{1280.0F, 720.0F}, 1.5F, false}};
+const LessonScreen kScreens[] = {{{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true},
+                                 {{1280.0F, 720.0F}, 2.0F, true},  {{1920.0F, 1080.0F}, 1.0F, true},
+                                 {{1920.0F, 1080.0F}, 1.5F, true}, {{1280.0F, 720.0F}, 1.0F, false},
+                                 {{1280.0F, 720.0F}, 1.5F, false}};
 
 std::string name_of(const LessonScreen& screen, DockSide side) {
     char text[80];
