@@ -10,6 +10,7 @@
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
@@ -87,6 +88,22 @@ Seeds lesson_seeds() {
     own.words = {{"Eine", ""}};
     own.steps[1].words = {{"Titel", "", "", "Welche?", {"", "jene"}, ""}};
     return {print_lesson(own, {}), std::string(asset("lessons/twins.tactlesson.json"))};
+}
+
+bool course(std::string_view bytes) {
+    const bool is_course = round_trip(
+        [](std::string_view text) { return parse_course(text, "fuzz.json"); }, print_course, bytes);
+    const bool is_class =
+        round_trip([](std::string_view text) { return parse_progress(text, "fuzz.json"); },
+                   print_progress, bytes);
+    return is_course || is_class;
+}
+
+Seeds course_seeds() {
+    const ClassProgress students{
+        {"Ada",
+         {{"lessons/beats.tactlesson.json", {3, 5, {{1, {"Which?", "This", true, "2026"}}}}}}}};
+    return {std::string(asset("courses/touch.tactcourse.json")), print_progress(students)};
 }
 
 bool model(std::string_view bytes) {
@@ -323,6 +340,7 @@ std::span<const Reader> text_readers() {
          lesson,
          lesson_seeds,
          {"\"steps\"", "\"question\"", "\"pairs\"", "{nc | ", "\"languages\"", "\"de\""}},
+        {"course", course, course_seeds, {"\"lessons\"", "\"students\"", "\"answers\""}},
         {"model", model, model_seeds, {"\"training\"", "\"sets\"", "\"weights\""}},
         {"exclusions", exclusions, exclusion_seeds, {"\"excluded\"", "\"because\""}},
         {"study", study, study_seeds, {"\"answer\"", "\"sorting\"", "\"groups\"", "\"pair\""}},

@@ -13,6 +13,7 @@
 #include "model/io/effects/actuator_file.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
@@ -106,6 +107,8 @@ const std::map<std::string, Reader, std::less<>> kReaders{
      [](const std::string& t, const std::string& f) { return fault_of(parse_actuator(t, f)); }},
     {"exclusions.json",
      [](const std::string& t, const std::string& f) { return fault_of(parse_exclusions(t, f)); }},
+    {"course.json",
+     [](const std::string& t, const std::string& f) { return fault_of(parse_course(t, f)); }},
     {"lesson_de.json",
      [](const std::string& t, const std::string& f) {
          const auto lesson = parse_lesson(t, f, {});
