@@ -76,9 +76,11 @@ struct StagesCommand {
 Expected<Done> run(const StagesCommand& command);
 
 struct LessonCommand {
-    std::string language;       // by its code; empty: the first
-    std::string lesson;         // a file, or the name of one that comes with the program
-    std::filesystem::path out;  // .html: a student sheet; a lesson file; empty: text
+    std::string language;           // by its code; empty: the first
+    bool hand_on = false;           // the .html is for another teacher
+    std::string lesson;             // a file, or the name of one that comes with the program
+    std::filesystem::path out;      // .html: a student sheet; a lesson file; empty: text
+    std::filesystem::path answers;  // the table of what students answered goes there
 };
 Expected<Done> run(const LessonCommand& command);
 

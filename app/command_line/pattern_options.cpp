@@ -216,7 +216,8 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
     lesson
         .add_option("LESSON", command.lesson,
                     "a .tactlesson.json file, or one that comes with the program: tour, "
-                    "thresholds, pacinian_meissner, twins, beats, gaps, why, pipeline, mds")
+                    "thresholds, pacinian_meissner, twins, beats, gaps, why, pipeline, mds; or a "
+                    "course, as .tactcourse.json or touch")
         ->required();
     lesson.add_option("--out", command.out,
                       "a .html for students, or a .tactlesson.json as the program writes it; "
@@ -224,6 +225,11 @@ void add_lesson_command(CLI::App& app, LessonCommand& command, Chosen& chosen) {
     lesson.add_option("--language", command.language,
                       "in which language its texts are shown, by its code, as de; default: its "
                       "first one");
+    lesson.add_flag("--hand-on", command.hand_on,
+                    "the .html is for another teacher: with notes, answers, and the lesson in it");
+    lesson.add_option("--answers", command.answers,
+                      "the answers that students gave on this computer, to lessons of the course "
+                      "or to this one, as a .csv");
     lesson.callback([&command, &chosen] { chosen = [&command] { return run(command); }; });
 }
 

@@ -11,6 +11,7 @@
 #include "app/lesson/lesson_keeping.h"
 #include "app/session/autosave.h"
 #include "app/session/session.h"
+#include "app/ui/question.h"
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_languages.h"
@@ -178,7 +179,8 @@ void start_lesson(const LessonHands& hands, LessonState& state,
     state.tallies.clear();
     show_lesson(state, std::move(lesson));
     state.path = path;
-    state.is_tour = false;
+    state.key = path.string();
+    state.is_tour = state.is_of_set = false;
     state.editing = state.is_written = false;
     state.history.clear();
     note_lesson_saved(hands.work, state);
@@ -186,12 +188,46 @@ void start_lesson(const LessonHands& hands, LessonState& state,
 }
 
 void start_tour(const LessonHands& hands, LessonState& state) {
-    const std::size_t from = state.left_at;
-    const auto tour = bundled_lesson(kTourLesson);
-    start_lesson(hands, state, tour, {});
-    if (state.lesson != tour) return;  // the one before it stays
-    state.is_tour = true;
-    if (from > 0) go_to_step(hands, state, from);
+    start_bundled_lesson(hands, state, kTourLesson);
+    const auto left = state.left_at.find(state.key);
+    if (state.is_tour && left != state.left_at.end()) go_to_step(hands, state, left->second);
+}
+
+void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path) {
+    const auto lesson = bundled_lesson(path);
+    start_lesson(hands, state, lesson, {});
+    if (state.lesson != lesson) return;  // the one before it stays
+    state.key = path;
+    state.is_tour = state.key == kTourLesson;
+}
+
+void ask_where_to_begin(const LessonHands& hands, LessonState& state) {
+    const auto left = state.left_at.find(state.key);
+    if (!state.step || left == state.left_at.end()) return;
+    const std::size_t count = state.lesson->steps.size();
+    const std::size_t at = left->second;
+    if (at >= count) return;
+    const std::string step = std::to_string(at + 1);
+    ask(hands.ui, {.title = "Where to begin",
+                   .text = "\"" + state.shown->name + "\" was left at step " + step + " of " +
+                           std::to_string(count) + ".",
+                   .answers = {{"Continue at step " + step,
+                                [hands, &state, at] { go_to_step(hands, state, at); }},
+                               {"From the beginning"}},
+                   .marked = 1});
+}
+
+std::map<std::string, std::size_t> places_left(const LessonState& state) {
+    std::map<std::string, std::size_t> places = state.left_at;
+    if (!state.step || state.key.empty()) return places;
+    const bool has_begun = *state.step > 0;
+    const bool finished = *state.step + 1 == state.lesson->steps.size();
+    if (has_begun && !finished) {
+        places[state.key] = *state.step;
+    } else {
+        places.erase(state.key);
+    }
+    return places;
 }
 
 void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path) {
@@ -201,6 +237,7 @@ void open_lesson(const LessonHands& hands, LessonState& state, const std::filesy
     state.kept_in.clear();
     start_lesson(hands, state, opened, std::filesystem::absolute(path));
     if (state.lesson != opened) return;
+    ask_where_to_begin(hands, state);
     remember_file(hands.work.session, state.path);
     std::string text = "Opened the lesson " + opened->name + ".";
     if (!state.kept_in.empty())
@@ -211,9 +248,9 @@ void open_lesson(const LessonHands& hands, LessonState& state, const std::filesy
 bool leave_lesson(const LessonHands& hands, LessonState& state) {
     if (!state.step) return true;
     const auto unsaved = unsaved_lesson(hands.work, state);
+    const bool was_written = state.is_written;  // who writes opens it at its beginning
     if (state.is_written && !set_lesson_aside(hands, state, unsaved)) return false;
-    const bool finished = *state.step + 1 == state.lesson->steps.size();
-    if (state.is_tour) state.left_at = finished ? 0 : *state.step;
+    if (!was_written) state.left_at = places_left(state);
     if (state.presenting) state.present_scale = hands.ui.text_scale;
     state.step.reset();
     state.presenting = state.blank = state.editing = false;

@@ -8,7 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "app/document/renaming.h"
 #include "app/lesson/lesson_state.h"
@@ -56,8 +58,18 @@ ViewBeforeLesson view_of(const LessonHands& hands);
 void start_lesson(const LessonHands& hands, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path);
 
-// From the first step, or from where it was left.
+// One that comes with the program, by its path below assets/.
+void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path);
+
+// Where it was left, or from the first step.
 void start_tour(const LessonHands& hands, LessonState& state);
+
+// A lesson that has begun, and was left before its end another time, asks whether to continue
+// there.
+void ask_where_to_begin(const LessonHands& hands, LessonState& state);
+
+// Where lessons were left, the one under way among them, as if it were left now.
+std::map<std::string, std::size_t> places_left(const LessonState& state);
 
 void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path);
 

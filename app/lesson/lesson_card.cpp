@@ -132,26 +132,33 @@ void draw_lacking(Ui& ui, const LessonState& state) {
     note_item(ui.rects, "lesson:lacking", text);
 }
 
+// Who writes the lesson sees the whole source.
+std::string told_source(const LessonState& state, const LessonStep& step) {
+    return state.editing ? step.source : source_for_class(step);
+}
+
 void draw_source_link(Ui& ui, LessonState& state, const LessonStep& step) {
     ImGui::PushFont(lesson_fonts(ui, state).small);
     if (link(ui, "source", state.shows_source ? kHideSource : "Source")) {
         state.shows_source = !state.shows_source;
     }
-    note_item(ui.rects, "lesson:source", state.shows_source ? step.source : std::string());
+    note_item(ui.rects, "lesson:source",
+              state.shows_source ? told_source(state, step) : std::string());
     ImGui::PopFont();
 }
 
 void draw_source_text(Ui& ui, const LessonState& state, const LessonStep& step) {
-    if (step.source.empty() || !state.shows_source) return;
+    const std::string source = told_source(state, step);
+    if (source.empty() || !state.shows_source) return;
     ImGui::PushFont(lesson_fonts(ui, state).small);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, step.source);
+    dim_text(ui, source);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }
 
 void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
-    if (!step.source.empty()) draw_source_link(ui, state, step);
+    if (!told_source(state, step).empty()) draw_source_link(ui, state, step);
     draw_source_text(ui, state, step);
 }
 
@@ -166,9 +173,10 @@ WayWords way_words(const LessonState& state) {
     return {hides  ? "Reveal"
             : last ? nullptr
                    : "Next",
-            last            ? "Finish"
-            : state.is_tour ? "Leave the tour"
-                            : "Leave the lesson"};
+            last              ? "Finish"
+            : state.is_tour   ? "Leave the tour"
+            : state.is_of_set ? "Leave"
+                              : "Leave the lesson"};
 }
 
 void draw_head(Ui& ui, LessonState& state, const LessonStep& step, float width) {
@@ -290,7 +298,7 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
 void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& step) {
     Ui& ui = hands.ui;
     const bool asks = question_of(state) != nullptr;
-    const bool with_source = !step.source.empty();
+    const bool with_source = !told_source(state, step).empty();
     ImGui::AlignTextToFramePadding();
     draw_count(ui, state);
     ImGui::SameLine(0.0F, ui.theme.gap_px);

@@ -7,7 +7,9 @@
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
+#include "app/document/unsaved.h"
 #include "app/lesson/lesson_keeping.h"
+#include "app/lesson/lesson_sheet.h"
 #include "app/session/session.h"
 #include "app/ui/file_question.h"
 #include "app/ui/question.h"
@@ -50,7 +52,7 @@ void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
     }
     keep(state, std::move(lesson));
     const std::string* last = state.history.undo_label();
-    // Letters of one text are one step of undo.
+    // Letters of one word are one step of undo.
     if (joins && last != nullptr && *last == what) {
         state.history.join(before, state.lesson, what);
     } else {
@@ -114,7 +116,8 @@ void write_on_document(const LessonHands& hands, LessonState& state,
     state.before = view_of(hands);
     state.document_number = hands.work.document_number;
     state.path.clear();
-    state.is_tour = false;
+    state.key.clear();
+    state.is_tour = state.is_of_set = false;
     state.editing = state.is_written = true;
     state.history.clear();
     keep(state, *lesson);
@@ -197,6 +200,29 @@ void remove_language(const LessonHands& hands, LessonState& state) {
     change_lesson(hands, state, without_language(*state.lesson, place), "Remove " + name);
 }
 
+void change_name(const LessonHands& hands, LessonState& state, const LessonWords& shown,
+                 bool joins) {
+    if (!state.step) return;
+    change_lesson(hands, state, with_words(*state.lesson, shown, shown_language(state)),
+                  "Name of the lesson", joins);
+}
+
+void duplicate_lesson(const LessonHands& hands, LessonState& state) {
+    if (!state.step) return;
+    Lesson copy = lesson_to_save(hands.work, state);
+    copy.name += " copy";
+    state.path.clear();
+    state.key.clear();
+    state.is_tour = false;
+    state.presenting = false;
+    state.editing = state.is_written = true;
+    state.history.clear();
+    keep(state, std::move(copy));
+    state.saved = std::make_shared<const Lesson>();  // no part of it is in a file
+    state.looked_at = nullptr;
+    say(hands.ui, "This is \"" + state.shown->name + "\", which is in no file yet.");
+}
+
 Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
     Lesson lesson = *state.lesson;
     for (LessonStep& step : lesson.steps) {  // a line that was begun is no option yet
@@ -232,14 +258,16 @@ bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesys
         return false;
     }
     state.path = target;
+    state.key = target.string();
+    state.is_tour = false;
     note_lesson_saved(work, state);
     (void)keep_lesson(work, state);  // what was kept before is older than the file
     remember_file(work.session, target);
     const std::size_t lacks = lesson_lacks(lesson).size();
-    say(ui, lacks == 0
-                ? "Saved the lesson " + target.string() + "."
-                : "Saved the draft " + target.string() + ". Lesson > Check tells what it " +
-                      "lacks: " + std::to_string(lacks) + (lacks == 1 ? " thing." : " things."));
+    say(ui, lacks == 0 ? "Saved the lesson " + target.string() + "."
+                       : "Saved the draft " + target.string() +
+                             ". Lesson > Check the lesson tells what it " + "lacks: " +
+                             std::to_string(lacks) + (lacks == 1 ? " thing." : " things."));
     return true;
 }
 
@@ -265,13 +293,36 @@ void open_lesson_dialog(Ui& ui, const Workspace& work) {
                  work.document.path.parent_path());
 }
 
-void save_sheet_dialog(Ui& ui, const Workspace& work, const LessonState& state) {
+void open_course_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::open_lesson,
+                  .use = ChooserUse::open,
+                  .title = "Open a course",
+                  .extensions = {".json"}},
+                 work.document.path.parent_path());
+}
+
+void save_sheet_dialog(Ui& ui, const Workspace& work, LessonState& state) {
+    state.hands_on = false;
     ask_for_file(ui,
                  {.purpose = ChooserPurpose::lesson_sheet,
                   .use = ChooserUse::save,
                   .title = "Student sheet of the lesson",
                   .extensions = {".html"}},
                  work.document.path.parent_path(), file_stem(state.shown->name) + ".html");
+}
+
+void hand_on_dialog(Ui& ui, const Workspace& work, LessonState& state) {
+    const auto file = whole_lesson_file(lesson_to_save(work, state));
+    if (!file) return complain(ui, "Not handed on: " + with_stop(file.error().message));
+    state.hands_on = true;
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::lesson_sheet,
+                  .use = ChooserUse::save,
+                  .title = "The lesson, to hand on",
+                  .extensions = {".html"}},
+                 work.document.path.parent_path(),
+                 file_stem(state.shown->name) + " to hand on.html");
 }
 
 }  // namespace tact

@@ -46,6 +46,14 @@ void add_step(const LessonHands& hands, LessonState& state);
 void remove_step(const LessonHands& hands, LessonState& state);
 void move_step(const LessonHands& hands, LessonState& state, int by);
 
+// Name and about of the lesson, in the language that is shown.
+void change_name(const LessonHands& hands, LessonState& state, const LessonWords& shown,
+                 bool joins = false);
+
+// A copy in the place of the lesson, to be written: "NAME copy", in no file. What was unsaved of
+// the lesson is in the copy.
+void duplicate_lesson(const LessonHands& hands, LessonState& state);
+
 // Shown at once, to be written in.
 void add_language(const LessonHands& hands, LessonState& state, const std::string& code);
 // The one that is shown, unless it is the first, with all that was written in it.
@@ -61,6 +69,9 @@ bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesys
 void check_lesson(Ui& ui, const Workspace& work, const LessonState& state);
 
 void open_lesson_dialog(Ui& ui, const Workspace& work);
-void save_sheet_dialog(Ui& ui, const Workspace& work, const LessonState& state);
+void open_course_dialog(Ui& ui, const Workspace& work);
+void save_sheet_dialog(Ui& ui, const Workspace& work, LessonState& state);
+// For another teacher: the sheet with notes and answers, and the lesson in it.
+void hand_on_dialog(Ui& ui, const Workspace& work, LessonState& state);
 
 }  // namespace tact

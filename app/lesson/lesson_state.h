@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "app/physiology/stages.h"
 #include "app/timeline/playhead.h"
 #include "app/ui/layout.h"
+#include "app/writing/text_box.h"
 #include "model/lesson/lesson_numbers.h"
 #include "viz/space/space_camera.h"
 
@@ -86,9 +88,12 @@ struct LessonState {
     std::shared_ptr<const Lesson> shown;   // the same in one language
     std::string language;                  // wanted, by its code; empty: the lesson's first
     std::filesystem::path path;            // of its file; empty: it has none
+    std::string key;                       // its file's or asset's path; empty: it is in neither
     bool is_tour = false;
+    bool is_of_set = false;  // it is made of the open set to be presented, and holds none itself
     std::optional<std::size_t> step;  // under way
-    std::size_t left_at = 0;          // of the tour: where to take it up again
+    // Where lessons were left before their end, by their keys: never at their first step.
+    std::map<std::string, std::size_t> left_at;
     ViewBeforeLesson before;
     std::optional<SetAside> aside;
     std::uint64_t document_number = 0;  // of the set on screen, while it is open
@@ -114,6 +119,7 @@ struct LessonState {
     bool editing = false;
     History<Lesson> history{};    // of what was written
     std::uint64_t edited_at = 0;  // the document's revision then
+    TextBox box;                  // that is written in
     bool shows_source = false;
     std::u32string lacking;  // characters of the step's texts that no font here has
     DockSide dock = DockSide::right;
@@ -121,6 +127,7 @@ struct LessonState {
     float low_card_px = 0.0F;  // what its words need along the top or the foot; 0: not known yet
     CardGrowth grown;
     float present_scale = kPresentScale;      // of text while presenting
+    bool hands_on = false;                    // what is asked for is to be handed on
     std::filesystem::path sheet_to;           // a student sheet is wanted there ...
     std::vector<std::string> sheet_pictures;  // ... and these of its steps are drawn
     std::string told;                         // to who speaks, last

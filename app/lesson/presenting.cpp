@@ -8,6 +8,7 @@
 #include "app/lesson/lesson_place.h"
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/speaker_notes.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 
 namespace tact {
@@ -105,25 +106,72 @@ float presented_growth(ImVec2 screen_px) {
     return std::clamp(std::min(screen_px.x / 1280.0F, screen_px.y / 720.0F), 0.8F, 4.0F);
 }
 
+Lesson lesson_of_set(const Workspace& work) {
+    const PatternSet& set = work.document.set;
+    Lesson lesson;
+    lesson.name = set.name;
+    std::vector<LessonStep> steps;
+    for (const Vibration& vibration : set.vibrations) {
+        if (vibration.dropped) continue;
+        LessonStep step;
+        step.title = step.pattern = vibration.name;
+        step.note = vibration.note;
+        steps.push_back(std::move(step));
+    }
+    if (steps.size() > 1) {
+        LessonStep map;
+        map.title = set.name.empty() ? "The map" : set.name;
+        map.text = counted(steps.size(), "pattern", "patterns") +
+                   ". Those that lie near each other are alike to the model.";
+        if (const Vibration* current = current_vibration(work)) map.pattern = current->name;
+        map.view = "map";
+        steps.insert(steps.begin(), std::move(map));
+    }
+    lesson.steps = std::move(steps);
+    return lesson;
+}
+
+namespace {
+
+// False: there is nothing to be shown.
+bool start_set(const LessonHands& hands, LessonState& state) {
+    Lesson lesson = lesson_of_set(hands.work);
+    if (lesson.steps.empty()) return false;
+    state.before = view_of(hands);
+    state.document_number = hands.work.document_number;
+    state.path.clear();
+    state.key.clear();
+    state.is_tour = state.editing = state.is_written = false;
+    state.is_of_set = true;
+    state.history.clear();
+    show_lesson(state, std::make_shared<const Lesson>(std::move(lesson)));
+    state.tallies.assign(state.lesson->steps.size(), {});
+    state.step = 0;
+    return true;
+}
+
+}  // namespace
+
 void toggle_presenting(const LessonHands& hands, LessonState& state) {
+    if (is_presenting(state) && state.is_of_set) {
+        leave_lesson(hands, state);
+        return;
+    }
     if (is_presenting(state)) {
         state.presenting = state.blank = false;
         state.present_scale = hands.ui.text_scale;
         set_text_scale(hands.ui, state.before.text_scale);
         return;
     }
-    if (!state.step) {
-        if (state.lesson && !state.is_tour) {
-            start_lesson(hands, state, state.lesson, state.path);
-        } else {
-            start_tour(hands, state);
-        }
-    }
+    const bool is_new = !state.step;
+    if (is_new && !start_set(hands, state)) start_bundled_lesson(hands, state, kTourLesson);
+    if (!state.step) return;
     state.presenting = true;
     state.presenting_since_s = hands.ui.time_s;
     state.editing = false;
     go_to_step(hands, state, *state.step);
     set_text_scale(hands.ui, state.present_scale);
+    if (is_new) ask_where_to_begin(hands, state);
 }
 
 std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
@@ -133,6 +181,9 @@ std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& st
     const bool covered = hands.ui.dialog != Dialog::none || hands.ui.chooser.is_open ||
                          hands.ui.question.has_value();
     for (const KeyPress& press : pressed) {
+        // A box has no undo of its own: the lesson's reaches further.
+        const bool is_of_box = typing && !covered && state.editing && state.box.id != 0;
+        if (is_of_box && press.ctrl && take_editing_key(hands, state, press)) continue;
         if (typing || covered || !take_key(hands, state, press)) left.push_back(press);
     }
     return left;

@@ -18,6 +18,12 @@ namespace tact {
 
 // The lesson under way, else the one that was open last, else the tour, on the whole screen; or
 // back to the window.
+// A lesson of the open set: a step for the map, and one for each pattern that counts. It names
+// patterns of the document, and has no set of its own.
+Lesson lesson_of_set(const Workspace& work);
+
+// The lesson under way where it is; else the open set, or the tour where that is empty. What shows
+// the set ends with presenting.
 void toggle_presenting(const LessonHands& hands, LessonState& state);
 
 bool is_presenting(const LessonState& state);

@@ -70,9 +70,9 @@ bool draw_kind(Ui& ui, std::optional<LessonQuestion>& question) {
 }
 
 // Lines, and which of them is right.
-bool edit_options(Ui& ui, LessonQuestion& question) {
+bool edit_options(Ui& ui, TextBox& box, LessonQuestion& question) {
     std::string text = joined_lines(question.options);
-    bool changed = edit_text(ui, "##options", "Options, one a line", 3, text);
+    bool changed = edit_text(ui, box, "##options", "Options, one a line", 3, text);
     if (changed) question.options = lines_of(text);
     if (!question.options.empty()) {
         question.answer = std::min(question.answer, question.options.size() - 1);
@@ -136,17 +136,17 @@ void draw_question_editor(const LessonHands& hands, LessonState& state) {
     if (draw_kind(hands.ui, step.question)) change_step(hands, state, step, "Question");
     if (!step.question) return;
     LessonQuestion& question = *step.question;
-    if (edit_text(hands.ui, "##ask", "What is asked", 2, question.ask)) {
-        change_step(hands, state, step, "What is asked", true);
+    if (edit_text(hands.ui, state.box, "##ask", "What is asked", 2, question.ask)) {
+        change_step(hands, state, step, "What is asked", !state.box.begins_word);
     }
-    if (question.kind == QuestionKind::choice && edit_options(hands.ui, question)) {
-        change_step(hands, state, step, "Options", true);
+    if (question.kind == QuestionKind::choice && edit_options(hands.ui, state.box, question)) {
+        change_step(hands, state, step, "Options", !state.box.begins_word);
     }
     if (is_of_pairs(question) && edit_pairs(hands, question)) {
         change_step(hands, state, step, "Pairs");
     }
-    if (edit_text(hands.ui, "##reveal", "Said with the answer", 2, question.reveal)) {
-        change_step(hands, state, step, "Reveal", true);
+    if (edit_text(hands.ui, state.box, "##reveal", "Said with the answer", 2, question.reveal)) {
+        change_step(hands, state, step, "Reveal", !state.box.begins_word);
     }
 }
 

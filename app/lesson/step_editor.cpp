@@ -1,7 +1,5 @@
 #include "app/lesson/step_editor.h"
 
-#include <imgui_stdlib.h>
-
 #include <array>
 #include <string_view>
 #include <vector>
@@ -80,7 +78,7 @@ void draw_undo(const LessonHands& hands, LessonState& state) {
     }
 }
 
-// A field breaks no lines and shows no numbers; the text as a class will see it.
+// A field shows no numbers; the text as a class will see it.
 void draw_as_shown(Ui& ui, const LessonState& state) {
     const LessonAnswers* answers = answers_of(state);
     const LessonStep* step = step_of(state);
@@ -93,28 +91,32 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
     note_item(ui.rects, "lesson edit:shown", text);
 }
 
+// What the lesson is called and about, on its first card.
+void draw_lesson_name(const LessonHands& hands, LessonState& state) {
+    LessonWords words{state.shown->name, state.shown->about};
+    bool changed =
+        edit_text(hands.ui, state.box, "##lesson name", "Name of the lesson", 1, words.name);
+    changed |= edit_text(hands.ui, state.box, "##about", "Who it is for, and how long it takes", 2,
+                         words.about);
+    if (changed) change_name(hands, state, words, !state.box.begins_word);
+}
+
 }  // namespace
 
-bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text) {
+bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int lines,
+               std::string& text) {
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
     wrapped_text(label);
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    const float height = (static_cast<float>(lines) + 0.6F) * ImGui::GetTextLineHeight();
-    const std::string before = text;
-    ImGui::InputTextMultiline(id, &text, {-1.0F, height});
-    bool changed = ImGui::IsItemEdited();
-    // ImGui's field takes back on Esc whatever was typed since it was entered.
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape) && text != before) {
-        text = before;
-        changed = false;
-    }
+    const bool changed = draw_text_box(box, id, lines, 2 * lines + 4, text);
     note_item(ui.rects, std::string("lesson edit:") + (id + 2), text);
     return changed;
 }
 
 void draw_step_editor(const LessonHands& hands, LessonState& state) {
+    if (*state.step == 0) draw_lesson_name(hands, state);
     LessonStep step = *step_of(state);
     struct Text {
         const char* id;
@@ -129,8 +131,8 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
          {"##note", "Note for who speaks", "Note", 2, step.note},
          {"##source", "Source of what the text says of the body", "Source", 2, step.source}}};
     for (const Text& text : texts) {
-        if (edit_text(hands.ui, text.id, text.label, text.lines, text.text)) {
-            change_step(hands, state, step, text.what, true);
+        if (edit_text(hands.ui, state.box, text.id, text.label, text.lines, text.text)) {
+            change_step(hands, state, step, text.what, !state.box.begins_word);
         }
     }
     draw_as_shown(hands.ui, state);

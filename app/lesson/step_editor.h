@@ -12,6 +12,7 @@ namespace tact {
 void draw_step_editor(const LessonHands& hands, LessonState& state);
 
 // A text with its label above; "lesson edit:ID" for tests. True when it was changed.
-bool edit_text(Ui& ui, const char* id, const char* label, int lines, std::string& text);
+bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int lines,
+               std::string& text);
 
 }  // namespace tact

@@ -23,6 +23,7 @@ using nlohmann::json;
 
 constexpr int kFormat = 1;
 constexpr std::size_t kKnownDevices = 20;
+constexpr std::size_t kKnownLessons = 200;
 
 fs::path settings_file(const fs::path& folder) { return folder / "session.json"; }
 fs::path running_mark(const fs::path& folder) { return folder / "running"; }
@@ -108,6 +109,12 @@ void take_settings(const json& from, Session& session) {
         session.document = path_of(*at).value_or(fs::path{});
     }
     take_devices(from, session);
+    if (const auto at = from.find("lesson_steps"); at != from.end() && at->is_object()) {
+        for (const auto& [lesson, step] : at->items()) {
+            if (session.lesson_steps.size() == kKnownLessons) break;
+            if (step.is_number_unsigned()) session.lesson_steps[lesson] = step.get<std::size_t>();
+        }
+    }
     if (const auto at = from.find("table_words"); at != from.end() && at->is_object()) {
         for (const auto& [names, words] : at->items()) {
             if (words.is_string()) session.table_words[names] = words.get<std::string>();
@@ -148,6 +155,7 @@ json settings_of(const Session& session) {
             {"layout", session.layout},
             {"theme", session.theme},
             {"lesson_language", session.lesson_language},
+            {"lesson_steps", session.lesson_steps},
             {"text_scale", session.text_scale},
             {"window_width", session.window_width},
             {"window_height", session.window_height},

@@ -40,7 +40,9 @@ struct Session {
     double full_scale_g = 1.0;
     // What was said of tables, as app/tables writes it, by the names of their columns.
     std::map<std::string, std::string> table_words;
-    std::string lesson_language;       // in which lessons are shown; empty: each in its first
+    std::string lesson_language;  // in which lessons are shown; empty: each in its first
+    // Where each was left, counted from 0, by its file or its path below assets/.
+    std::map<std::string, std::size_t> lesson_steps;
     double whole_buffer_s = kBufferS;  // rendered ahead where nothing may have gaps
 
     // What belongs to this run.

@@ -39,7 +39,8 @@ enum class Dialog {
     pad,
     leave_out,
     save_workspace,
-    conduct_rules
+    conduct_rules,
+    course
 };
 
 // What a chosen path is for.
@@ -69,7 +70,8 @@ enum class ChooserPurpose {
     export_animation,
     open_lesson,
     save_lesson,
-    lesson_sheet
+    lesson_sheet,
+    course_answers
 };
 
 // The number that is being typed in an entry: what of it outlives a frame.

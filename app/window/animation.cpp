@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
+#include "app/document/unsaved.h"
 #include "app/export/exports.h"
+#include "app/lesson/lesson_edit.h"
 #include "app/lesson/lesson_sheet.h"
 #include "app/pictures/clipboard.h"
 #include "app/subset/subset_export.h"
@@ -93,12 +95,20 @@ void draw_next_of_sheet(App& app) {
     }
     const fs::path file = std::exchange(state.sheet_to, {});
     const LessonAnswers own = answers == nullptr ? lesson_answers(lesson) : *answers;
-    const std::string page = lesson_sheet({lesson, own, std::exchange(state.sheet_pictures, {}),
-                                           std::string("tactspace ") + TACT_VERSION});
+    LessonSheet sheet{lesson, own, std::exchange(state.sheet_pictures, {}),
+                      std::string("tactspace ") + TACT_VERSION};
+    if (std::exchange(state.hands_on, false)) {
+        const auto whole = whole_lesson_file(lesson_to_save(app.work, state));
+        if (!whole) return complain(app.ui, "Not handed on: " + with_stop(whole.error().message));
+        sheet.lesson_file = *whole;
+    }
+    const bool for_students = sheet.lesson_file.empty();
+    const std::string page = lesson_sheet(sheet);
     if (const Expected<Done> written = write_atomically(file, page); !written) {
         return complain(app.ui, "Not written: " + written.error().message);
     }
-    say(app.ui, "Wrote the student sheet " + file.string());
+    say(app.ui, (for_students ? "Wrote the student sheet " : "Wrote the lesson to hand on, ") +
+                    file.string() + ".");
 }
 
 }  // namespace

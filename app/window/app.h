@@ -10,6 +10,7 @@
 #include "app/calibrate/calibrate_state.h"
 #include "app/candidates/candidates_state.h"
 #include "app/compare/compare_state.h"
+#include "app/course/course_state.h"
 #include "app/document/workspace.h"
 #include "app/export/export_state.h"
 #include "app/generate/generate_state.h"
@@ -97,6 +98,7 @@ struct App {
     StudyState studying;
     CalibrateState calibrating;
     LessonState lesson;
+    CourseState course;
     PaletteState palette;
     ManualState manual;
     std::uint64_t of_document = 0;  // number of the one that the rooms know of; 0: of none yet

@@ -31,6 +31,7 @@
 #include "app/wave_strip/wave_strip.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
+#include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 
 namespace tact {
@@ -151,7 +152,7 @@ void escape(App& app) {
     } else if (app.exports.animation) {
         cancel_animation(app);
     } else if (app.lesson.step && app.lesson.editing) {
-        say(app.ui, "Esc ends no lesson that is being written. Lesson > Leave does.");
+        say(app.ui, "Esc ends no lesson that is being written. Lesson > Leave the lesson does.");
     } else if (app.lesson.step) {
         leave_the_lesson(app);
     } else if (is_filling(app.maybes)) {
@@ -243,13 +244,29 @@ void begin_lesson(App& app) {
 }
 
 void open_bundled_lesson(App& app, const char* path) {
-    once_lesson_may_go(
-        app, [&app, path] { start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {}); });
+    once_lesson_may_go(app, [&app, path] {
+        start_bundled_lesson(hands_of(app), app.lesson, path);
+        if (app.lesson.key == path) ask_where_to_begin(hands_of(app), app.lesson);
+    });
 }
 
 void open_file(App& app, const std::filesystem::path& path) {
+    if (is_course_file(path)) {
+        return open_course_file(app.ui, app.work.session, app.course, path);
+    }
     if (!is_lesson_file(path)) return open_paths(app.ui, app.work, app.opening, {path});
     once_lesson_may_go(app, [&app, path] { open_lesson(hands_of(app), app.lesson, path); });
+}
+
+void open_course_of_program(App& app) { open_bundled_course(app.ui, app.work.session, app.course); }
+
+void begin_lesson_of_course(App& app, std::size_t which) {
+    once_lesson_may_go(
+        app, [&app, which] { begin_course_lesson(hands_of(app), app.lesson, app.course, which); });
+}
+
+void duplicate_the_lesson(App& app) {
+    app.ui.waiting.emplace_back([&app] { duplicate_lesson(hands_of(app), app.lesson); });
 }
 
 void check_the_lesson(App& app) { check_lesson(app.ui, app.work, app.lesson); }
@@ -262,7 +279,7 @@ void leave_the_lesson(App& app) {
     once_lesson_may_go(app, [&app] { leave_lesson(hands_of(app), app.lesson); });
 }
 
-bool has_lesson(const App& app) { return app.lesson.step.has_value(); }
+bool has_lesson(const App& app) { return app.lesson.step && !app.lesson.is_of_set; }
 
 bool has_undo(const App& app) { return app.work.document.history.undo_label() != nullptr; }
 
@@ -326,7 +343,7 @@ void copy_shown_table(App& app) {
 }
 
 void tour_from_the_start(App& app) {
-    app.lesson.left_at = 0;
+    app.lesson.left_at.erase(kTourLesson);
     begin_tour(app);
 }
 

@@ -52,7 +52,10 @@ void begin_lesson(App& app);
 // A lesson, or what can be a set; what was written in an open lesson is asked about.
 void open_file(App& app, const std::filesystem::path& path);
 void open_bundled_lesson(App& app, const char* path);
+void open_course_of_program(App& app);
+void begin_lesson_of_course(App& app, std::size_t which);
 void check_the_lesson(App& app);
+void duplicate_the_lesson(App& app);
 bool has_lesson(const App& app);
 bool has_undo(const App& app);
 bool has_redo(const App& app);

@@ -11,6 +11,7 @@
 #include "app/calibrate/calibrate_dialog.h"
 #include "app/calibrate/measuring_response.h"
 #include "app/compare/compare_follow.h"
+#include "app/course/course_dialog.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
@@ -35,6 +36,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "app/window/animation.h"
+#include "app/window/command_actions.h"
 #include "app/window/commands.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/recordings/recording.h"
@@ -177,6 +179,8 @@ void draw_chooser(App& app) {
         case ChooserPurpose::lesson_sheet:
             app.lesson.sheet_to = *chosen;
             return;
+        case ChooserPurpose::course_answers:
+            return export_answers(app.ui, app.course, *chosen);
     }
 }
 
@@ -232,6 +236,10 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::save_workspace)
         draw_workspace_dialog(app.ui, app.layout, app.workspaces);
     if (app.ui.dialog == Dialog::conduct_rules) draw_conduct_dialog(app.ui, app.studying);
+    if (app.ui.dialog == Dialog::course) {
+        const auto lesson = draw_course_dialog(app.ui, app.course);
+        if (lesson) begin_lesson_of_course(app, *lesson);
+    }
     if (app.ui.dialog == Dialog::devices)
         draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
     if (app.ui.dialog == Dialog::calibrate)

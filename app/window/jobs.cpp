@@ -4,6 +4,7 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/compare/compare_follow.h"
+#include "app/course/course_state.h"
 #include "app/lesson/lesson.h"
 #include "app/library/library_follow.h"
 #include "app/manual/open_manual.h"
@@ -112,6 +113,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::calibrate:
         case Dialog::save_workspace:
         case Dialog::conduct_rules:
+        case Dialog::course:
             return false;
     }
     return false;
@@ -289,6 +291,7 @@ void take_answers(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);
     follow_lesson(app.lesson);
+    follow_course(app.ui, app.work.session, app.lesson, app.course);
     take_manual(app.ui, app.manual);
     take_compare_answers(app.rendered, app.comparing);
 }

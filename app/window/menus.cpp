@@ -167,7 +167,8 @@ void draw_languages(App& app) {
         for (const NamedLanguage& one : kNamedLanguages) {
             const bool is_there =
                 std::ranges::find(lesson.languages, one.code) != lesson.languages.end();
-            if (is_there) continue;
+            const bool is_english = lesson.languages.empty() && one.code == std::string_view("en");
+            if (is_there || is_english) continue;  // what is not told is English
             if (ImGui::MenuItem(one.name)) {
                 later([code = one.code](const LessonHands& hands, LessonState& s) {
                     add_language(hands, s, code);

@@ -379,7 +379,7 @@ void do_with_stages(App& app, PhysiologyDeed deed) {
         case PhysiologyDeed::unfold:
             return fold_physiology(app, Fold::open);
         case PhysiologyDeed::close:
-            say(app.ui, "The stages are away. View > Stages in one row brings them back.");
+            say(app.ui, "The stages are away. View > Stages > Stages in one row brings them back.");
             return fold_physiology(app, Fold::closed);
     }
 }
@@ -392,7 +392,7 @@ void draw_physiology(App& app) {
     if (app.layout.physiology == Fold::row && !app.layout.maximised && !is_presenting(app.lesson))
         return draw_stage_row(app);
     do_with_stages(app, draw_physiology_panel(app.ui, app.work, app.timeline, app.physiology,
-                                              app.lesson.left_at > 0));
+                                              app.lesson.left_at.contains(kTourLesson)));
 }
 
 void draw_editor(App& app) {

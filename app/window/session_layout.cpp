@@ -13,6 +13,7 @@
 #include "app/session/autosave.h"
 #include "app/study/study_follow.h"
 #include "app/window/command_actions.h"
+#include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"
 
@@ -43,10 +44,8 @@ Expected<Done> keep_document(App& app) {
 // kept is written on at the next start.
 void end_lesson(App& app) {
     if (!app.lesson.step) return;
-    const std::size_t at = *app.lesson.step;
     let_lesson_go(app.lesson);
     leave_lesson(hands_of(app), app.lesson);
-    if (app.lesson.is_tour) app.lesson.left_at = at;
 }
 
 void discard_and_quit(App& app) {
@@ -161,6 +160,11 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
         set_last_lesson_aside(app);
         open_lesson(hands_of(app), app.lesson, paths[0]);
         if (!app.lesson.step) return Error{app.ui.status.text};
+    } else if (paths.size() == 1 && is_course_file(paths[0])) {
+        take_up_session(app);
+        take_up_lesson(app);
+        open_course_file(app.ui, app.work.session, app.course, paths[0]);
+        if (!app.course.course) return Error{app.ui.status.text};
     } else if (paths.empty()) {
         take_up_session(app);
         take_up_lesson(app);
@@ -174,13 +178,12 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
 
 void keep_layout(App& app) {
     auto& kept = app.work.session.layout;
+    app.work.session.lesson_steps = places_left(app.lesson);
     keep_workspaces(app.layout, app.workspaces, kept);
     kept["yaw_rad"] = app.shown_map.camera.yaw_rad;
     kept["pitch_rad"] = app.shown_map.camera.pitch_rad;
     kept["zoom"] = app.shown_map.camera.zoom;
     kept["dimensions"] = app.shown_map.dimensions;
-    kept["tour_step"] = static_cast<double>(
-        app.lesson.is_tour ? app.lesson.step.value_or(app.lesson.left_at) : app.lesson.left_at);
     kept["card_side"] = static_cast<double>(app.lesson.dock);
     kept["card_share"] = static_cast<double>(app.lesson.card_share);
     kept["present_scale"] = static_cast<double>(app.lesson.present_scale);
@@ -205,7 +208,7 @@ void restore_layout(App& app) {
     app.shown_map.camera.pitch_rad = value("pitch_rad", -1.6, 1.6, app.shown_map.camera.pitch_rad);
     app.shown_map.camera.zoom = value("zoom", kLeastZoom, kMostZoom, app.shown_map.camera.zoom);
     app.shown_map.dimensions = value("dimensions", 2.0, 3.0, 3.0) < 2.5 ? 2 : 3;
-    app.lesson.left_at = static_cast<std::size_t>(value("tour_step", 0.0, 200.0, 0.0));
+    app.lesson.left_at = app.work.session.lesson_steps;
     app.lesson.dock = static_cast<DockSide>(static_cast<int>(value("card_side", 0.0, 3.0, 0.0)));
     share("card_share", 0.15F, 0.5F, app.lesson.card_share);
     share("present_scale", 1.0F, 3.0F, app.lesson.present_scale);

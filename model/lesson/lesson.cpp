@@ -1,5 +1,9 @@
 #include "model/lesson/lesson.h"
 
+#include <string_view>
+
+#include "model/text/numbers.h"
+
 namespace tact {
 
 std::string question_needs(const LessonStep& step, std::size_t patterns) {
@@ -24,6 +28,20 @@ std::string question_needs(const LessonStep& step, std::size_t patterns) {
             break;
     }
     return step.pattern.empty() ? "a \"pattern\" in the step of this question" : "";
+}
+
+std::string source_for_class(const LessonStep& step) {
+    std::string kept;
+    std::string_view rest = step.source;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find(';');
+        const std::string_view part = trimmed(rest.substr(0, end));
+        if (part.find("not looked up") == std::string_view::npos && !part.empty()) {
+            kept += (kept.empty() ? "" : "; ") + std::string(part);
+        }
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return kept;
 }
 
 std::vector<std::string> texts_of(const LessonStep& step) {

@@ -131,6 +131,10 @@ struct Lesson {
 // empty: nothing, or the step asks nothing.
 std::string question_needs(const LessonStep& step, std::size_t patterns);
 
+// The step's source without what its author has not looked up and says so: "Helmholtz 1863 (not
+// looked up); sin a + sin b" gives "sin a + sin b". Such a remark is for authors.
+std::string source_for_class(const LessonStep& step);
+
 // Every text of a step in which numbers may stand, in order; those of the further languages behind.
 std::vector<std::string> texts_of(const LessonStep& step);
 

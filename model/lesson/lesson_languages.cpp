@@ -226,6 +226,24 @@ LessonStep with_words(const LessonStep& step, const LessonStep& shown, const Les
     return result;
 }
 
+Lesson with_words(Lesson lesson, const LessonWords& after, std::size_t place) {
+    if (place == 0) {
+        lesson.name = after.name;
+        lesson.about = after.about;
+        return lesson;
+    }
+    if (lesson.words.size() < place) lesson.words.resize(place);
+    LessonWords& words = lesson.words[place - 1];
+    const auto written = [](const std::string& first, const std::string& was,
+                            const std::string& now) {
+        return now == (was.empty() ? first : was) ? was : now;
+    };
+    words.name = written(lesson.name, words.name, after.name);
+    words.about = written(lesson.about, words.about, after.about);
+    tidy(lesson.words);
+    return lesson;
+}
+
 Lesson with_language(Lesson lesson, const std::string& code) {
     if (lesson.languages.empty()) lesson.languages = {"en"};
     if (std::ranges::find(lesson.languages, code) == lesson.languages.end() &&

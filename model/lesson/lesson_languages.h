@@ -58,6 +58,9 @@ std::shared_ptr<const Lesson> in_language(const std::shared_ptr<const Lesson>& l
 LessonStep with_words(const LessonStep& step, const LessonStep& shown, const LessonStep& after,
                       std::size_t place);
 
+// The same of name and about.
+Lesson with_words(Lesson lesson, const LessonWords& after, std::size_t place);
+
 // A further language, which nothing is written in yet; a lesson that tells none is in English.
 Lesson with_language(Lesson lesson, const std::string& code);
 

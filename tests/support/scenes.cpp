@@ -11,6 +11,7 @@
 
 #include "app/ask/maybes_follow.h"
 #include "app/lesson/lesson.h"
+#include "app/lesson/lesson_edit.h"
 #include "app/library/library_follow.h"
 #include "app/map/map_follow.h"
 #include "app/sounds/sounds_follow.h"
@@ -221,6 +222,22 @@ void add_arrangements(std::vector<Scene>& all) {
                        wait_for_answers(p);
                    }});
     all.push_back({"present", present});
+    all.push_back({"present, a lesson", [](Program& p) {
+                       begin_tour(p);
+                       present(p);
+                   }});
+    all.push_back({"dialog, course", [](Program& p) {
+                       run(p, "Course of all lessons");
+                       p.app.course.student = "Ada";
+                       p.app.course.progress["Ada"][p.app.course.lessons[0].key] = {
+                           3, 18, {{2, {"Who fires?", "Meissner", true, ""}}}};
+                       p.settle();
+                   }});
+    all.push_back({"lesson, written in two languages", [](Program& p) {
+                       run(p, "New lesson from this set");
+                       add_language(hands_of(p.app), p.app.lesson, "de");
+                       wait_for_lesson(p);
+                   }});
     all.push_back({"study, results as a matrix",
                    [](Program& p) { show_answers(p, StudyKind::pairwise, StudyShow::matrix); },
                    true});
@@ -550,6 +567,8 @@ void SceneWindow::show(const Scene& scene) {
     app.ui.chooser.is_open = false;
     app.palette.open = false;
     app.lesson.dock = DockSide::right;
+    app.lesson.language.clear();
+    app.course = {};
     close_study(app.studying);
     app.studying.run.reset();
     app.studying.log.reset();

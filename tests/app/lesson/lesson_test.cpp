@@ -48,7 +48,7 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
     CHECK(program.app.timeline.range == TimeRange{0.0, 0.05});
     CHECK(program.app.work.document.set == document);
     CHECK(program.app.work.document.history.undo_label() == nullptr);
-    CHECK(program.lesson().left_at == 0);
+    CHECK(program.lesson().left_at.empty());
 }
 
 TEST_CASE("tour: left half way, it is taken up there") {
@@ -106,6 +106,7 @@ TEST_CASE("lesson: another document opened meanwhile ends it and stays") {
 TEST_CASE("presenting: a clicker's keys lead through the lesson, and Esc puts the view back") {
     Class program;
     const float scale = program.app.ui.text_scale;
+    program.click("start tour");
     program.press_key(key::kF1 + 4);
     REQUIRE(is_presenting(program.lesson()));
     CHECK(program.app.ui.text_scale == kPresentScale);
@@ -213,6 +214,7 @@ TEST_CASE("presenting: all is as large on any screen, for those at the back of t
     CHECK(presented_growth({3840.0F, 2160.0F}) == 3.0F);
     CHECK(presented_growth({7680.0F, 4320.0F}) == 4.0F);
     Class program;
+    program.click("start tour");
     program.press_key(key::kF1 + 4);
     program.app.ui.fonts_outdated = false;
     ImGui::GetIO().DisplaySize = {2560.0F, 1440.0F};
@@ -317,6 +319,7 @@ TEST_CASE("lesson: the student sheet has every step, every question, the answers
 TEST_CASE("lesson: notes stand in a second window where there is a second screen, or by N") {
     Class program;
     CHECK_FALSE(wants_notes_window(program.lesson(), true));
+    program.click("start tour");
     program.press_key(key::kF1 + 4);
     program.wait_for_numbers();
     CHECK(wants_notes_window(program.lesson(), true));
@@ -345,6 +348,7 @@ TEST_CASE("lesson: notes stand in a second window where there is a second screen
 
 TEST_CASE("lesson: what is told to who speaks has the note and what comes next") {
     Class program;
+    program.click("start tour");
     program.press_key(key::kF1 + 4);
     program.wait_for_numbers();
     const std::string line = speaker_line(program.lesson());

@@ -32,7 +32,7 @@ TEST_CASE("session: the window begins as it was left") {
         left.app.layout.right_split = 0.51F;
         left.app.shown_map.camera = {.yaw_rad = 0.6, .pitch_rad = 0.7, .zoom = 1.3};
         left.app.shown_map.dimensions = 2;
-        left.app.lesson.left_at = 2;
+        left.app.lesson.left_at = {{kTourLesson, 2}, {"/home/mine.tactlesson.json", 5}};
         left.app.work.own_heights = true;
         left.app.pattern_panes.strip.height = 222.0F;
         left.app.work.document.edit() = short_patterns(3);
@@ -56,7 +56,8 @@ TEST_CASE("session: the window begins as it was left") {
     CHECK(begun.app.shown_map.camera.pitch_rad == 0.7);
     CHECK(begun.app.shown_map.camera.zoom == 1.3);
     CHECK(begun.app.shown_map.dimensions == 2);
-    CHECK(begun.app.lesson.left_at == 2);
+    CHECK(begun.app.lesson.left_at ==
+          std::map<std::string, std::size_t>{{kTourLesson, 2}, {"/home/mine.tactlesson.json", 5}});
     CHECK(begun.app.work.own_heights);
     CHECK(begun.app.pattern_panes.strip.height == 222.0F);
     CHECK(begun.app.work.document.path == file);
