@@ -139,8 +139,9 @@ void draw_waiting(Ui& ui, const Workspace& work, const Rect& area) {
 void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area, MapState state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown_side(work) != Side::both && shown_set(work).vibrations.size() < 2) {
-        return draw_empty(list, ui.theme, area, "Shown: " + shown_patterns_text(work),
-                          "A map takes two. View > Intended and measured shows all of them.");
+        return draw_empty(
+            list, ui.theme, area, "Shown: " + shown_patterns_text(work),
+            "A map takes two: View > Intended and measured patterns brings the others.");
     }
     const std::size_t count = work.document.set.vibrations.size();
     if (state == MapState::too_large) {

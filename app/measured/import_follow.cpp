@@ -118,7 +118,7 @@ void take(Ui& ui, Workspace& work, std::uint64_t document, const std::vector<con
                 (gone > 0 ? ", without " + std::to_string(gone) +
                                 " whose patterns are gone, or for which there is no room"
                           : "") +
-                ". View > Intended only or Measured only shows one side.");
+                ". View > Intended and measured patterns shows one side alone.");
 }
 
 ImportRequest import_request(const Workspace& work, ImportState& importing,

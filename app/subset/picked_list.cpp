@@ -82,7 +82,7 @@ void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& sh
                  PlayState& play, const SubsetState& picking, std::size_t number) {
     const Subset* subset = shown_subset(shown_map, picking);
     if (subset == nullptr) {
-        return say(ui, "Nothing is picked yet: 1 to 9 play what View > Subset picks.");
+        return say(ui, "Nothing is picked yet: 1 to 9 play what View > Panes > Subset picks.");
     }
     const std::size_t count = subset->members.size();
     if (number > count) return say(ui, "Only " + std::to_string(count) + " are picked.");

@@ -1,12 +1,93 @@
 // What the menus say is so: the history goes to the step that was chosen, every key is listed.
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
+#include <set>
+
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
+#include "model/text/atomic_file.h"
 #include "tests/support/program.h"
 
 namespace menus_test {
 
 using namespace tact;
+namespace fs = std::filesystem;
+
+namespace {
+
+// "File > Open..." as it is written in a sentence: "File > Open".
+std::string without_dots(std::string path) {
+    if (path.ends_with("...")) path.resize(path.size() - 3);
+    return path;
+}
+
+// Every item, and every menu within a menu.
+std::set<std::string> menu_places() {
+    // These are lists that are made while the program runs.
+    std::set<std::string> places{"File > Open recent", "File > Example sets", "Edit > History",
+                                 "View > My workspaces", "Lesson > Language"};
+    for (const Command& command : commands()) {
+        if (command.menu[0] == '\0') continue;
+        const std::string path = menu_path(command);
+        places.insert(without_dots(path));
+        const std::size_t last = path.rfind(" > ");
+        if (path.find(" > ") != last) places.insert(path.substr(0, last));
+    }
+    return places;
+}
+
+// Where a text names something in a menu, and there is no such thing: the text from there on.
+std::vector<std::string> wrong_places(const std::string& text) {
+    static const std::set<std::string> places = menu_places();
+    static const std::regex named("\\b(File|Edit|View|Play|Study|Lesson|Help) > ");
+    std::vector<std::string> wrong;
+    for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at) {
+        const std::string rest = text.substr(static_cast<std::size_t>(at->position()), 100);
+        const bool is_there = std::ranges::any_of(places, [&](const std::string& place) {
+            const bool goes_on_as_word =
+                rest.size() > place.size() &&
+                std::isalnum(static_cast<unsigned char>(rest[place.size()])) != 0;
+            return rest.starts_with(place) && !goes_on_as_word;
+        });
+        if (!is_there) wrong.push_back(rest);
+    }
+    return wrong;
+}
+
+// On one line, as it is read: of a page, or of literals that follow each other in a source file.
+std::string as_read(const std::string& bytes) {
+    static const std::regex joint("\"\\s*\\+?\\s*\"");
+    static const std::regex space("\\s+");
+    static const std::regex sign("&gt;");
+    return std::regex_replace(std::regex_replace(std::regex_replace(bytes, sign, ">"), joint, ""),
+                              space, " ");
+}
+
+}  // namespace
+
+TEST_CASE("menus: whatever the manual, the README or the program itself names there is there") {
+    REQUIRE(wrong_places("File > Nothing such").size() == 1);
+    REQUIRE(wrong_places("File > Opening").size() == 1);
+    REQUIRE(wrong_places("Stages > Stages in one row, File > Open... and View > Map.").empty());
+    const fs::path root = fs::path(__FILE__).parent_path() / "../../..";
+    std::vector<fs::path> files{root / "README.md"};
+    for (const char* folder : {"assets/manual", "app"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending == ".html" || ending == ".cpp") files.push_back(entry.path());
+        }
+    }
+    REQUIRE(files.size() > 300);
+    for (const fs::path& file : files) {
+        const auto bytes = read_text_file(file);
+        REQUIRE(bytes);
+        CAPTURE(file);
+        for (const std::string& wrong : wrong_places(as_read(*bytes))) CHECK(wrong == "");
+    }
+}
 
 TEST_CASE(
     "menus: a step of the history is gone back to, and forward again, whatever lies between") {
