@@ -23,7 +23,7 @@ int lines_of(const WrappedText& wrapped) {
     return 1 + static_cast<int>(std::ranges::count(wrapped.shown, '\n'));
 }
 
-// Of a frame of the box that is written in.
+// What a frame knows of the box that is written in.
 struct Writing {
     TextBox& box;
     float width_px;

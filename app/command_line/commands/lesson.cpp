@@ -103,7 +103,7 @@ bool is_lesson(const std::string& key, const std::string& lesson) {
     return file == own || file == own + kLessonEnding;
 }
 
-// Of these lessons alone.
+// Writes what students answered in these lessons alone.
 Expected<Done> write_answers(const LessonCommand& command,
                              const std::vector<std::string>& lessons) {
     const auto file = state_folder() / "students.json";

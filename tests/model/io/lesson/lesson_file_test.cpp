@@ -40,7 +40,7 @@ TEST_CASE("lesson file: every bundled lesson is stored exactly as the program wr
         CHECK(print_lesson(*lesson, {}) == file.text);
         CHECK(*parse_lesson(print_lesson(*lesson, {}), "again", {}) == *lesson);
     }
-    CHECK(lessons == 7);
+    CHECK(lessons == 9);
 }
 
 TEST_CASE("lesson file: what a step may say comes back whole") {
