@@ -23,6 +23,12 @@ namespace {
 
 constexpr int kF5 = key::kF1 + 4;
 
+std::string told_to_class(const std::string& source) {
+    LessonStep step;
+    step.source = source;
+    return source_for_class(step);
+}
+
 }  // namespace
 
 TEST_CASE("F5: with no lesson open it shows the open set, a step for the map and one a pattern") {
@@ -152,10 +158,9 @@ TEST_CASE("what is handed on has notes, answers, and a lesson that needs no othe
 }
 
 TEST_CASE("nothing that a class sees says that its author has not looked it up") {
-    CHECK(source_for_class({.source = "Helmholtz 1863 (not looked up); sin a + sin b"}) ==
-          "sin a + sin b");
-    CHECK(source_for_class({.source = "Talbot 1968 (not looked up)"}).empty());
-    CHECK(source_for_class({.source = "Saal 2017, Table 2"}) == "Saal 2017, Table 2");
+    CHECK(told_to_class("Helmholtz 1863 (not looked up); sin a + sin b") == "sin a + sin b");
+    CHECK(told_to_class("Talbot 1968 (not looked up)").empty());
+    CHECK(told_to_class("Saal 2017, Table 2") == "Saal 2017, Table 2");
     int lessons = 0;
     for (const Asset& file : assets()) {
         if (!file.path.starts_with("lessons/") || !is_lesson_file(file.path)) continue;
