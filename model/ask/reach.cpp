@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "model/ask/vary.h"
 #include "model/common/parallel.h"
-#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -56,30 +54,6 @@ double pm_of_one(const MovedPoint& map) {
     return squares > 0.0 ? products / squares : 0.0;
 }
 
-// As few digits as come within a share of a felt step of the value: nobody feels the rest.
-double readable(const FeltSteps& steps, PatternParameter parameter, double value, double share) {
-    constexpr int kMostDigits = 6;
-    const double low = stepped(steps, parameter, value, -share);
-    const double high = stepped(steps, parameter, value, share);
-    for (int digits = 1; digits <= kMostDigits; ++digits) {
-        const double number = *finite_number_in(significant_digits(value, digits));
-        if (number >= low && number <= high) return number;
-    }
-    return value;
-}
-
-// The numbers that were changed as a person would write them.
-Pattern readable(Pattern pattern, const ReachQuestion& question,
-                 const std::vector<PatternParameter>& numbers, double share) {
-    for (const PatternParameter parameter : numbers) {
-        const double value = *value_of(pattern, parameter);
-        if (value == value_of(question.pattern, parameter)) continue;
-        pattern = with_value(std::move(pattern), parameter,
-                             readable(question.steps, parameter, value, share));
-    }
-    return pattern;
-}
-
 }  // namespace
 
 bool is_reached(const Reached& reached) {
@@ -119,19 +93,8 @@ std::optional<Reached> reach(const ReachQuestion& question, const MovedPoint& ma
     }
     if (options.progress) options.progress(1.0);
     const auto& pm = map.pm().condensed;
-    const double largest = pm.empty() ? 0.0 : *std::ranges::max_element(pm);
-    const double of_one = pm_of_one(map);
-    const auto reached = [&](const Best& one) {
-        return Reached{one.pattern, one.at, one.off, one.off * of_one, largest};
-    };
-    // The coarsest numbers that come as near.
-    for (const double share : {0.125, 0.0625, 0.03125, 0.015625}) {
-        Best round{{}, {}, HUGE_VAL};
-        const Pattern tried = readable(best.pattern, question, numbers, share);
-        if (!improve(round, {tried}, question, map, options)) return std::nullopt;
-        if (is_reached(reached(round)) || round.off <= 1.05 * best.off) return reached(round);
-    }
-    return reached(best);
+    return Reached{best.pattern, best.at, best.off, best.off * pm_of_one(map),
+                   pm.empty() ? 0.0 : *std::ranges::max_element(pm)};
 }
 
 }  // namespace tact

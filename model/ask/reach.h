@@ -1,9 +1,7 @@
 // The pattern whose point comes nearest to a place of the map: put it there.
 //
 // Random changes of the numbers that are free, wide at first, then closer and closer around the
-// best. What it cannot reach it says, with how far it stays off. The numbers that change end as a
-// person would write them, with as few digits as come as near: at most an eighth of a felt step off
-// the best.
+// best. What it cannot reach it says, with how far it stays off.
 //
 // Source    ours: random search with a shrinking radius
 // Left out  rhythms' notes and what is drawn; other minima of the map

@@ -66,7 +66,7 @@ TEST_CASE("course: its cover lists the lessons, and begins the first that is not
     CHECK(program.app.course.progress["Ada"][kTourLesson].reached == 2);
     program.press_key(key::kEscape);
     program.settle();
-    CHECK(program.stands(1) == "at step 2 of 18");  // the cover is there again
+    CHECK(program.stands(1) == "at step 2 of 19");  // the cover is there again
     begin_course_lesson(hands_of(program.app), program.lesson(), program.app.course, 0);
     CHECK(program.lesson().step == 1U);
     CHECK_FALSE(program.app.ui.question);  // it was just said where

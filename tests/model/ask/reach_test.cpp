@@ -2,10 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
-
 #include "model/map/mds.h"
-#include "model/text/numbers.h"
 #include "tests/model/ask/short_sets.h"
 
 namespace reach_test {
@@ -43,12 +40,6 @@ TEST_CASE("reach: a place that a change leads to is reached within 5 %, repeatab
     INFO("off " << found->off_pm << " of " << found->largest_pm);
     CHECK(is_reached(*found));
     CHECK((bench.map(render(found->pattern), {})->at - found->at).norm() == 0.0);
-    for (const PatternParameter parameter :
-         {PatternParameter::amplitude, PatternParameter::carrier}) {
-        const double value = *value_of(found->pattern, parameter);
-        CAPTURE(value);
-        CHECK(value == std::stod(significant_digits(value, 4)));
-    }
     const auto again = reach(question, bench.map, four);
     CHECK(again->pattern == found->pattern);
     CHECK(again->off == found->off);
