@@ -70,7 +70,8 @@ void grow_card(const Ui& ui, LessonState& state, const Rect& area, const Rect& c
                float words_px) {
     if (!is_upright(state.dock) || state.editing || words_px <= card.height()) return;
     state.grown = growth_at(ui, state, area);
-    state.grown.width_px = std::ceil(card.width() * words_px / card.height());
+    // A little more than in proportion: the last word of a line is seldom at its end.
+    state.grown.width_px = std::ceil(1.06F * card.width() * words_px / card.height());
 }
 
 std::string text_in(const LessonState& state, const std::string& text) {

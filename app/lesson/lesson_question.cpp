@@ -48,8 +48,10 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     ImGui::PopID();
 }
 
-// Beside each other where the card is low, as many in a row as have room for the longest, the last
-// row about as long as the others. A hand more or a tick moves none.
+constexpr std::size_t kManyOptions = 6;  // one below the other, they fill a small window
+
+// Beside each other where the card is low or where they are many, as many in a row as have room for
+// the longest, the last row about as long as the others. A hand more or a tick moves none.
 void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
     const std::size_t count = answer.options.size();
     float widest = 0.0F;
@@ -61,7 +63,8 @@ void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
     const float all = ImGui::GetContentRegionAvail().x;
     const auto most = static_cast<std::size_t>(std::max(1.0F, all / widest));
     const bool low = state.dock == DockSide::bottom || state.dock == DockSide::top;
-    if (!low || state.editing || count < 2 || most < 2) {
+    const bool beside = !state.editing && (low || count >= kManyOptions);
+    if (!beside || count < 2 || most < 2) {
         for (std::size_t k = 0; k < count; ++k) draw_option(ui, state, answer, k);
         return;
     }
@@ -83,6 +86,12 @@ void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
     ImGui::PopStyleVar();
 }
 
+// Whether the answer was brought into view since it was revealed.
+bool& answer_seen(const LessonState& state) {
+    const ImGuiID id = ImGui::GetID("answer seen") + static_cast<ImGuiID>(*state.step);
+    return *ImGui::GetStateStorage()->GetBoolRef(id, false);
+}
+
 void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
                  const QuestionAnswer& answer, const std::string& place) {
     const LessonAnswers* answers = answers_of(state);
@@ -96,11 +105,10 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
                 std::to_string(score.asked) + ".";
     }
     wrapped_text(text);
-    // Brought into view once, where the card is short.
-    int& seen = *ImGui::GetStateStorage()->GetIntRef(
-        ImGui::GetID("answer seen") + static_cast<ImGuiID>(*state.step), 0);
-    if (seen == 0) ImGui::SetScrollHereY(1.0F);
-    seen = 1;
+    // Brought into view when it is revealed, where the card is short.
+    bool& seen = answer_seen(state);
+    if (!seen) ImGui::SetScrollHereY(1.0F);
+    seen = true;
     note_item(ui.rects, "lesson:answer", text);
 }
 
@@ -145,6 +153,7 @@ void draw_lesson_question(const LessonHands& hands, LessonState& state,
     }
     draw_options(ui, state, *answer);
     if (hidden) {
+        answer_seen(state) = false;
         return draw_small(ui, state, "Number keys count hands; the next step forward reveals.");
     }
     draw_answer(ui, state, question, *answer, place_text(state, hands.shown_map));

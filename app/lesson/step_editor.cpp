@@ -2,12 +2,14 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/question_editor.h"
 #include "app/ui/widgets.h"
 #include "model/lesson/lesson_lacks.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -110,7 +112,9 @@ bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int line
     wrapped_text(label);
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    const bool changed = draw_text_box(box, id, lines, 2 * lines + 4, text);
+    std::string shown = shown_lines(text);
+    const bool changed = draw_text_box(box, id, lines, 2 * lines + 4, shown);
+    if (changed) text = std::move(shown);
     note_item(ui.rects, std::string("lesson edit:") + (id + 2), text);
     return changed;
 }

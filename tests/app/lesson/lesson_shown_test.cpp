@@ -75,21 +75,19 @@ void check_question(LessonWalk& walk, std::size_t k, DockSide side) {
     CHECK(is_within(walk.at("lesson:answer"), walk.at("tour")));
 }
 
-// Frequencies of what stands out in a spectrum: a fifth of the largest, and above its neighbours.
+// Frequencies of what stands out in a spectrum: a fifth of the largest at least. Lines next to each
+// other, which lie 1 Hz apart in a second, are one bar.
 std::vector<double> bars_of(const LiveStages& live) {
-    const auto& components = live.neural.components;
     double most = 0.0;
-    for (const Component& component : components) {
+    for (const Component& component : live.neural.components) {
         most = std::max(most, component.amplitude_g);
     }
     std::vector<double> bars;
-    for (std::size_t k = 0; k < components.size(); ++k) {
-        const double here = components[k].amplitude_g;
-        const bool above_left = k == 0 || here >= components[k - 1].amplitude_g;
-        const bool above_right = k + 1 == components.size() || here > components[k + 1].amplitude_g;
-        if (here > 0.2 * most && above_left && above_right) {
-            bars.push_back(components[k].frequency_hz);
-        }
+    double before_hz = -1e9;
+    for (const Component& component : live.neural.components) {
+        if (component.amplitude_g <= 0.2 * most) continue;
+        if (component.frequency_hz > before_hz + 2.0) bars.push_back(component.frequency_hz);
+        before_hz = component.frequency_hz;
     }
     return bars;
 }
