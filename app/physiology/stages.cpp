@@ -65,8 +65,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "model counts in windows of 10 ms, which forget the step. Also refractory time, noise and "
      "adaptation: the same vibration gives the same spikes.",
      "In a window of n spikes the first half and one more fall into its first 5 ms.",
-     "Impulses in step with the cycle: Talbot, Darian-Smith, Kornhuber & Mountcastle 1968, J. "
-     "Neurophysiol. 31, 301 (not looked up)."},
+     "Impulses in step with the cycle: Freeman & Johnson 1982, Cutaneous mechanoreceptors in "
+     "macaque monkey, J. Physiol."},
     {"networks", "Relay networks", "Networks", "every layer at the playhead",
      "On their way to the cortex impulses pass relay stations, where neurons gather from "
      "neighbours and inhibit each other.",

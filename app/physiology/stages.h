@@ -4,8 +4,8 @@
 // Source    Lim & Park 2023, sections 3-5; of what is said of the body, `source`. The sentences are
 //           ours. Held against their abstracts: Bolanowski et al. 1988 (four channels with bands of
 //           their own), Saal & Bensmaia 2014 (most cortical neurons get convergent input),
-//           Johansson & Vallbo 1979 (densities), Mountcastle et al. 1967 (two sets of fibres). The
-//           others are cited from memory, and say that they were not looked up.
+//           Johansson & Vallbo 1979 (densities), Mountcastle et al. 1967 (two sets of fibres),
+//           Freeman & Johnson 1982 (impulses in step with the cycle).
 #pragma once
 
 #include <array>
