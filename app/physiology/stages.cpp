@@ -40,8 +40,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "Order 10 in total; forward in time only: where a vibration begins or ends, a filter rings "
      "on. "
      "A type with nothing in its band still follows that ringing, which no skin has.",
-     "The Pacinian capsule as a filter: Loewenstein & Skalak 1966, J. Physiol. 182, 346 (not "
-     "looked up)."},
+     "The Pacinian capsule as a filter of many layers: Barrett-Snyder, Lane, Lazarus, Alberts & "
+     "Hanrahan 2021, Printing a Pacinian corpuscle, Micromachines 12, 574."},
     {"receptors", "Receptors in the skin", "Receptors", "mean rate, to scale",
      "A vibration spreads over the fingertip and fades with distance, so a strong one reaches "
      "more receptors than a weak one.",
@@ -52,9 +52,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "the grid that lie beyond it are drawn grey, and the model counts them.",
      "One set of components counts for the whole grid; at least the centre receptor always "
      "counts.",
-     "Fall with distance: Johnson 1974, as Lim & Park 2023 cite it. Size of the finger pad: "
-     "Greiner "
-     "1991, Hand Anthropometry of U.S. Army Personnel (neither looked up)."},
+     "Fall with distance: Johnson 1974, as Lim & Park 2023 cite it. The edge of the finger, 20 mm "
+     "wide and 25 mm long at most, is a round figure of ours."},
     {"spikes", "Spikes", "Spikes", "all receptors, nearest on top",
      "A nerve fibre answers with impulses that are all alike: the vibration is in how many there "
      "are and when.",

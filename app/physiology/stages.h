@@ -5,7 +5,8 @@
 //           ours. Held against their abstracts: Bolanowski et al. 1988 (four channels with bands of
 //           their own), Saal & Bensmaia 2014 (most cortical neurons get convergent input),
 //           Johansson & Vallbo 1979 (densities), Mountcastle et al. 1967 (two sets of fibres),
-//           Freeman & Johnson 1982 (impulses in step with the cycle).
+//           Freeman & Johnson 1982 (impulses in step with the cycle),
+//           Barrett-Snyder et al. 2021 (the Pacinian capsule as a filter).
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 #include "app/lesson/lesson_keeping.h"
 #include "app/lesson/lesson_sheet.h"
 #include "app/lesson/presenting.h"
+#include "app/physiology/stages.h"
 #include "app/report/wave_html.h"
 #include "app/window/app.h"
 #include "assets/assets.h"
@@ -181,6 +182,10 @@ TEST_CASE("nothing that a class sees says that its author has not looked it up")
         }
     }
     CHECK(lessons > kBundledLessons.size());
+    for (const Stage stage : kStages) {
+        CAPTURE(text_of(stage).name);
+        CHECK(std::string(text_of(stage).source).find("looked up") == std::string::npos);
+    }
     // On the card the author sees it, and the class does not.
     Class program;
     new_lesson(hands_of(program.app), program.lesson());
