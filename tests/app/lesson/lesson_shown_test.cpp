@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/lesson/lesson.h"
 #include "app/lesson/lesson_card.h"
 #include "app/lesson/lesson_question.h"
 #include "tests/support/lesson_walk.h"
@@ -75,6 +76,21 @@ void check_question(LessonWalk& walk, std::size_t k, DockSide side) {
     CHECK(is_within(walk.at("lesson:answer"), walk.at("tour")));
 }
 
+void check_questions(LessonWalk& walk, const LessonScreen& screen) {
+    CAPTURE(screen.size.x);
+    CAPTURE(screen.scale);
+    CAPTURE(screen.presented);
+    walk.show_on(screen);
+    for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
+        if (!walk.lesson().lesson->steps[k].question) continue;
+        CAPTURE(k);
+        for (const DockSide side : kEdges) {
+            CAPTURE(std::string(edge_name(side)));
+            check_question(walk, k, side);
+        }
+    }
+}
+
 // Frequencies of what stands out in a spectrum: a fifth of the largest at least. Lines next to each
 // other, which lie 1 Hz apart in a second, are one bar.
 std::vector<double> bars_of(const LiveStages& live) {
@@ -133,21 +149,26 @@ TEST_CASE("lesson: every option of every question is seen whole, whatever the ed
     for (const char* path : bundled_lesson_paths()) {
         CAPTURE(std::string(path));
         LessonWalk walk(path);
-        for (const LessonScreen& screen : kScreens) {
-            CAPTURE(screen.size.x);
-            CAPTURE(screen.scale);
-            CAPTURE(screen.presented);
-            walk.show_on(screen);
-            for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
-                if (!walk.lesson().lesson->steps[k].question) continue;
-                CAPTURE(k);
-                for (const DockSide side : kEdges) {
-                    CAPTURE(std::string(edge_name(side)));
-                    check_question(walk, k, side);
-                }
-            }
+        for (const LessonScreen& screen : kScreens) check_questions(walk, screen);
+    }
+}
+
+// On the smallest screen, with text of 150 %.
+TEST_CASE("lesson: so they are in each of its languages" * doctest::test_suite("long")) {
+    int further = 0;
+    for (const char* path : bundled_lesson_paths()) {
+        CAPTURE(std::string(path));
+        LessonWalk walk(path);
+        const std::vector<std::string> languages = walk.lesson().lesson->languages;
+        for (std::size_t k = 1; k < languages.size(); ++k) {
+            ++further;
+            CAPTURE(languages[k]);
+            choose_language(walk.app.ui, walk.lesson(), languages[k]);
+            REQUIRE(shown_language(walk.lesson()) == k);
+            check_questions(walk, {{1280.0F, 720.0F}, 1.5F, true});
         }
     }
+    CHECK(further >= 9);
 }
 
 }  // namespace lesson_shown_test
