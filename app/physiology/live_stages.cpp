@@ -27,6 +27,23 @@ std::vector<std::size_t> by_distance(const ReceptorGrid& grid) {
     return order;
 }
 
+void add_firing(LiveStages& live) {
+    const NeuralCodingParams& params = live.request.model.coding;
+    live.firing = firing_of(live.neural, params);
+    for (const Receptor receptor : kReceptors) {
+        const std::size_t c = index_of(receptor);
+        const ChannelStages& channel = live.neural.channel[c];
+        live.only_leaks[c] = only_leaks(live.neural, params, receptor);
+        live.impulses_a_cycle[c] = impulses_a_cycle(live.neural, receptor);
+        live.silent_steps[c] = silent_steps(live.waveform, channel);
+        live.silent_firing[c] = silent_firing(live.waveform, channel);
+    }
+    const BesideInput input{live.waveform, live.neural, params.tables, live.firing};
+    for (const Stage stage : kStages) {
+        live.beside[index_of(stage)] = beside_the_model(text_of(stage).key, input);
+    }
+}
+
 }  // namespace
 
 LiveStagesRequest stages_request(const PatternSet& set, std::size_t index,
@@ -45,7 +62,7 @@ std::optional<LiveStages> compute_live_stages(const LiveStagesRequest& request,
         neural_coding_stages(live.waveform, request.model.coding, KeepLayers::none, {stop});
     progress = 0.8F;
     if (stop.stop_requested()) return std::nullopt;
-    live.firing = firing_of(live.neural, request.model.coding);
+    add_firing(live);
     const NeuralCode& code = live.neural.code;
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         const std::vector<int>& counts = code.central_count[c];

@@ -4,16 +4,19 @@
 // exact one is there.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
+#include "app/physiology/stages.h"
 #include "devices/calibration/rendering.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/set/pattern_set.h"
+#include "model/textbook/textbook_beside.h"
 
 namespace tact {
 
@@ -36,7 +39,12 @@ struct LiveStages {
     LiveStagesRequest request;
     Waveform waveform;          // padded, at 10 kHz
     NeuralCodingStages neural;  // without the layers, which are made for the step on screen
+    PerReceptor<bool> only_leaks{};
     PerReceptor<Firing> firing{};
+    PerReceptor<double> impulses_a_cycle{};
+    PerReceptor<std::vector<char>> silent_steps;
+    PerReceptor<SilentFiring> silent_firing{};
+    std::array<std::vector<BesideFact>, kStages.size()> beside;  // of the textbook, by stage
     PerReceptor<std::vector<double>> population_hz;     // impulses/s of all receptors, per step
     PerReceptor<std::vector<double>> central_count;     // spikes per step
     PerReceptor<std::vector<double>> central_spikes;    // 0 or 1 per sample

@@ -104,7 +104,7 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.centre_spikes = centre_spikes(channel);
     scene.duration_s = duration_s(live.waveform);
     scene.only_leaks = live.firing[c] == Firing::leaks;
-    const double times = scene.only_leaks ? 0.0 : impulses_a_cycle(live.neural, type);
+    const double times = scene.only_leaks ? 0.0 : live.impulses_a_cycle[c];
     scene.times_a_cycle = times > kManyACycle ? times : 0.0;
     scene.flash = flash;
     scene.tilted = eased_tilt(ui, physiology);

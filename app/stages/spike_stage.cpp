@@ -7,7 +7,6 @@
 #include "app/stages/stage_pictures.h"
 #include "app/stages/stage_remarks.h"
 #include "app/timeline/time_rows.h"
-#include "model/physiology/firing.h"
 #include "viz/skin/raster_view.h"
 
 namespace tact {
@@ -16,14 +15,12 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
                       const ShownStages& shown, const Rect& area, const StageSize& size) {
     const LiveStages& live = *shown.live;
     std::array<RasterChannel, kReceptorCount> channels;
-    PerReceptor<std::vector<char>> silent;
     for (const Receptor type : kReceptors) {
         const std::size_t c = index_of(type);
         channels[c] = {type, live.neural.channel[c].spike_count, live.by_distance[c],
-                       only_leaks(live, type)};
+                       live.only_leaks[c]};
         if (size.large) channels[c].note = firing_note(live, type);
-        silent[c] = silent_steps(live.waveform, live.neural.channel[c]);
-        channels[c].pale_steps = silent[c];
+        channels[c].pale_steps = live.silent_steps[c];
     }
     const auto spot = [](const std::optional<ReceptorPlace>& place) -> std::optional<RasterSpot> {
         if (!place) return std::nullopt;

@@ -52,7 +52,8 @@ std::string shares_text(const LiveStages& live, double (*share)(const LiveStages
 
 std::string leak_text(const LiveStages& live, bool fires) {
     for (const Receptor receptor : kReceptors) {
-        if (!only_leaks(live, receptor) || (fires && !leaks_impulses(live, receptor))) continue;
+        if (!live.only_leaks[index_of(receptor)] || (fires && !leaks_impulses(live, receptor)))
+            continue;
         const double peak_g = peak_of(live.neural.channel[index_of(receptor)].filtered_g);
         const std::string name = traits(receptor).name;
         const std::string leak =
@@ -71,7 +72,7 @@ std::string leak_text(const LiveStages& live, bool fires) {
 // Impulses a cycle, where they are more than a fibre's; else 0.
 double many_times(const LiveStages& live, Receptor receptor) {
     if (!fires(live, receptor)) return 0.0;
-    const double times = impulses_a_cycle(live.neural, receptor);
+    const double times = live.impulses_a_cycle[index_of(receptor)];
     return times > kManyACycle ? times : 0.0;
 }
 
@@ -104,8 +105,7 @@ std::string ruffini_text(const LiveStages& live) {
 std::string in_silence(const LiveStages& live) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
-        const auto [silent, all] =
-            silent_firing(live.waveform, live.neural.channel[index_of(receptor)]);
+        const auto [silent, all] = live.silent_firing[index_of(receptor)];
         if (silent == 0) continue;
         text += std::string(text.empty() ? "" : ", ") + traits(receptor).name + " " +
                 std::to_string(silent) + " of " + std::to_string(all);
@@ -161,10 +161,6 @@ std::string on_text(const LiveStages& live) {
 }
 
 }  // namespace
-
-bool only_leaks(const LiveStages& live, Receptor receptor) {
-    return only_leaks(live.neural, live.request.model.coding, receptor);
-}
 
 double share_on(const LiveStages& live, Receptor receptor) {
     return share_of_steps(live, receptor, [](double count) { return count > 0.0; });

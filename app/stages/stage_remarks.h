@@ -12,9 +12,6 @@
 
 namespace tact {
 
-// The type follows nothing but what its filter leaks.
-bool only_leaks(const LiveStages& live, Receptor receptor);
-
 // Share of the steps in which the centre of a type's network sends anything at all.
 double share_on(const LiveStages& live, Receptor receptor);
 

@@ -164,7 +164,7 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
         if (silent) draw_silent_row(ui, lane, signals[k], size.large);
         // Large, the remark above says it.
         if (stage == Stage::filtered && !size.large &&
-            only_leaks(*shown.live, *signals[k].receptor)) {
+            shown.live->only_leaks[index_of(*signals[k].receptor)]) {
             draw_leak_note(ui, lane, *signals[k].receptor);
         }
     }

@@ -18,12 +18,6 @@ constexpr const char* kTitle = "Textbook: ";
 constexpr float kMostOfStage = 0.3F;  // of a large stage's height
 constexpr double kHighestHz = 500.0;
 
-std::vector<BesideFact> facts_beside(const LiveStages& live, Stage stage) {
-    const BesideInput input{live.waveform, live.neural, live.request.model.coding.tables,
-                            live.firing};
-    return beside_the_model(text_of(stage).key, input);
-}
-
 // What people notice of a pair, in the place of what they notice in general.
 std::string pair_line(const std::vector<ShownStages>& patterns, Stage stage) {
     if (patterns.size() < 2 || stage != Stage::brain) return {};
@@ -51,7 +45,7 @@ float height_px(const ImFont& font, const std::string& text, float width_px) {
 float draw_textbook(Ui& ui, const Physiology& physiology, const std::vector<ShownStages>& patterns,
                     Stage stage, const Rect& below) {
     if (!physiology.view.textbook || patterns.empty()) return 0.0F;
-    std::vector<BesideFact> facts = facts_beside(*patterns[0].live, stage);
+    std::vector<BesideFact> facts = patterns[0].live->beside[index_of(stage)];
     const std::string of_pair = pair_line(patterns, stage);
     if (!of_pair.empty()) {
         std::erase_if(facts, [](const BesideFact& one) { return one.fact->id.ends_with(" jnd"); });
@@ -99,7 +93,7 @@ float draw_textbook_sign(Ui& ui, const Physiology& physiology, const ShownStages
     if (!physiology.view.textbook) return 0.0F;
     const ImFont& font = font_or_current(ui.theme.fonts.small);
     if (label.height() < font.FontSize) return 0.0F;
-    const std::vector<BesideLine> lines = lines_of(facts_beside(*shown.live, stage));
+    const std::vector<BesideLine> lines = lines_of(shown.live->beside[index_of(stage)]);
     if (std::ranges::none_of(lines, &BesideLine::parts)) return 0.0F;
     const std::string words = shortened(&font, std::string(kParts) + "textbook", label.width());
     const ImVec2 at{label.min.x, std::floor(label.max.y - font.FontSize)};

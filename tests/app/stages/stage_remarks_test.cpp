@@ -40,12 +40,12 @@ TEST_CASE("remarks: the explanation of the waveform says which pauses are drawn 
 
 TEST_CASE("remarks: Merkel cells follow what a filter leaks on 70 Hz, and a tone on 3 Hz") {
     const LiveStages high = stages_of_tone(70.0, 0.8);
-    CHECK(only_leaks(high, Receptor::merkel));
-    CHECK_FALSE(only_leaks(high, Receptor::meissner));
+    CHECK(high.only_leaks[index_of(Receptor::merkel)]);
+    CHECK_FALSE(high.only_leaks[index_of(Receptor::meissner)]);
     CHECK(holds(stage_remark(high, Stage::filtered), "Merkel"));
     CHECK(holds(stage_remark(high, Stage::spikes), "leaks"));
     const LiveStages low = stages_of_tone(3.0, 0.8);
-    CHECK_FALSE(only_leaks(low, Receptor::merkel));
+    CHECK_FALSE(low.only_leaks[index_of(Receptor::merkel)]);
 }
 
 TEST_CASE("remarks: the networks of a strong tone are gates, and it is said how much they are on") {
