@@ -5,6 +5,7 @@
 
 #include "app/ask/maybes_work.h"
 #include "app/document/editing.h"
+#include "app/map/map_follow.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -67,7 +68,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     put.job->submit(*put.asked);
 }
 
-void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState& state) {
+void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state) {
     PutThere& put = state.put;
     if (!put.cloud.job) return;
     if (put.aim_of != work.revision) put.aim.reset();
@@ -96,6 +97,10 @@ void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState&
     say(ui, sentence_on(found->reached) + " Ctrl+Z takes it back.");
     put.aim = put.wanted;
     put.aim_of = work.revision;
+    const MaybesRequest& where = found->request.where;
+    if (where.map == shown_map.transition.shown) {
+        hold_places(work, shown_map, static_cast<Eigen::Index>(where.row), found->reached.at);
+    }
     stop_putting(state);
 }
 

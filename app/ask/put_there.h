@@ -22,8 +22,9 @@ struct PointMove {
 void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
                 const PointMove& move);
 
-// Once a frame: takes what was found as one step of undo, and says how near it came.
-void follow_put(Ui& ui, Workspace& work, const ShownMap& shown_map, MaybesState& state);
+// Once a frame: takes what was found as one step of undo, and says how near it came. The place that
+// was wanted and the other points stay until the next edit.
+void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state);
 void stop_putting(MaybesState& state);
 
 // What the map shows of it.

@@ -58,12 +58,20 @@ Eigen::MatrixXd ring_for(const Eigen::MatrixXd& map) {
     return ring;
 }
 
+Eigen::MatrixXd places_of(const LiveMap& map, const ShownMap& shown_map) {
+    const auto& held = shown_map.held;
+    const bool is_held = held && held->revision == map.request.revision &&
+                         held->points.rows() == map.space.points.rows() &&
+                         held->points.cols() == map.space.points.cols();
+    return is_held ? held->points : aligned_to_anchor(shown_map.transition, map);
+}
+
 }  // namespace
 
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map) {
     MapTransition next;
     next.since_s = ui.time_s;
-    next.to = aligned_to_anchor(shown_map.transition, *map);
+    next.to = places_of(*map, shown_map);
     next.from = next.to;
     next.ghost = ghosts_of(*map, shown_map.transition);
     const auto waited = ui.ages.find(kWaitingRing);
@@ -137,7 +145,7 @@ void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState
 }
 
 void note_map_places(Workspace& work, ShownMap& shown_map) {
-    if (map_state(work, shown_map) != MapState::exact) return;
+    if (map_state(work, shown_map) != MapState::exact || holds_places(work, shown_map)) return;
     const MapTransition& map = shown_map.transition;
     if (map.shown->space.verdict == MdsVerdict::constant) return;
     if (std::exchange(shown_map.places_noted_of, map.shown) == map.shown) return;
@@ -173,6 +181,18 @@ MapState map_state(const Workspace& work, const ShownMap& shown_map) {
     if (shown.document != work.document_number) return MapState::none;
     if (shown.revision != work.revision) return MapState::stale;
     return shown.preview ? MapState::preview : MapState::exact;
+}
+
+void hold_places(const Workspace& work, ShownMap& shown_map, Eigen::Index row,
+                 const Eigen::RowVectorXd& at) {
+    Eigen::MatrixXd points = shown_map.transition.to;
+    if (row >= points.rows() || at.size() != points.cols()) return;
+    points.row(row) = at;
+    shown_map.held = HeldPlaces{work.revision, std::move(points)};
+}
+
+bool holds_places(const Workspace& work, const ShownMap& shown_map) {
+    return shown_map.held && shown_map.held->revision == work.revision;
 }
 
 void follow_unfelt(Workspace& work, ShownMap& shown_map) {

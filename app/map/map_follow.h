@@ -28,6 +28,11 @@ inline constexpr const char* kWaitingRing = "the ring before the first map";
 // Puts a map on the screen, aligned to the one before it; the first comes out of that ring.
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map);
 
+// One point goes to `at`, and all others stay where they are, until the next edit.
+void hold_places(const Workspace& work, ShownMap& shown_map, Eigen::Index row,
+                 const Eigen::RowVectorXd& at);
+bool holds_places(const Workspace& work, const ShownMap& shown_map);
+
 // Tells the selection which patterns no receptor answers to, as the shown map has found; of those
 // edited since it is not known.
 void follow_unfelt(Workspace& work, ShownMap& shown_map);

@@ -27,6 +27,13 @@ struct MapTransition {
     double since_s = -10.0;
 };
 
+// Where the points of one revision stay, whatever its own map is: one was put somewhere else, and
+// how near it came can be seen as long as the others stand still.
+struct HeldPlaces {
+    std::uint64_t revision = 0;
+    Eigen::MatrixXd points;
+};
+
 enum class MatrixQuantity { pm, nc, oc };
 
 // How far the exact map is, and since when: what the time left is told from.
@@ -117,6 +124,7 @@ struct ShownMap {
     std::uint64_t compute_large_of = 0;  // the document whose very large map was asked for
     std::uint64_t maps_asked = 0;        // revision that maps were asked for last
     MapTransition transition;
+    std::optional<HeldPlaces> held;
     MapLook look;
     ShownExplained explained;
     ShownClusters clusters;

@@ -342,6 +342,10 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         ghosts_text = kUnshiftedText;
         note_rect(ui.rects, "unshifted", area.min, area.max);
     }
+    if (ghosts_text.empty() && holds_places(work, shown_map)) {
+        ghosts_text = "The other points stay where they were until the next edit.";
+        note_rect(ui.rects, "map:held", area.min, area.max);
+    }
     draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, places.size()),
                  ghosts_text);
     return done;

@@ -39,6 +39,38 @@ bool improve(Best& best, const std::vector<Pattern>& tried, const ReachQuestion&
     return true;
 }
 
+constexpr double kGrainOfStep = 0.1;
+
+// The coarsest of 1, 2 and 5 times a power of ten that is no more than a part of a felt step.
+double grain_at(const FeltSteps& steps, PatternParameter parameter, double value) {
+    const double most = kGrainOfStep * std::abs(stepped(steps, parameter, value, 1.0) -
+                                                stepped(steps, parameter, value, 0.0));
+    if (!(most > 0.0)) return 0.0;  // at the end of its range
+    const double ten = std::pow(10.0, std::floor(std::log10(most)));
+    for (const double times : {5.0, 2.0}) {
+        if (times * ten <= most) return times * ten;
+    }
+    return ten;
+}
+
+// What is found is to be read and typed: 63 Hz, not 63.278 Hz.
+std::vector<Pattern> rounded(std::vector<Pattern> patterns,
+                             const std::vector<PatternParameter>& numbers,
+                             const ReachQuestion& question) {
+    for (Pattern& pattern : patterns) {
+        for (const PatternParameter number : numbers) {
+            const double value = *value_of(pattern, number);
+            const double grain = grain_at(question.steps, number, value);
+            if (grain == 0.0 || value == *value_of(question.pattern, number)) continue;
+            // Division by a whole number of grains gives the decimal that is nearest.
+            const double grains = std::round(value / grain);
+            pattern = with_value(pattern, number,
+                                 grain < 1.0 ? grains / std::round(1.0 / grain) : grains * grain);
+        }
+    }
+    return patterns;
+}
+
 // PM of a distance of one in the map, by all pairs: the line through 0 with the least squares.
 double pm_of_one(const MovedPoint& map) {
     double products = 0.0;
@@ -80,7 +112,9 @@ std::optional<Reached> reach(const ReachQuestion& question, const MovedPoint& ma
     RandomStream random{question.seed + 1};
     const auto wide =
         surroundings(question.pattern, question.free, question.steps, kWide, question.seed);
-    if (!improve(best, wide, question, map, options)) return std::nullopt;
+    if (!improve(best, rounded(wide, numbers, question), question, map, options)) {
+        return std::nullopt;
+    }
     double radius = kFirstRadius;
     for (int round = 0; round < kRounds && !numbers.empty(); ++round, radius *= 0.55) {
         if (options.progress) options.progress((1.0 + round) / (1.0 + kRounds));
@@ -89,6 +123,7 @@ std::optional<Reached> reach(const ReachQuestion& question, const MovedPoint& ma
             near.push_back(
                 stepped_at_random(best.pattern, numbers, question.steps, radius, random));
         }
+        near = rounded(std::move(near), numbers, question);
         if (!improve(best, near, question, map, options)) return std::nullopt;
     }
     if (options.progress) options.progress(1.0);

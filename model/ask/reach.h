@@ -1,7 +1,8 @@
 // The pattern whose point comes nearest to a place of the map: put it there.
 //
 // Random changes of the numbers that are free, wide at first, then closer and closer around the
-// best. What it cannot reach it says, with how far it stays off.
+// best. Numbers are rounded to about a tenth of a felt step. What it cannot reach it says, with how
+// far it stays off.
 //
 // Source    ours: random search with a shrinking radius
 // Left out  rhythms' notes and what is drawn; other minima of the map

@@ -5,6 +5,7 @@
 #include "app/ask/gap_follow.h"
 #include "app/ask/pad_dialog.h"
 #include "app/ask/put_there.h"
+#include "app/map/map_follow.h"
 #include "app/map/similar.h"
 #include "app/window/commands.h"
 #include "tests/support/patience.h"
@@ -167,10 +168,12 @@ TEST_CASE("move tool: a drag of a point searches its pattern; without it the poi
     CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
-TEST_CASE("move tool: where it was to be stays in sight until the next edit") {
+TEST_CASE("move tool: where it was to be and the other points stay until the next edit") {
     Asked program(short_patterns(5));
     program.compute_map();
     program.click("tool:move");
+    const ShownMap& map = program.app.shown_map;
+    const Eigen::MatrixXd before = map.transition.to;
     const ImVec2 at = program.at("point:p1").middle();
     program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
     REQUIRE(program.app.maybes.put.asked);
@@ -181,9 +184,20 @@ TEST_CASE("move tool: where it was to be stays in sight until the next edit") {
     MapMaybes shown;
     show_put(shown, wanted.size(), program.app.maybes);
     CHECK(shown.wanted.has_value());
+    const auto is_exact = [&] { return map_state(program.app.work, map) == MapState::exact; };
+    wait_until(program, is_exact);
+    program.settle();
+    const auto row = static_cast<Eigen::Index>(program.app.work.selection.current);
+    REQUIRE(map.transition.to.rows() == before.rows());
+    for (Eigen::Index k = 0; k < before.rows(); ++k) {
+        CAPTURE(k);
+        CHECK((map.transition.to.row(k) == before.row(k)) == (k != row));
+    }
+    CHECK(program.shows("map:held"));
     undo(program.app.ui, program.app.work);
     program.settle();
     CHECK_FALSE(program.app.maybes.put.aim);
+    CHECK_FALSE(program.shows("map:held"));
 }
 
 TEST_CASE("find similar: the closest by PM are selected, and named with how far they are") {

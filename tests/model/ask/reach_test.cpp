@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
+#include <string>
+
 #include "model/map/mds.h"
 #include "tests/model/ask/short_sets.h"
 
@@ -40,6 +43,13 @@ TEST_CASE("reach: a place that a change leads to is reached within 5 %, repeatab
     INFO("off " << found->off_pm << " of " << found->largest_pm);
     CHECK(is_reached(*found));
     CHECK((bench.map(render(found->pattern), {})->at - found->at).norm() == 0.0);
+    // 160 Hz, not 163.278: two numbers that can be typed, each within a felt step of another.
+    for (const PatternParameter number : {PatternParameter::amplitude, PatternParameter::carrier}) {
+        const double value = *value_of(found->pattern, number);
+        char text[32];
+        std::snprintf(text, sizeof text, "%.3g", value);
+        CHECK(std::stod(text) == value);
+    }
     const auto again = reach(question, bench.map, four);
     CHECK(again->pattern == found->pattern);
     CHECK(again->off == found->off);
