@@ -171,6 +171,48 @@ TEST_CASE("tasks: candidates, the most distinct of them with one kept and one le
     CHECK(program.actions == 12);  // 24 before
 }
 
+// Three levels of five numbers; the weakest are below every threshold.
+static PatternSet candidates_243() {
+    PatternSet set = short_patterns(243);
+    std::size_t k = 0;
+    for (const double amplitude_g : {0.0001, 0.5, 1.2}) {
+        for (const double carrier_hz : {60.0, 120.0, 240.0}) {
+            for (const double second_hz : {80.0, 160.0, 300.0}) {
+                for (const double mix : {0.1, 0.5, 0.9}) {
+                    for (const double modulation_hz : {0.0, 20.0, 40.0}) {
+                        auto& pattern = std::get<Pattern>(set.vibrations[k++].source);
+                        pattern.duration_s = 0.05;
+                        pattern.amplitude_g = amplitude_g;
+                        pattern.carriers = {{carrier_hz, 1.0 - mix}, {second_hz, mix}};
+                        pattern.modulation.frequency_hz = modulation_hz;
+                    }
+                }
+            }
+        }
+    }
+    set.duration_s = 0.05;
+    return set;
+}
+
+TEST_CASE("tasks: of 243 candidates those not felt left out, and ten picked" *
+          doctest::test_suite("long")) {
+    Counted program(candidates_243());
+    program.clicks("workspace:Select");
+    program.clicks("candidates:exclude unfelt");
+    program.fills("subset:count", "10");
+    make_jobs(program.app);
+    program.wait_until([&] { return program.app.work.selection.picked.size() == 10; });
+    std::size_t unfelt = 0;
+    for (const Vibration& one : program.all()) {
+        const bool weak = std::get<Pattern>(one.source).amplitude_g < 0.001;
+        unfelt += weak ? 1 : 0;
+        CHECK(one.dropped == weak);
+        if (weak) CHECK_FALSE(program.app.work.selection.picked.contains(one.name));
+    }
+    CHECK(unfelt == 81);
+    CHECK(program.actions == 3);
+}
+
 TEST_CASE("tasks: a picture of the map in a file") {
     const TemporaryFolder folder;
     Counted program(3);
