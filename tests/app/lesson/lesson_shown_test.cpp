@@ -168,7 +168,7 @@ TEST_CASE("lesson: so they are in each of its languages" * doctest::test_suite("
             check_questions(walk, {{1280.0F, 720.0F}, 1.5F, true});
         }
     }
-    CHECK(further >= 9);
+    CHECK(further >= 18);
 }
 
 }  // namespace lesson_shown_test
