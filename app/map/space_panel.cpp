@@ -62,6 +62,19 @@ void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
     note_item(ui.rects, "link:reset view");
 }
 
+// How far the exact map is, under the pane's title.
+void draw_progress_line(Ui& ui, float share) {
+    const Theme& theme = ui.theme;
+    const ImVec2 low = ImGui::GetCursorScreenPos() - ImVec2{0.0F, ImGui::GetStyle().ItemSpacing.y};
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = std::max(2.0F, std::round(2.0F * theme.scale));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, low + ImVec2{width, height}, faded(theme.dim_text, 0.25F));
+    const float done = width * std::clamp(share, 0.0F, 1.0F);
+    list.AddRectFilled(low, low + ImVec2{done, height}, theme.accent);
+    note_rect(ui.rects, "map:progress", low, low + ImVec2{width, height});
+}
+
 // The pattern that takes most of the time, if there is one, and what is left without it.
 struct Dominant {
     std::size_t row = 0;
@@ -305,6 +318,7 @@ std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
 
 SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
                                  const MapMarks& marks) {
+    if (shown_map.progress && !ui.as_picture) draw_progress_line(ui, shown_map.progress->share);
     if (!ui.as_picture) draw_controls(ui, work, shown_map);
     const MapState state = map_state(work, shown_map);
     const bool failed =
