@@ -39,7 +39,7 @@ std::string text_of(const Kept& kept) {
 std::optional<Kept> read_kept(const fs::path& file) {
     const Expected<std::string> text = read_text_file(file);
     if (!text) return std::nullopt;
-    const json all = json::parse(*text, nullptr, false);
+    const json all = kept_sorted_json(*text);
     if (!all.is_object() || all.value("format", json()) != 1) return std::nullopt;
     const json set = all.value("set", json());
     const std::optional<fs::path> path = path_of(all.value("path", json()));

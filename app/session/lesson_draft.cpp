@@ -33,7 +33,7 @@ std::string text_of(const LessonDraft& draft) {
 std::optional<KeptLesson> read_kept_lesson(const fs::path& file) {
     const Expected<std::string> text = read_text_file(file);
     if (!text) return std::nullopt;
-    const json all = json::parse(*text, nullptr, false);
+    const json all = kept_sorted_json(*text);
     if (!all.is_object() || all.value("format", json()) != 1) return std::nullopt;
     const json lesson = all.value("lesson", json());
     const json step = all.value("step", json());

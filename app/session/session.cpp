@@ -127,7 +127,7 @@ void read_settings(Session& session) {
     const fs::path file = settings_file(session.folder);
     if (!is_there(file)) return;
     const Expected<std::string> text = read_text_file(file);
-    const json read = text ? json::parse(*text, nullptr, false) : json();
+    const json read = text ? kept_sorted_json(*text) : json();
     if (read.is_object() && read.value("format", json()) == kFormat) {
         take_settings(read, session);
         return;

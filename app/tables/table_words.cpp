@@ -71,7 +71,7 @@ std::string text_of(const TableWords& words) {
 
 TableWords words_in(std::string_view text) {
     TableWords words;
-    const json whole = json::parse(text, nullptr, false);
+    const json whole = kept_sorted_json(text);
     if (!whole.is_object()) return words;
     words.kind = choice_in(whole, "kind", TableKind::recording).value_or(words.kind);
     words.scale = choice_in(whole, "scale", RatingScale::similarity).value_or(words.scale);

@@ -154,6 +154,10 @@ std::string text_of_json(const nlohmann::json& document, int indent) {
 
 Json kept_json(std::string_view text) { return Json::parse(text, nullptr, false); }
 
+nlohmann::json kept_sorted_json(std::string_view text) {
+    return nlohmann::json::parse(text, nullptr, false);
+}
+
 Expected<Json> parse_json(std::string_view text, const std::string& file) {
     const std::optional<std::string> decoded = utf8_of_utf16(text);
     if (decoded) text = *decoded;

@@ -39,8 +39,10 @@ Expected<Json> parse_json(std::string_view text, const std::string& file);
 std::string text_of_json(const Json& document, int indent = -1);
 std::string text_of_json(const nlohmann::json& document, int indent = -1);
 
-// The document of a text that text_of_json made; a discarded value if it is not JSON.
+// The document of a text that text_of_json made; a discarded value if it is not JSON. Its parser is
+// compiled here alone. The second has its keys by letters.
 Json kept_json(std::string_view text);
+nlohmann::json kept_sorted_json(std::string_view text);
 
 // What happens to keys that nobody asked for.
 enum class UnknownKeys {

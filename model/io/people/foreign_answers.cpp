@@ -10,6 +10,7 @@
 
 #include "model/io/people/ratings_text.h"
 #include "model/table/columns.h"
+#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -95,7 +96,7 @@ std::string words_on_columns(const CsvRecord& head, const AnswerPlaces& columns)
 std::optional<std::pair<std::string, std::string>> two_in(const std::string& cell) {
     const std::string_view text = trimmed(cell);
     if (!text.starts_with('[') || text.size() > 4096) return std::nullopt;
-    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto json = kept_json(text);
     const bool are_two =
         json.is_array() && json.size() == 2 && json[0].is_string() && json[1].is_string();
     if (!are_two) return std::nullopt;
