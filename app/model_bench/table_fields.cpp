@@ -35,7 +35,9 @@ void draw_choices(Ui& ui, ModelBench& model_bench) {
     constexpr std::array kTables{Choice{true, "threshold"}, Choice{false, "slope"}};
     draw_segments(ui, kTables, state.threshold, "table:");
     // Behind each number it would be cut in a narrow pane.
+    ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, state.threshold ? "log10 of \u00b5m peak" : "impulses/s per log10 of \u00b5m");
+    ImGui::PopTextWrapPos();
 }
 
 // One knot: its frequency, its value, and what it was.

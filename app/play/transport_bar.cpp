@@ -197,11 +197,6 @@ BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& time
     return parts;
 }
 
-// A link has no frame: on a line of buttons it would stand too high.
-void lower_to_text() {
-    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().FramePadding.y);
-}
-
 // "0.382 s of 1.000 s": digits that do not dance.
 void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts& parts) {
     const TimeTexts time = time_texts(work, timeline);
@@ -225,8 +220,7 @@ void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts
         note_item(ui.rects, "bar:range");
         ImGui::SameLine(0.0F, ui.theme.gap_px);
     }
-    lower_to_text();
-    if (link(ui, "show all", kShowAll)) timeline.range = {};
+    if (row_link(ui, "show all", kShowAll)) timeline.range = {};
     note_item(ui.rects, "show all");
 }
 
@@ -242,8 +236,7 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
     dim_text(ui, text);
     note_item(ui.rects, "bar:computing", text);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    lower_to_text();
-    if (link(ui, "map action", texts.action)) {
+    if (row_link(ui, "map action", texts.action)) {
         if (shown_map.progress) {
             shown_map.full_job->cancel();
             shown_map.preview_job->cancel();

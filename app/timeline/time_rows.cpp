@@ -36,6 +36,7 @@ void take_time_gesture(const Workspace& work, Timeline& timeline, const Rect& ar
     timeline.crosshair_s = gesture.hovered_s;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) return;
+    ImGui::SetItemUsingMouseWheel();
     const double duration_s = shown_duration_s(work);
     const TimeRange shown = shown_range(timeline, duration_s);
     if (io.KeyCtrl) {

@@ -134,9 +134,11 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.pane_rounding_px);
+    // It scrolls where large text leaves what is in it no room.
     constexpr ImGuiWindowFlags kFlags =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoBringToFrontOnFocus;
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
     if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
         note_rect(ui.rects, "pane:" + title.title, area.min, area.max);
