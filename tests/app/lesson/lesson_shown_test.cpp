@@ -46,9 +46,11 @@ void check_options(const LessonWalk& walk, std::size_t count) {
             CHECK_FALSE(meet(walk.at(name), walk.at("option:" + std::to_string(other))));
         }
     }
-    CHECK(is_within(walk.at("lesson:move"), card));
     // With text twice as large a small window scrolls to them; keys lead on.
-    if (walk.app.ui.text_scale < 2.0F) CHECK(is_within(walk.at("tour:back"), card));
+    if (walk.app.ui.text_scale < 2.0F) {
+        CHECK(is_within(walk.at("lesson:move"), card));
+        CHECK(is_within(walk.at("tour:back"), card));
+    }
 }
 
 float left_in_card(const LessonWalk& walk, std::size_t option) {
@@ -164,6 +166,7 @@ TEST_CASE("lesson: so they are in each of its languages" * doctest::test_suite("
             ++further;
             CAPTURE(languages[k]);
             choose_language(walk.app.ui, walk.lesson(), languages[k]);
+            walk.wait_for_numbers();
             REQUIRE(shown_language(walk.lesson()) == k);
             check_questions(walk, {{1280.0F, 720.0F}, 1.5F, true});
         }
