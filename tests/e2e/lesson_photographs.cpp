@@ -1,12 +1,14 @@
 // lesson_photographs FOLDER [WORDS]: a PNG of every step of every lesson that comes with the
 // program, presented and in the window, with the card at the right and at the foot, before and
-// after the answer; of those only whose path has the words.
+// after the answer; its further languages with text of 150 %; of those only whose path has the
+// words.
 //
 // The program's own frames, drawn without a screen.
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "app/lesson/lesson.h"
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/presenting.h"
 #include "tests/support/lesson_walk.h"
@@ -43,6 +45,17 @@ void take_step(LessonWalk& walk, std::size_t k, DockSide side, const std::filesy
     write_photograph(folder / (name + " answered.png"), walk.app.ui.theme);
 }
 
+void take_lesson(LessonWalk& walk, const LessonScreen& screen, const std::filesystem::path& folder,
+                 const std::string& words) {
+    walk.show_on(screen);
+    for (const DockSide side : {DockSide::right, DockSide::bottom}) {
+        const auto own = folder / name_of(screen, side) / walk.lesson().lesson->name;
+        for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
+            take_step(walk, k, side, own, words);
+        }
+    }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -50,18 +63,17 @@ int main(int count, char** words) {
         std::fprintf(stderr, "lesson_photographs FOLDER [WORDS]\n");
         return 1;
     }
+    const std::filesystem::path folder = words[1];
+    const std::string wanted = count > 2 ? words[2] : "";
     try {
         for (const char* path : bundled_lesson_paths()) {
             LessonWalk walk(path);
-            for (const LessonScreen& screen : kScreens) {
-                walk.show_on(screen);
-                for (const DockSide side : {DockSide::right, DockSide::bottom}) {
-                    const auto folder = std::filesystem::path(words[1]) / name_of(screen, side) /
-                                        walk.lesson().lesson->name;
-                    for (std::size_t k = 0; k < walk.lesson().lesson->steps.size(); ++k) {
-                        take_step(walk, k, side, folder, count > 2 ? words[2] : "");
-                    }
-                }
+            for (const LessonScreen& screen : kScreens) take_lesson(walk, screen, folder, wanted);
+            const std::vector<std::string> languages = walk.lesson().lesson->languages;
+            for (std::size_t k = 1; k < languages.size(); ++k) {
+                choose_language(walk.app.ui, walk.lesson(), languages[k]);
+                walk.wait_for_numbers();
+                take_lesson(walk, kScreens[1], folder / languages[k], wanted);
             }
         }
     } catch (const std::exception& fault) {
