@@ -10,41 +10,39 @@ namespace tact {
 
 namespace {
 
-using Json = nlohmann::json;
-
-Json json_of(const ExportLoss& loss, const std::vector<std::size_t>& members) {
-    Json names = Json::array();
+nlohmann::json json_of(const ExportLoss& loss, const std::vector<std::size_t>& members) {
+    nlohmann::json names = nlohmann::json::array();
     for (const std::size_t member : members) names.push_back(loss.patterns[member].name);
     return names;
 }
 
-Json pair_json(const ExportLoss& loss, std::size_t a, std::size_t b, double pm) {
+nlohmann::json pair_json(const ExportLoss& loss, std::size_t a, std::size_t b, double pm) {
     return {{"a", loss.patterns[a].name}, {"b", loss.patterns[b].name}, {"dissimilarity", pm}};
 }
 
-Json json_of(const ExportLoss& loss, const Subset& subset) {
+nlohmann::json json_of(const ExportLoss& loss, const Subset& subset) {
     return {{"patterns", json_of(loss, subset.members)},
             {"weakest", pair_json(loss, subset.weakest.first, subset.weakest.second,
                                   subset.weakest_dissimilarity)},
             {"sum", subset.sum}};
 }
 
-Json json_of(const ExportLoss& loss, const std::optional<ConfusablePair>& pair) {
-    return pair ? pair_json(loss, pair->a, pair->b, pair->dissimilarity) : Json();
+nlohmann::json json_of(const ExportLoss& loss, const std::optional<ConfusablePair>& pair) {
+    return pair ? pair_json(loss, pair->a, pair->b, pair->dissimilarity) : nlohmann::json();
 }
 
-Json json_of(const EnvelopeError& error) {
+nlohmann::json json_of(const EnvelopeError& error) {
     return {{"error_db", error.error_db}, {"at_s", error.at_s},
             {"meant_s", error.meant_s},   {"lasts_s", error.lasts_s},
             {"accents", error.accents},   {"accents_left", error.accents_left}};
 }
 
-Json subset_json(const ExportLoss& loss) {
+nlohmann::json subset_json(const ExportLoss& loss) {
     if (!loss.subset) return {{"none", loss.no_subset}};
     const SubsetChange& change = *loss.subset;
-    Json before = json_of(loss, change.meant.best);
+    nlohmann::json before = json_of(loss, change.meant.best);
     before["optimal"] = change.meant.proof == SubsetProof::optimal;
-    Json best = json_of(loss, change.best.best);
+    nlohmann::json best = json_of(loss, change.best.best);
     best["optimal"] = change.best.proof == SubsetProof::optimal;
     return {{"before", before},
             {"weakest_after", json_of(loss, std::optional(change.weakest))},
@@ -53,17 +51,17 @@ Json subset_json(const ExportLoss& loss) {
             {"exported_alone", {{"best", best}, {"kept", json_of(loss, change.kept)}}}};
 }
 
-Json json_of(const Eigen::MatrixXd& points) {
-    Json rows = Json::array();
+nlohmann::json json_of(const Eigen::MatrixXd& points) {
+    nlohmann::json rows = nlohmann::json::array();
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        Json row = Json::array();
+        nlohmann::json row = nlohmann::json::array();
         for (Eigen::Index k = 0; k < points.cols(); ++k) row.push_back(points(i, k));
         rows.push_back(row);
     }
     return rows;
 }
 
-Json map_json(const ExportLoss& loss) {
+nlohmann::json map_json(const ExportLoss& loss) {
     if (!loss.map) return {};
     return {{"before", json_of(loss.map->before)},
             {"after", json_of(loss.map->after)},
@@ -107,21 +105,22 @@ std::string text_of(const ExportLoss& loss) {
            pairs_text(loss) + "\n" + shown_text(subset_verdict(loss)) + "\n";
 }
 
-Json json_of(const ExportLoss& loss) {
-    Json patterns = Json::array();
-    Json labels = Json::array();
+nlohmann::json json_of(const ExportLoss& loss) {
+    nlohmann::json patterns = nlohmann::json::array();
+    nlohmann::json labels = nlohmann::json::array();
     for (const PatternLoss& one : loss.patterns) {
         labels.push_back(one.name);
-        patterns.push_back({{"pattern", one.name},
-                            {"recording", one.recording},
-                            {"rms_error_g", one.rms_error_g},
-                            {"psnr_db", one.psnr_db ? Json(*one.psnr_db) : Json()},
-                            {"moved", one.moved ? Json(*one.moved) : Json()},
-                            {"silenced", one.silenced},
-                            {"envelope", one.error ? json_of(*one.error) : Json()},
-                            {"remarks", one.remarks}});
+        patterns.push_back(
+            {{"pattern", one.name},
+             {"recording", one.recording},
+             {"rms_error_g", one.rms_error_g},
+             {"psnr_db", one.psnr_db ? nlohmann::json(*one.psnr_db) : nlohmann::json()},
+             {"moved", one.moved ? nlohmann::json(*one.moved) : nlohmann::json()},
+             {"silenced", one.silenced},
+             {"envelope", one.error ? json_of(*one.error) : nlohmann::json()},
+             {"remarks", one.remarks}});
     }
-    Json moved = Json::array();
+    nlohmann::json moved = nlohmann::json::array();
     for (const PairChange& one : loss.most_moved) {
         moved.push_back({{"a", loss.patterns[one.a].name},
                          {"b", loss.patterns[one.b].name},

@@ -26,7 +26,7 @@ namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(5);
 
-struct Chosen {
+struct ChosenDevice {
     DeviceInfo info;
     DeviceChoice choice;
 };
@@ -44,7 +44,7 @@ void drop_second_names(std::vector<DeviceInfo>& devices) {
 }
 
 // The device that was asked for; without a word, the only one there is.
-Expected<Chosen> chosen_device(const PlayCommand& command, AudioHost& host) {
+Expected<ChosenDevice> chosen_device(const PlayCommand& command, AudioHost& host) {
     std::vector<DeviceInfo> devices = list_devices(host);
     if (command.device.empty()) drop_second_names(devices);
     // No device is better than another: the empty name is part of every one.
@@ -58,7 +58,7 @@ Expected<Chosen> chosen_device(const PlayCommand& command, AudioHost& host) {
         return Error{"there are several devices; choose one with" + names};
     }
     if (!device) return device.error();
-    Chosen chosen{*device, {}};
+    ChosenDevice chosen{*device, {}};
     chosen.choice.id = device->id;
     chosen.choice.of_channels = command.of_channels;
     chosen.choice.buffer_s = 1e-3 * command.buffer_ms;
@@ -144,7 +144,7 @@ Prepared prepared(const Vibration& vibration, const std::optional<Calibration>& 
     return {vibration.name, std::move(driven.drive)};
 }
 
-void announce(const PlayCommand& command, const Chosen& chosen, bool is_calibrated) {
+void announce(const PlayCommand& command, const ChosenDevice& chosen, bool is_calibrated) {
     const DeviceInfo& device = chosen.info;
     std::cerr << "tactspace: playing on " << device.name;
     if (!device.server_output.empty()) std::cerr << " (" << device.server_output << ")";
@@ -218,7 +218,7 @@ Expected<Done> run(const PlayCommand& command) {
         calibration = *std::move(read);
     }
     const auto host = std::make_shared<AudioHost>();
-    const Expected<Chosen> chosen = chosen_device(command, *host);
+    const Expected<ChosenDevice> chosen = chosen_device(command, *host);
     if (!chosen) return chosen.error();
     if (calibration) {
         const auto other = calibration_mismatch(*calibration, chosen->info, chosen->choice.channel);
