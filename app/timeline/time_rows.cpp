@@ -1,5 +1,7 @@
 #include "app/timeline/time_rows.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
