@@ -415,10 +415,15 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     // Lines are longer there than at a side, by three quarters: it is low.
     const float line = std::min(1.75F * measure_px(ui, state), inner);
     if (low && !columns) ImGui::SetNextWindowContentSize({line, 0.0F});
-    if (ImGui::Begin("tour", nullptr,
+    const bool is_open =
+        ImGui::Begin("tour", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    // The frame is the card's alone, not that of its buttons and fields.
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    if (is_open) {
         ImGui::PushFont(lesson_fonts(ui, state).text);
         const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
         const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
@@ -439,8 +444,6 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         note_rect(ui.rects, "tour", card.min, card.max, count);
     }
     ImGui::End();
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
     if (!low) draw_edge(ui, state, card, whole);
 }
 

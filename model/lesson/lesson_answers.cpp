@@ -149,9 +149,11 @@ QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
                         traits(receptor).name + " " + count;
     }
     answer.model += ".";
-    // An answer that is right by the model, and hardly by anatomy.
-    if (coded.firing[index_of(Receptor::ruffini)] == Firing::fires) {
-        answer.model += " " + sentence_of(*fact_named("ruffini found"));
+    // An answer that is right by the model, and hardly by anatomy; the lesson may say so itself.
+    constexpr std::string_view kFound = "ruffini found";
+    const bool is_said = step.question->reveal.find(kFound) != std::string::npos;
+    if (!is_said && coded.firing[index_of(Receptor::ruffini)] == Firing::fires) {
+        answer.model += " " + sentence_of(*fact_named(kFound));
     }
     return answer;
 }
