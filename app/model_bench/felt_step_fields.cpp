@@ -77,7 +77,9 @@ void draw_felt_step_fields(Ui& ui, Workspace& work) {
         }
         ImGui::PushFont(ui.theme.fonts.small);
         draw_label(ui, "", 200.0F * ui.theme.scale);
+        ImGui::PushTextWrapPos(0.0F);
         dim_text(ui, source_text(parameter));
+        ImGui::PopTextWrapPos();
         ImGui::PopFont();
     }
 }

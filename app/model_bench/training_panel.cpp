@@ -96,8 +96,9 @@ void draw_settings(Ui& ui, ModelBench& model_bench) {
                                 Choice{40, "0.025", "Above 700 times as many: takes long."}};
     draw_label(ui, "Weights by", segments_width(ui, kSteps));
     draw_segments(ui, kSteps, state.units, "train:");
-    draw_label(ui, "Also");
-    draw_check(ui.theme, "leave each person out", state.leave_out_participants);
+    constexpr const char* kLeaveOut = "leave each person out";
+    draw_label(ui, "Also", check_width(ui.theme, kLeaveOut));
+    draw_check(ui.theme, kLeaveOut, state.leave_out_participants);
     note_item(ui.rects, "train:leave out", state.leave_out_participants ? "on" : "off");
     draw_tooltip(ui,
                  "Fits without each person in turn, and tries the fit on just that person: what to "

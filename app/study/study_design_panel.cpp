@@ -145,7 +145,7 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
                       std::ceil(predicted_minutes(design, patterns, study_duration_s(work))));
     }
     ImGui::PushFont(ui.theme.fonts.large);
-    ImGui::TextUnformatted(text);
+    wrapped_text(text);
     ImGui::PopFont();
     note_item(ui.rects, "study:prediction", text);
     draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");

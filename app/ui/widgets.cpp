@@ -138,7 +138,7 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     constexpr ImGuiWindowFlags kFlags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-        ImGuiWindowFlags_NoBringToFrontOnFocus;
+        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_HorizontalScrollbar;
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
     if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
         note_rect(ui.rects, "pane:" + title.title, area.min, area.max);
