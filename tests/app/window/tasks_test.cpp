@@ -197,10 +197,10 @@ static PatternSet candidates_243() {
 TEST_CASE("tasks: of 243 candidates those not felt left out, and ten picked" *
           doctest::test_suite("long")) {
     Counted program(candidates_243());
+    make_jobs(program.app);
     program.clicks("workspace:Select");
     program.clicks("candidates:exclude unfelt");
     program.fills("subset:count", "10");
-    make_jobs(program.app);
     program.wait_until([&] { return program.app.work.selection.picked.size() == 10; });
     std::size_t unfelt = 0;
     for (const Vibration& one : program.all()) {
