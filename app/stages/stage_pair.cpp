@@ -146,10 +146,26 @@ float draw_remark(Ui& ui, const Physiology& physiology, const std::vector<ShownS
     const ImFont& font = font_or_current(ui.theme.fonts.small);
     const bool in_line = text_size(&font, remark).x <= beside.width();
     const Rect& place = in_line ? beside : below;
-    const float wrap_px = in_line ? 0.0F : place.width();
+    float wrap_px = in_line ? 0.0F : place.width();
+    float height = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap_px, remark.c_str()).y;
+    std::string words = remark;
+    // A low picture keeps most of its room.
+    constexpr float kMostOfPicture = 0.4F;
+    const bool is_cut = !in_line && height > kMostOfPicture * below.height();
+    if (is_cut) {
+        words = shortened(&font, remark, place.width());
+        wrap_px = 0.0F;
+        height = font.FontSize;
+    }
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(&font, font.FontSize, place.min, ui.theme.text, remark.c_str(), nullptr, wrap_px);
-    const float height = font.CalcTextSizeA(font.FontSize, FLT_MAX, wrap_px, remark.c_str()).y;
+    list.AddText(&font, font.FontSize, place.min, ui.theme.text, words.c_str(), nullptr, wrap_px);
+    if (is_cut) {
+        const ImVec2 cursor = ImGui::GetCursorScreenPos();
+        ImGui::SetCursorScreenPos(place.min);
+        ImGui::Dummy({place.width(), height});
+        draw_tooltip(ui, remark.c_str());
+        ImGui::SetCursorScreenPos(cursor);
+    }
     note_rect(ui.rects, std::string("remark:") + text_of(stage).key, place.min,
               {place.max.x, place.min.y + height}, remark);
     return in_line ? 0.0F : height + ui.theme.gap_px;
