@@ -303,7 +303,8 @@ void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline&
         draw_strip(ui, work, pattern_panes.strip, timeline, {most_px}, ChosenFields::below);
     };
     if (!low) draw_within(1e4F);
-    if (ImGui::BeginChild("fields", {}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
+    const float width_px = ImGui::GetContentRegionAvail().x;
+    if (ImGui::BeginChild("fields", {}, false, sideways_if_narrow(ui, width_px))) {
         if (low) draw_within(kStripShare * room_px);
         if (!low && !current_vibration(work)->locked) {
             draw_hint(ui, "editor",
@@ -413,7 +414,8 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
     if (has_both) draw_closest();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 3.0F * ui.theme.scale});
-    if (ImGui::BeginChild("fields", {}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
+    const float width_px = ImGui::GetContentRegionAvail().x;
+    if (ImGui::BeginChild("fields", {}, false, sideways_if_narrow(ui, width_px))) {
         if (has_both) draw_chosen_fields(ui, work, pattern_panes.strip);
         draw_fields(ui, work, pattern_panes, shown_map, Columns::two);
         if (!has_both) draw_closest();

@@ -140,7 +140,7 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The wheel moves through time where there is more of it than is shown.
     const bool zoomed_in = is_zoomed_in(timeline, shown_duration_s(work));
-    ImGuiWindowFlags flags = ImGuiWindowFlags_HorizontalScrollbar;  // with large text beside a card
+    ImGuiWindowFlags flags = sideways_if_narrow(ui, ImGui::GetContentRegionAvail().x);
     if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;
     if (!scrolls || zoomed_in || ImGui::GetIO().KeyCtrl)
         flags |= ImGuiWindowFlags_NoScrollWithMouse;

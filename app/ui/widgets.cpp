@@ -129,18 +129,24 @@ void draw_ground(const Theme& theme, const Rect& area) {
 
 }  // namespace
 
+ImGuiWindowFlags sideways_if_narrow(const Ui& ui, float width_px) {
+    constexpr float kNarrowPx = 180.0F;
+    return width_px < kNarrowPx * ui.theme.scale ? ImGuiWindowFlags_HorizontalScrollbar
+                                                 : ImGuiWindowFlags_None;
+}
+
 void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTitle& title,
                const std::function<void()>& content) {
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.pane_rounding_px);
     // It scrolls where large text leaves what is in it no room.
-    constexpr ImGuiWindowFlags kFlags =
-        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_HorizontalScrollbar;
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoBringToFrontOnFocus;
     const std::string id = "pane " + std::to_string(static_cast<int>(pane));
-    if (ImGui::Begin(id.c_str(), nullptr, kFlags)) {
+    if (ImGui::Begin(id.c_str(), nullptr, kFlags | sideways_if_narrow(ui, area.width()))) {
         note_rect(ui.rects, "pane:" + title.title, area.min, area.max);
         if (title.has_ground) draw_ground(ui.theme, area);
         draw_pane_title(ui, layout, pane, title);

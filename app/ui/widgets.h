@@ -15,6 +15,10 @@
 
 namespace tact {
 
+// What large text leaves hardly any width scrolls sideways, too. Not where there is width: with
+// such a bar, ImGui wraps no text that is as wide as what was there before.
+ImGuiWindowFlags sideways_if_narrow(const Ui& ui, float width_px);
+
 // A pane of the window with its title; double-clicking the title maximises it or puts it back.
 // Draws `content` inside, with the cursor at its top left.
 struct PaneTitle {
