@@ -33,7 +33,7 @@ bool is_in_pictures(const std::string& name) {
          {"dialog, ", "menu ", "popup ", "tooltip ", "participant", "lesson", "present"}) {
         if (name.starts_with(over)) return false;
     }
-    return true;
+    return !name.ends_with(", explained");  // the window beside a stage
 }
 
 std::vector<std::string> drawn_texts(SceneWindow& window) {
