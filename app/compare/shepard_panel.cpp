@@ -208,13 +208,14 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
         (void)draw_comparison_state(ui, work, shown_map, comparing);
         return;
     }
-    ImGui::SameLine(0.0F, ui.theme.gap_px);
-    ImGui::PushFont(ui.theme.fonts.small);
-    ImGui::AlignTextToFramePadding();
-    const float room = ImGui::GetContentRegionAvail().x;
+    const ImFont* font = ui.theme.fonts.small;
     const std::string whole = "points on the line are in perfect order";
-    const bool has_room = text_size(ui.theme.fonts.small, whole).x <= room;
-    dim_text(ui, has_room ? whole : shortened(ui.theme.fonts.small, "line: perfect order", room));
+    const std::string brief = "line: perfect order";
+    const bool beside = flow_on(text_size(font, brief).x, ui.theme.gap_px);
+    ImGui::PushFont(ui.theme.fonts.small);
+    if (beside) ImGui::AlignTextToFramePadding();
+    const float room = ImGui::GetContentRegionAvail().x;
+    dim_text(ui, text_size(font, whole).x <= room ? whole : shortened(font, brief, room));
     ImGui::PopFont();
     draw_shepard_diagram(ui, work, shown_map, comparing, rest_of_pane());
 }
