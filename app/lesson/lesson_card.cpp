@@ -124,6 +124,14 @@ void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {
     ImGui::Spacing();
 }
 
+// In the language that is shown: letters of another are not missed.
+std::string shown_text_of(LessonStep step) {
+    step.words.clear();
+    std::string all;
+    for (const std::string& text : texts_of(step)) all += text;
+    return all;
+}
+
 // Boxes in the place of letters are explained.
 void draw_lacking(Ui& ui, const LessonState& state) {
     if (state.lacking.empty() || ui.fonts_outdated) return;
@@ -450,19 +458,14 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
 std::string drawn_text(const LessonState& state) {
     if (!state.step || !state.shown) return {};
     std::string all = state.shown->name + state.shown->about;
-    for (const LessonStep& step : state.shown->steps) {
-        for (const std::string& text : texts_of(step)) all += text;
-        all += step.source;
-    }
+    for (const LessonStep& step : state.shown->steps) all += shown_text_of(step) + step.source;
     return all;
 }
 
 void follow_glyphs(Ui& ui, LessonState& state) {
     const LessonStep* step = step_of(state);
     if (step == nullptr || ui.theme.fonts.regular == nullptr) return;
-    std::string all;
-    for (const std::string& text : texts_of(*step)) all += text;
-    std::u32string lacking = without_glyph(*ui.theme.fonts.regular, all);
+    std::u32string lacking = without_glyph(*ui.theme.fonts.regular, shown_text_of(*step));
     // Asked for once: no font here may have them.
     if (!lacking.empty() && lacking != state.lacking) ui.fonts_outdated = true;
     state.lacking = std::move(lacking);

@@ -193,6 +193,20 @@ TEST_CASE("lesson: at a side the card is no wider than its lines are read with e
     CHECK(card.max.x - card.min.x > 0.6F * sixty);
 }
 
+// A computer without letters of another language is told so only in that language.
+TEST_CASE("lesson: letters of languages that are not shown are not asked for") {
+    Class program;
+    program.begin(kTourLesson);
+    REQUIRE(program.lesson().lesson->languages.back() == "ko");
+    const std::string drawn = drawn_text(program.lesson());
+    CHECK(drawn.find("Pacinian") != std::string::npos);
+    CHECK(drawn.find("\uc2b5\ub2c8\ub2e4") == std::string::npos);
+    CHECK(program.lesson().lacking.empty());
+    choose_language(program.app.ui, program.lesson(), "ko");
+    program.settle();
+    CHECK(drawn_text(program.lesson()).find("\uc2b5\ub2c8\ub2e4") != std::string::npos);
+}
+
 TEST_CASE("lesson: along the foot the card is as high as its words, and no higher") {
     Class program;
     program.begin(kTourLesson);
