@@ -66,20 +66,12 @@ std::vector<std::size_t> picked_places(const Workspace& work) {
 
 void ask_for(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
              std::vector<std::size_t> picked, std::size_t missing) {
-    GapState& gap = state.gap;
-    if (!gap.job) {
-        gap.job = std::make_unique<LatestJob<GapRequest, FoundGap>>(JobPolicy::supersede, find_gap,
-                                                                    ui.wake);
-    }
+    GapQuery& gap = state.gap;
+    gap.begin(JobPolicy::supersede, find_gap, ui.wake);
     const auto& shown = shown_map.transition.shown;
-    gap.asked = GapRequest{work.revision,
-                           std::make_shared<const PatternSet>(work.document.set),
-                           std::move(picked),
-                           free_of(state),
-                           missing,
-                           kGapSeed,
-                           shown ? shown->request.rendered_by : std::nullopt};
-    gap.job->submit(*gap.asked);
+    gap.ask({work.revision, std::make_shared<const PatternSet>(work.document.set),
+             std::move(picked), free_of(state), missing, kGapSeed,
+             shown ? shown->request.rendered_by : std::nullopt});
     say(ui, "Searching what is farthest from all others.");
 }
 
@@ -169,20 +161,20 @@ void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesSta
 }
 
 void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
-    GapState& gap = state.gap;
-    if (!gap.asked || !gap.job) return;
-    if (gap.asked->revision != work.revision) {
+    GapQuery& gap = state.gap;
+    if (!gap.asked()) return;
+    if (gap.asked()->revision != work.revision) {
         stop_filling(state);
         return say(ui, "The set has changed meanwhile: ask again what would fill the gap.");
     }
-    const auto found = gap.job->latest();
-    if (!found || !(found->request == *gap.asked)) {
-        if (gap.job->busy()) return;
-        if (!gap.job->failure().empty()) complain(ui, "Nothing was found: " + gap.job->failure());
-        gap.asked.reset();
+    const auto found = gap.current();
+    if (!found) {
+        if (gap.busy()) return;
+        if (!gap.failure().empty()) complain(ui, "Nothing was found: " + gap.failure());
+        gap.leave();
         return;
     }
-    gap.asked.reset();
+    gap.leave();
     if (found->chosen.empty()) {
         return say(ui,
                    "Nothing is left that could fill a gap: all of the design space is "
@@ -191,10 +183,8 @@ void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
     take_gap(ui, work, *found);
 }
 
-void stop_filling(MaybesState& state) {
-    if (std::exchange(state.gap.asked, std::nullopt) && state.gap.job) state.gap.job->cancel();
-}
+void stop_filling(MaybesState& state) { state.gap.leave(); }
 
-bool is_filling(const MaybesState& state) { return state.gap.asked.has_value(); }
+bool is_filling(const MaybesState& state) { return state.gap.asked().has_value(); }
 
 }  // namespace tact

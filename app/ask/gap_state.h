@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/rendering/rendering_state.h"
 #include "model/ask/gap.h"
 
@@ -35,9 +35,7 @@ struct FoundGap {
     bool coarse = false;         // by coarse envelopes
 };
 
-struct GapState {
-    OwnedJob<GapRequest, FoundGap> job;  // null until it is wanted
-    std::optional<GapRequest> asked;     // under way
-};
+// Asked: under way.
+using GapQuery = Query<GapRequest, FoundGap>;
 
 }  // namespace tact

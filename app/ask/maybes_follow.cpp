@@ -14,9 +14,8 @@ namespace {
 
 constexpr double kTrackStaysS = 2.0;
 
-void make_job(const Ui& ui, AskedMaybes& asked) {
-    using Job = LatestJob<MaybesRequest, FoundMaybes>;
-    asked.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
+void begin(const Ui& ui, MaybesQuery& question) {
+    question.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
 }
 
 // The track stays a while when the mouse has left the slider, so that it can be rested on.
@@ -53,7 +52,7 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
 
 // The same neighbours by exact envelopes, once they are found.
 std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
-    const auto found = answer_of(state.variants);
+    const auto found = state.variants.current();
     if (!found || found->patterns.empty()) return std::nullopt;
     MaybesRequest request = found->request;
     request.vary.reset();
@@ -65,60 +64,58 @@ std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
 }  // namespace
 
 void make_maybes_jobs(const Ui& ui, MaybesState& state) {
-    make_job(ui, state.track);
-    make_job(ui, state.exact_track);
-    make_job(ui, state.suggestion);
-    make_job(ui, state.variants);
-    make_job(ui, state.exact_variants);
-    make_job(ui, state.put.cloud);
-    using Job = LatestJob<ReachRequest, FoundReach>;
-    state.put.job = std::make_unique<Job>(JobPolicy::supersede, MaybesWork{}, ui.wake);
+    begin(ui, state.track);
+    begin(ui, state.exact_track);
+    begin(ui, state.suggestion);
+    begin(ui, state.variants);
+    begin(ui, state.exact_variants);
+    begin(ui, state.put.cloud);
+    state.put.job.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
 }
 
 void stop_maybes_jobs(MaybesState& state) {
-    state.track.job.reset();
-    state.exact_track.job.reset();
-    state.suggestion.job.reset();
-    state.variants.job.reset();
-    state.exact_variants.job.reset();
-    state.put.cloud.job.reset();
-    state.put.job.reset();
-    state.gap.job.reset();
+    state.track.end();
+    state.exact_track.end();
+    state.suggestion.end();
+    state.variants.end();
+    state.exact_variants.end();
+    state.put.cloud.end();
+    state.put.job.end();
+    state.gap.end();
 }
 
 void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                    MaybesState& state) {
-    if (!state.track.job) return;
+    if (!state.track.has_begun()) return;
     follow_rested(ui, work, state);
     const auto& rested = state.rested;
     const auto track =
         rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
-    ask(state.track, track);
+    state.track.want(track);
     // Once the preview is there, which it would keep waiting.
-    const bool is_previewed = track && answer_of(state.track) != nullptr;
+    const bool is_previewed = track && state.track.current() != nullptr;
     const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : MaybesRequest{};
-    ask(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
+    state.exact_track.want(exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
     auto ghost = suggested ? request_for(work, shown_map, suggested->name, {suggested->changed})
                            : std::nullopt;
-    ask(state.suggestion, ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
-    ask(state.variants, state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
-    ask(state.exact_variants, exact_variants(state));
+    state.suggestion.want(ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
+    state.variants.want(state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
+    state.exact_variants.want(exact_variants(state));
 }
 
 bool is_asking(const MaybesState& state) {
-    const auto busy = [](const AskedMaybes& asked) { return asked.job && asked.job->busy(); };
-    return busy(state.track) || busy(state.exact_track) || busy(state.suggestion) ||
-           busy(state.variants) || busy(state.exact_variants) || is_filling(state) ||
-           busy(state.put.cloud) || (state.put.job && state.put.job->busy());
+    return state.track.busy() || state.exact_track.busy() || state.suggestion.busy() ||
+           state.variants.busy() || state.exact_variants.busy() || is_filling(state) ||
+           state.put.cloud.busy() || state.put.job.busy();
 }
 
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
     MapMaybes shown;
     const Eigen::Index columns = shown_map.transition.to.cols();
-    const auto exact = answer_of(state.exact_track);
-    const auto track = exact ? exact : answer_of(state.track);
+    const auto exact = state.exact_track.current();
+    const auto track = exact ? exact : state.track.current();
     if (track && state.rested && track->places.cols() == columns) {
         shown.track = track->places;
         shown.track_words = state.rested->words;
@@ -133,7 +130,7 @@ MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
         }
     }
     const auto& suggested = state.suggested;
-    const auto ghost = answer_of(state.suggestion);
+    const auto ghost = state.suggestion.current();
     if (suggested && ghost && ghost->places.rows() == 1 && ghost->places.cols() == columns) {
         shown.proposals = ghost->places;
         shown.proposal_names = {suggested->words};
@@ -165,8 +162,8 @@ void vary(Ui& ui, const Workspace& work, MaybesState& state) {
 void stop_varying(MaybesState& state) { state.varied.clear(); }
 
 std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state) {
-    const auto preview = answer_of(state.variants);
-    const auto exact = answer_of(state.exact_variants);
+    const auto preview = state.variants.current();
+    const auto exact = state.exact_variants.current();
     return exact && preview && exact->patterns == preview->patterns ? exact : preview;
 }
 

@@ -10,7 +10,7 @@
 
 #include "app/ask/gap_state.h"
 #include "app/document/selection.h"
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/map/live_map.h"
 #include "model/ask/reach.h"
 #include "model/ask/vary.h"
@@ -39,10 +39,7 @@ struct FoundMaybes {
     Eigen::MatrixXd places;  // a row each
 };
 
-struct AskedMaybes {
-    OwnedJob<MaybesRequest, FoundMaybes> job;  // null until the program has begun
-    std::optional<MaybesRequest> asked;
-};
+using MaybesQuery = Query<MaybesRequest, FoundMaybes>;
 
 // A point that is put somewhere else: its pattern is searched.
 struct ReachRequest {
@@ -74,20 +71,19 @@ struct PutThere {
     std::string name;                          // of the pattern; empty: none is moved
     std::optional<Eigen::RowVectorXd> wanted;  // place of the map
     bool is_dragged = false;                   // in this frame
-    std::optional<ReachRequest> asked;         // let go there: under way
     std::optional<Eigen::RowVectorXd> aim;     // of the last one, shown until the next edit ...
     std::uint64_t aim_of = 0;                  // ... after this revision
     KeptSurroundings around;
-    AskedMaybes cloud;  // what can be reached
-    OwnedJob<ReachRequest, FoundReach> job;
+    MaybesQuery cloud;                    // what can be reached
+    Query<ReachRequest, FoundReach> job;  // let go there: under way
 };
 
 struct MaybesState {
-    AskedMaybes track;        // a preview, soon followed by ...
-    AskedMaybes exact_track;  // ... where it really leads
-    AskedMaybes suggestion;
-    AskedMaybes variants;                      // a preview, soon followed by ...
-    AskedMaybes exact_variants;                // ... where they really are
+    MaybesQuery track;        // a preview, soon followed by ...
+    MaybesQuery exact_track;  // ... where it really leads
+    MaybesQuery suggestion;
+    MaybesQuery variants;                      // a preview, soon followed by ...
+    MaybesQuery exact_variants;                // ... where they really are
     std::optional<RestedNumber> rested;        // whose track is shown
     double rested_until_s = 0.0;               // it goes then, unless the mouse is on it
     std::optional<SuggestedChange> suggested;  // in the last frame
@@ -96,7 +92,7 @@ struct MaybesState {
     std::uint64_t vary_seed = 1;
     std::vector<PatternParameter> held;  // numbers that neither varying nor moving may change
     PutThere put;
-    GapState gap;
+    GapQuery gap;
 };
 
 }  // namespace tact

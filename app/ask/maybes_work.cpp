@@ -98,20 +98,6 @@ std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& 
     return MaybesRequest{map.shown, map.to, *row, std::move(patterns), {}};
 }
 
-void ask(AskedMaybes& asked, std::optional<MaybesRequest> wanted) {
-    if (!asked.job || wanted == asked.asked) return;
-    asked.asked = std::move(wanted);
-    if (asked.asked) asked.job->submit(*asked.asked);
-    if (!asked.asked) asked.job->cancel();
-}
-
-// The answer to what is asked now.
-std::shared_ptr<const FoundMaybes> answer_of(const AskedMaybes& asked) {
-    if (!asked.job || !asked.asked) return nullptr;
-    auto found = asked.job->latest();
-    return found && found->request == *asked.asked ? found : nullptr;
-}
-
 std::vector<PatternParameter> free_of(const MaybesState& state) {
     std::vector<PatternParameter> free;
     for (const PatternParameter parameter : kPatternParameters) {

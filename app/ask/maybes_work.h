@@ -41,11 +41,6 @@ MaybesRequest exactly(MaybesRequest request, std::size_t patterns);
 std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
                                          const std::string& name, std::vector<Pattern> patterns);
 
-void ask(AskedMaybes& asked, std::optional<MaybesRequest> wanted);
-
-// The answer to what is asked now.
-std::shared_ptr<const FoundMaybes> answer_of(const AskedMaybes& asked);
-
 // Those that may change, of all there are; empty: all.
 std::vector<PatternParameter> free_of(const MaybesState& state);
 

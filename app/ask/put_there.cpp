@@ -47,7 +47,7 @@ std::string sentence_on(const Reached& reached) {
 void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
                 const PointMove& move) {
     PutThere& put = state.put;
-    if (move.place >= work.document.set.vibrations.size() || put.asked) return;
+    if (move.place >= work.document.set.vibrations.size() || put.job.asked()) return;
     const Vibration& vibration = work.document.set.vibrations[move.place];
     const Pattern* pattern = editable_pattern(vibration);
     if (pattern == nullptr) {
@@ -59,32 +59,31 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     put.is_dragged = !move.ended;
     if (!move.ended) return;
     auto where = request_for(work, shown_map, put.name, {});
-    if (!where || !put.job) return stop_putting(state);
+    if (!where || !put.job.has_begun()) return stop_putting(state);
     ReachQuestion question{*pattern, move.to};
     question.free = free_of(state);
     question.steps = work.document.set.felt_steps;
     question.seed = kPutSeed;
-    put.asked = ReachRequest{exactly(*std::move(where), kReachTries), std::move(question)};
-    put.job->submit(*put.asked);
+    put.job.ask({exactly(*std::move(where), kReachTries), std::move(question)});
 }
 
 void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state) {
     PutThere& put = state.put;
-    if (!put.cloud.job) return;
+    if (!put.cloud.has_begun()) return;
     if (put.aim_of != work.revision) put.aim.reset();
     const Pattern* pattern = pattern_to_put(work, put.name);
     if (pattern == nullptr && !put.name.empty()) stop_putting(state);
-    const bool is_shown = pattern != nullptr && (put.is_dragged || put.asked);
+    const bool is_shown = pattern != nullptr && (put.is_dragged || put.job.asked());
     if (!is_shown && !put.name.empty()) stop_putting(state);
-    ask(put.cloud, is_shown ? request_for(work, shown_map, put.name,
+    put.cloud.want(is_shown ? request_for(work, shown_map, put.name,
                                           kept_surroundings(put.around, *pattern, state,
                                                             work.document.set.felt_steps))
                             : std::nullopt);
     put.is_dragged = false;
-    if (!put.asked) return;
-    const auto found = put.job->latest();
-    if (!found || !(found->request == *put.asked)) {
-        if (!put.job->busy() && !put.job->failure().empty()) stop_putting(state);
+    if (!put.job.asked()) return;
+    const auto found = put.job.current();
+    if (!found) {
+        if (!put.job.busy() && !put.job.failure().empty()) stop_putting(state);
         return;
     }
     const auto place = place_named(work.document.set, put.name);
@@ -109,7 +108,7 @@ void stop_putting(MaybesState& state) {
     put.name.clear();
     put.wanted.reset();
     put.is_dragged = false;
-    if (std::exchange(put.asked, std::nullopt) && put.job) put.job->cancel();
+    put.job.leave();
 }
 
 void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state) {
@@ -117,7 +116,7 @@ void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state) 
     if (!put.wanted && put.aim && put.aim->size() == columns) shown.wanted = put.aim;
     if (!put.wanted || put.wanted->size() != columns) return;
     shown.wanted = put.wanted;
-    const auto cloud = answer_of(put.cloud);
+    const auto cloud = put.cloud.current();
     if (!cloud || cloud->places.cols() != columns || cloud->places.rows() == 0) return;
     shown.cloud = cloud->places;
     Eigen::Index nearest = 0;

@@ -89,8 +89,8 @@ void draw_measure(Ui& ui, StepsState& state) {
 }
 
 void draw_search_of_steps(Ui& ui, StepsState& state) {
-    if (draw_progress(ui, {"Placing the steps", state.job->progress(), "steps", "Stop"})) {
-        state.job->cancel();
+    if (draw_progress(ui, {"Placing the steps", state.job.progress(), "steps", "Stop"})) {
+        state.job.cancel();
         state.cancelled = true;
     }
 }
@@ -154,12 +154,12 @@ void draw_step_rows(Ui& ui, Workspace& work, const StepsState& state, const Even
 
 void draw_answer(Ui& ui, Workspace& work, StepsState& state, const FoundSteps* found) {
     if (found == nullptr) {
-        if (state.job && state.job->busy()) return draw_search_of_steps(ui, state);
-        if (draw_failure(ui, "steps", failure_of(state.job))) return;
+        if (state.job.busy()) return draw_search_of_steps(ui, state);
+        if (draw_failure(ui, "steps", state.job.failure())) return;
         if (!state.cancelled) return;
         dim_text(ui, "Stopped.");
         ImGui::SameLine();
-        if (link(ui, "place steps", "Place them")) state.asked.reset();
+        if (link(ui, "place steps", "Place them")) state.job.leave();
         note_item(ui.rects, "link:place steps");
         return;
     }

@@ -49,10 +49,7 @@ void open_steps(Ui& ui, const Workspace& work, StepsState& state, const std::str
     state.to = to.empty() ? other_than(work, state.from) : to;
     state.along.reset();
     state.cancelled = false;
-    if (!state.job) {
-        state.job = std::make_unique<LatestJob<StepsRequest, FoundSteps>>(JobPolicy::supersede,
-                                                                          found_steps, ui.wake);
-    }
+    state.job.begin(JobPolicy::supersede, found_steps, ui.wake);
     ui.dialog = Dialog::steps;
 }
 
@@ -80,24 +77,16 @@ std::optional<StepsRequest> steps_request(const Workspace& work, const StepsStat
 }
 
 void follow_steps(const Ui& ui, const Workspace& work, StepsState& state) {
-    if (!state.job) return;
-    if (ui.dialog != Dialog::steps) {
-        if (state.job->busy()) state.job->cancel();
-        state.asked.reset();
-        return;
-    }
-    const auto wanted = steps_request(work, state);
-    if (wanted == state.asked) return;
-    state.asked = wanted;
-    state.cancelled = false;
-    if (wanted) state.job->submit(*wanted);
-    if (!wanted) state.job->cancel();
+    const auto wanted =
+        ui.dialog == Dialog::steps ? steps_request(work, state) : std::optional<StepsRequest>();
+    if (wanted != state.job.asked()) state.cancelled = false;
+    state.job.want(wanted);
 }
 
-bool is_placing(const StepsState& state) { return state.job && state.job->busy(); }
+bool is_placing(const StepsState& state) { return state.job.busy(); }
 
 std::shared_ptr<const FoundSteps> current_steps(const Workspace& work, const StepsState& state) {
-    auto found = state.job ? state.job->latest() : nullptr;
+    auto found = state.job.latest();
     if (!found || steps_request(work, state) != found->request) return nullptr;
     return found;
 }

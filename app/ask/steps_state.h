@@ -1,11 +1,10 @@
 // What "Steps between" is left at, and what its job has found.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/ask/steps.h"
 
 namespace tact {
@@ -28,8 +27,7 @@ struct StepsState {
     StepMeasure measure = StepMeasure::pm;
     std::optional<PatternParameter> along;  // none: all that the two differ in
 
-    OwnedJob<StepsRequest, FoundSteps> job;  // null until it is wanted
-    std::optional<StepsRequest> asked;
+    Query<StepsRequest, FoundSteps> job;
     bool cancelled = false;  // by the person, until something else is asked for
 };
 

@@ -52,7 +52,7 @@ void draw_found(Ui& ui, const MaybesState& state) {
     dim_text(ui, shortened(ui.theme.fonts.regular, "Neighbours of " + state.varied,
                            ImGui::GetContentRegionAvail().x));
     const auto found = found_variants(state);
-    const std::string failure = failure_of(state.variants.job);
+    const std::string failure = state.variants.failure();
     const std::string words = !failure.empty()       ? failure
                               : !found               ? "searching"
                               : found->request.exact ? "click one to take it, hold to feel it"
@@ -63,15 +63,15 @@ void draw_found(Ui& ui, const MaybesState& state) {
 }
 
 void draw_put_bar(Ui& ui, MaybesState& state) {
-    if (!state.put.asked) return;
+    if (!state.put.job.asked()) return;
     const std::string doing = "Putting " + state.put.name + " there";
-    if (draw_progress(ui, {doing.c_str(), state.put.job->progress(), "put"}, true))
+    if (draw_progress(ui, {doing.c_str(), state.put.job.progress(), "put"}, true))
         stop_putting(state);
 }
 
 void draw_gap_bar(Ui& ui, MaybesState& state) {
     if (!is_filling(state)) return;
-    if (draw_progress(ui, {"Filling the gap", state.gap.job->progress(), "gap"}, true))
+    if (draw_progress(ui, {"Filling the gap", state.gap.progress(), "gap"}, true))
         stop_filling(state);
 }
 

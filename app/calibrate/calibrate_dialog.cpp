@@ -194,7 +194,7 @@ void draw_result_part(Ui& ui, const CalibrateState& calibrating) {
         draw_doubts(ui, answer->result);
         return;
     }
-    if (answer == nullptr && draw_failure(ui, "calibrate", failure_of(calibrating.job))) return;
+    if (answer == nullptr && draw_failure(ui, "calibrate", calibrating.job.failure())) return;
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotPx * ui.theme.scale};
     const Rect area = rect_at(ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);

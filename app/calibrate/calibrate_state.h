@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/measured/recording_fields.h"
 #include "devices/calibration/calibration_run.h"
 
@@ -37,7 +37,7 @@ struct CalibrateState {
     bool is_playing = false;
     bool comes_back = false;  // the dialog, when a file is chosen or not
     std::uint64_t asked = 0;
-    OwnedJob<ResponseQuestion, ResponseAnswer> job;
+    Query<ResponseQuestion, ResponseAnswer> job;
     std::shared_ptr<const ResponseAnswer> answer;  // of what was asked last, or before
 };
 

@@ -53,7 +53,7 @@ void follow_comparison(const Workspace& work, const Layout& layout, const ShownM
         !comparison_waits(work, comparing) && comparing.panel.of != shown_map.transition.shown;
     if (!wants_comparison(layout, shown_map) || !has_exact_map(work, shown_map) || !again) return;
     comparing.panel.of = shown_map.transition.shown;
-    comparing.comparison_job->submit({shown_map.transition.shown});
+    comparing.comparison_job.ask({shown_map.transition.shown});
 }
 
 void follow_difference(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
@@ -62,28 +62,23 @@ void follow_difference(const Workspace& work, const Layout& layout, const ShownM
     if (layout.bench != BenchTab::why || !pair || !has_exact_map(work, shown_map)) return;
     const auto rows = rows_in_map(work, shown_map, *pair);
     if (!rows) return;
-    const DifferenceRequest request{shown_map.transition.shown, rows->first, rows->second};
-    if (request == comparing.difference_asked) return;
-    comparing.difference_asked = request;
-    comparing.difference_job->submit(request);
+    comparing.difference_job.want(
+        DifferenceRequest{shown_map.transition.shown, rows->first, rows->second});
 }
 
 }  // namespace
 
 void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& comparing) {
-    comparing.comparison_job = std::make_unique<LatestJob<ComparisonRequest, Comparison>>(
-        JobPolicy::supersede, ComparisonWork{}, ui.wake);
-    comparing.difference_job = std::make_unique<LatestJob<DifferenceRequest, LiveDifference>>(
-        JobPolicy::finish, compute_live_difference, ui.wake);
-    comparing.fit_job = std::make_unique<LatestJob<FitRequest, ShepardFit>>(
+    comparing.comparison_job.begin(JobPolicy::supersede, ComparisonWork{}, ui.wake);
+    comparing.difference_job.begin(JobPolicy::finish, compute_live_difference, ui.wake);
+    comparing.fit_job.begin(
         JobPolicy::supersede,
         [](const FitRequest& request, std::stop_token, std::atomic<float>&) {
             return std::optional(shepard_fit(request));
         },
         ui.wake);
-    rendered.job = std::make_unique<LatestJob<RenderingRequest, LiveRendering>>(
-        JobPolicy::finish, compute_live_rendering, ui.wake);
-    comparing.findings_job = std::make_unique<LatestJob<int, std::vector<Finding>>>(
+    rendered.job.begin(JobPolicy::finish, compute_live_rendering, ui.wake);
+    comparing.findings_job.begin(
         JobPolicy::finish,
         [](int, std::stop_token stop, std::atomic<float>& progress) {
             return find(stop, progress);
@@ -92,16 +87,16 @@ void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& compar
 }
 
 void take_compare_answers(RenderingState& rendered, Comparing& comparing) {
-    if (!comparing.comparison_job) return;
-    if (auto answer = comparing.comparison_job->latest()) comparing.comparison = std::move(answer);
-    if (auto answer = comparing.difference_job->latest()) comparing.difference = std::move(answer);
-    if (auto answer = comparing.findings_job->latest()) comparing.findings = std::move(answer);
-    if (auto answer = rendered.job->latest()) rendered.shown = std::move(answer);
+    if (!comparing.comparison_job.has_begun()) return;
+    if (auto answer = comparing.comparison_job.latest()) comparing.comparison = std::move(answer);
+    if (auto answer = comparing.difference_job.latest()) comparing.difference = std::move(answer);
+    if (auto answer = comparing.findings_job.latest()) comparing.findings = std::move(answer);
+    if (auto answer = rendered.job.latest()) rendered.shown = std::move(answer);
 }
 
 void follow_comparing(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                       RenderingState& rendered, Comparing& comparing) {
-    if (!comparing.comparison_job) return;
+    if (!comparing.comparison_job.has_begun()) return;
     follow_comparison(work, layout, shown_map, comparing);
     follow_difference(work, layout, shown_map, comparing);
     if (layout.bench == BenchTab::device) follow_rendering(rendered, current_vibration(work));
@@ -110,7 +105,7 @@ void follow_comparing(const Workspace& work, const Layout& layout, const ShownMa
 ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_map,
                                  const Comparing& comparing) {
     ShownComparison shown{comparing.comparison, false, false};
-    shown.is_computing = comparing.comparison_job && comparing.comparison_job->busy();
+    shown.is_computing = comparing.comparison_job.busy();
     shown.is_stale = !comparing.comparison ||
                      comparing.comparison->request.map != shown_map.transition.shown ||
                      map_state(work, shown_map) != MapState::exact;
@@ -134,7 +129,7 @@ void cancel_comparison(const Workspace& work, Comparing& comparing) {
     comparing.panel.cancelled = true;
     comparing.panel.cancelled_at = work.revision;
     comparing.panel.compute_large_of = 0;
-    if (comparing.comparison_job) comparing.comparison_job->cancel();
+    comparing.comparison_job.cancel();
 }
 
 std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,

@@ -156,8 +156,8 @@ void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
 }
 
 void draw_comparing(Ui& ui, const Workspace& work, Comparing& comparing) {
-    if (!comparing.comparison_job || !comparing.comparison_job->busy()) return;
-    if (draw_progress(ui, {"Comparing", comparing.comparison_job->progress(), "comparison"}))
+    if (!comparing.comparison_job.has_begun() || !comparing.comparison_job.busy()) return;
+    if (draw_progress(ui, {"Comparing", comparing.comparison_job.progress(), "comparison"}))
         cancel_comparison(work, comparing);
 }
 
@@ -173,7 +173,7 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
         note_item(ui.rects, "button:compare metrics");
     }
     draw_comparing(ui, work, comparing);
-    const bool failed = draw_failure(ui, "compare", failure_of(comparing.comparison_job));
+    const bool failed = draw_failure(ui, "compare", comparing.comparison_job.failure());
     if (shown.comparison && !few) return true;
     if (failed) return false;
     const Rect area = rest_of_pane();

@@ -7,7 +7,7 @@
 
 #include "app/compare/live_comparison.h"
 #include "app/compare/live_difference.h"
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/findings.h"
 #include "model/evaluation/metric.h"
@@ -36,24 +36,22 @@ struct ShepardFit {
 
 struct ComparePanelState {
     CompareView view = CompareView::table;
-    Metric metric = Metric::pm;          // whose scatter is shown, and whose Shepard diagram
-    bool shepard_of_people = false;      // instead
-    bool cancelled = false;              // by the person, until the next edit ...
-    std::uint64_t cancelled_at = 0;      // ... of this revision
-    std::uint64_t compute_large_of = 0;  // the document whose many patterns were asked for
-    std::shared_ptr<const LiveMap> of;   // what was asked for last
-    FitRequest fit_asked;
+    Metric metric = Metric::pm;             // whose scatter is shown, and whose Shepard diagram
+    bool shepard_of_people = false;         // instead
+    bool cancelled = false;                 // by the person, until the next edit ...
+    std::uint64_t cancelled_at = 0;         // ... of this revision
+    std::uint64_t compute_large_of = 0;     // the document whose many patterns were asked for
+    std::shared_ptr<const LiveMap> of;      // what was asked for last
     std::shared_ptr<const ShepardFit> fit;  // kept while its map stays what it is
 };
 
 struct Comparing {
-    OwnedJob<ComparisonRequest, Comparison> comparison_job;
+    Query<ComparisonRequest, Comparison> comparison_job;
     std::shared_ptr<const Comparison> comparison;  // of the map on screen, or of one before it
-    OwnedJob<DifferenceRequest, LiveDifference> difference_job;
+    Query<DifferenceRequest, LiveDifference> difference_job;
     std::shared_ptr<const LiveDifference> difference;
-    DifferenceRequest difference_asked;
-    OwnedJob<FitRequest, ShepardFit> fit_job;
-    OwnedJob<int, std::vector<Finding>> findings_job;  // asked for by number
+    Query<FitRequest, ShepardFit> fit_job;
+    Query<int, std::vector<Finding>> findings_job;  // asked for by number
     std::shared_ptr<const std::vector<Finding>> findings;
     ComparePanelState panel;
 };

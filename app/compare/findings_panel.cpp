@@ -57,13 +57,12 @@ void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
 }  // namespace
 
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
-    const bool busy = comparing.findings_job && comparing.findings_job->busy();
+    const bool busy = comparing.findings_job.busy();
     constexpr const char* kCheck = "Check findings";
     const auto check = [&comparing](bool pressed) {
-        if (pressed && comparing.findings_job) comparing.findings_job->submit(0);
+        if (pressed) comparing.findings_job.ask(0);
     };
-    if (!busy && !comparing.findings && failure_of(comparing.findings_job).empty() &&
-        !area.empty()) {
+    if (!busy && !comparing.findings && comparing.findings_job.failure().empty() && !area.empty()) {
         check(draw_empty_with(ui, area, "Does the model find what people felt?",
                               "What the paper found, checked on its own sets.", kCheck));
         note_item(ui.rects, "button:check findings");
@@ -78,14 +77,14 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         ImGui::AlignTextToFramePadding();
     }
     if (busy) {
-        if (draw_progress(ui, {"Checking", comparing.findings_job->progress(), "findings"}, true))
-            comparing.findings_job->cancel();
+        if (draw_progress(ui, {"Checking", comparing.findings_job.progress(), "findings"}, true))
+            comparing.findings_job.cancel();
     } else if (comparing.findings) {
         const std::string text = tally_of(*comparing.findings);
         dim_text(ui, shortened(ui.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x));
         note_item(ui.rects, "compare:findings", text);
     }
-    (void)draw_failure(ui, "findings", failure_of(comparing.findings_job));
+    (void)draw_failure(ui, "findings", comparing.findings_job.failure());
     if (!comparing.findings || area.empty()) return;
     ImGui::BeginChild("findings", ImGui::GetContentRegionAvail());
     const float scale = ui.theme.scale;

@@ -68,16 +68,16 @@ std::shared_ptr<const ShepardFit> followed_fit(Comparing& comparing, const Shown
     ComparePanelState& panel = comparing.panel;
     const FitRequest request{fit.owner, fit.matrix, fit.space};
     if (panel.fit && panel.fit->request == request) return panel.fit;
-    if (!comparing.fit_job || fit.matrix->condensed.size() <= kMostInFrame) {
+    if (!comparing.fit_job.has_begun() || fit.matrix->condensed.size() <= kMostInFrame) {
         return panel.fit = std::make_shared<const ShepardFit>(shepard_fit(request));
     }
-    if (panel.fit_asked != request) comparing.fit_job->submit(panel.fit_asked = request);
-    panel.fit = comparing.fit_job->latest();
+    comparing.fit_job.want(request);
+    panel.fit = comparing.fit_job.latest();
     return panel.fit && panel.fit->request == request ? panel.fit : nullptr;
 }
 
 void draw_no_fit(Ui& ui, const Comparing& comparing, const Rect& area) {
-    if (draw_failure(ui, "shepard", failure_of(comparing.fit_job))) return;
+    if (draw_failure(ui, "shepard", comparing.fit_job.failure())) return;
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, "Fitting the distances",
                "All pairs are brought into the order of their dissimilarity.");
     note_rect(ui.rects, "shepard:waits", area.min, area.max);
@@ -194,7 +194,7 @@ void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     draw_metric_choice(ui, work, comparing, true);
     const bool has_map = shown_map.transition.shown && shown_map.transition.to.rows() >= 2 &&
                          work.document.set.vibrations.size() >= 2;
-    if (!has_map && draw_failure(ui, "shepard", failure_of(shown_map.full_job))) return;
+    if (!has_map && draw_failure(ui, "shepard", shown_map.full_job.failure())) return;
     if (!has_map) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;

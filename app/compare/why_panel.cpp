@@ -421,7 +421,7 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     if (fits) {
         timeline.range = unless_whole(timeline.range, shown_duration_s(work));
         draw_live(ui, work, timeline, *live, *pair);
-    } else if (!draw_failure(ui, "why", failure_of(comparing.difference_job))) {
+    } else if (!draw_failure(ui, "why", comparing.difference_job.failure())) {
         dim_text(ui, map_state(work, shown_map) == MapState::exact
                          ? "looking closer\u2026"
                          : "waiting for the exact map\u2026");

@@ -75,7 +75,7 @@ const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibratio
 }
 
 void make_render_job(VibrationCache& cache, std::function<void()> wake) {
-    cache.render_job = std::make_unique<LatestJob<WantedWaveforms, RenderedWaveforms>>(
+    cache.render_job.begin(
         JobPolicy::finish,
         [](const WantedWaveforms& wanted, std::stop_token stop, std::atomic<float>&) {
             RenderedWaveforms rendered;
@@ -89,8 +89,8 @@ void make_render_job(VibrationCache& cache, std::function<void()> wake) {
 }
 
 void follow_render_job(VibrationCache& cache) {
-    if (!cache.render_job) return;
-    if (auto rendered = cache.render_job->latest(); rendered && rendered != cache.taken) {
+    if (!cache.render_job.has_begun()) return;
+    if (auto rendered = cache.render_job.latest(); rendered && rendered != cache.taken) {
         for (const auto& [vibration, waveform] : *rendered) keep(cache, vibration, waveform);
         cache.taken = std::move(rendered);
         cache.asked.clear();  // what is wanted again later is asked for again
@@ -98,7 +98,7 @@ void follow_render_job(VibrationCache& cache) {
     const WantedWaveforms wanted = std::exchange(cache.wanted, {});
     if (wanted.empty() || wanted == cache.asked) return;
     cache.asked = wanted;
-    cache.render_job->submit(wanted);
+    cache.render_job.ask(wanted);
 }
 
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration) {
@@ -108,7 +108,8 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     const auto found = cache.entries.find(vibration.name);
     const bool known = found != cache.entries.end() && found->second.source == vibration.source;
     if (known) return &found->second.waveform;
-    const bool beside = cache.render_job && is_long(std::get<Pattern>(vibration.source));
+    const bool beside =
+        cache.render_job.has_begun() && is_long(std::get<Pattern>(vibration.source));
     if (beside) cache.wanted.push_back(vibration);
     if (beside || cache.samples_left == 0) {
         cache.behind = cache.behind || !beside;  // the job brings a frame when it is done

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -38,7 +38,7 @@ struct VibrationCache {
     bool behind = false;                                                 // some of them are
 
     // Without it, as for a picture, long ones are rendered in the frame as well.
-    OwnedJob<WantedWaveforms, RenderedWaveforms> render_job;
+    Query<WantedWaveforms, RenderedWaveforms> render_job;
     WantedWaveforms wanted, asked;
     std::shared_ptr<const RenderedWaveforms> taken;
 

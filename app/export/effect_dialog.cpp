@@ -138,7 +138,7 @@ void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
     const bool ready = is_loss_current(effects) || effects.without;
     const bool enabled = chosen_is_asked && ready && !effects.request.written.empty();
     const bool go = draw_ends(ui, "Choose a folder...", enabled);
-    if (ui.dialog != Dialog::export_effects && effects.job) effects.job->cancel();
+    if (ui.dialog != Dialog::export_effects) effects.job.cancel();
     if (go) choose_effect_folder(ui, work, effects);
 }
 

@@ -61,7 +61,7 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
 
 void ask(EffectExport& effects) {
     effects.without = false;
-    if (effects.job) effects.job->submit(effects.request);
+    effects.job.ask(effects.request);
 }
 
 std::vector<std::string> written_names(const EffectExport& effects) {
@@ -100,8 +100,7 @@ std::optional<LiveLoss> compute_loss(const LossRequest& request, std::stop_token
 }
 
 void make_effect_job(const Ui& ui, EffectExport& effects) {
-    effects.job = std::make_unique<LatestJob<LossRequest, LiveLoss>>(JobPolicy::supersede,
-                                                                     compute_loss, ui.wake);
+    effects.job.begin(JobPolicy::supersede, compute_loss, ui.wake);
 }
 
 void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
@@ -128,7 +127,7 @@ void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_
 }
 
 void follow_effects(EffectExport& effects) {
-    const auto latest = effects.job ? effects.job->latest() : nullptr;
+    const auto latest = effects.job.latest();
     if (latest && latest->request.number > effects.opened) effects.answer = latest;
     if (effects.asked == effects.choice) return;
     effects.asked = effects.choice;
@@ -141,7 +140,7 @@ void follow_effects(EffectExport& effects) {
                     predictions * expected_map_s(*effects.request.part) > kLongestUnaskedS;
     effects.without = effects.large;
     if (effects.large) {
-        if (effects.job) effects.job->cancel();
+        effects.job.cancel();
         return;
     }
     ask(effects);
@@ -150,11 +149,11 @@ void follow_effects(EffectExport& effects) {
 void predict_anyway(EffectExport& effects) { ask(effects); }
 
 void stop_predicting(EffectExport& effects) {
-    if (effects.job) effects.job->cancel();
+    effects.job.cancel();
     effects.without = true;
 }
 
-bool is_predicting_loss(const EffectExport& effects) { return effects.job && effects.job->busy(); }
+bool is_predicting_loss(const EffectExport& effects) { return effects.job.busy(); }
 
 bool is_loss_current(const EffectExport& effects) {
     return effects.answer && effects.answer->request.number == effects.request.number;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/document/workspace.h"
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/map/map_state.h"
 #include "app/ui/ui.h"
 #include "model/export/export_loss.h"
@@ -71,10 +71,10 @@ struct EffectExport {
     ExportGround ground;
     std::optional<EffectChoice> asked;  // what `request` is of
     LossRequest request;
-    std::uint64_t opened = 0;             // of requests up to this another set was asked about
-    bool large = false;                   // it would take minutes: predicted when that is asked for
-    bool without = false;                 // nothing is predicted: large, or stopped by the person
-    OwnedJob<LossRequest, LiveLoss> job;  // null until the program has begun
+    std::uint64_t opened = 0;          // of requests up to this another set was asked about
+    bool large = false;                // it would take minutes: predicted when that is asked for
+    bool without = false;              // nothing is predicted: large, or stopped by the person
+    Query<LossRequest, LiveLoss> job;  // null until the program has begun
     std::shared_ptr<const LiveLoss> answer;  // may be of an earlier request
     SpaceCamera camera;
     std::filesystem::path export_to;  // when the frame is done

@@ -171,9 +171,9 @@ void draw_bar(const Ui& ui, float share) {
 
 // What the pane waits for, or why it does not.
 void draw_state(Ui& ui, EffectExport& effects) {
-    if (draw_failure(ui, "export", failure_of(effects.job))) return;
+    if (draw_failure(ui, "export", effects.job.failure())) return;
     if (is_predicting_loss(effects)) {
-        const float share = effects.job->progress();
+        const float share = effects.job.progress();
         if (draw_progress(ui, {"Predicting what it costs", share, "predicting", "Skip"}, true))
             stop_predicting(effects);
         ImGui::SameLine();

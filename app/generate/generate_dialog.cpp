@@ -246,9 +246,9 @@ void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
     follow_generate(ui, work, generating);
     const std::shared_ptr<const GeneratePlan> plan = current_plan(work, generating);
     std::shared_ptr<const GeneratePlan> shown = plan;
-    if (!shown && generating.job) shown = generating.job->latest();
+    if (!shown) shown = generating.job.latest();
     draw_counts(ui, shown.get(), !plan);
-    (void)draw_failure(ui, "generate", failure_of(generating.job));
+    (void)draw_failure(ui, "generate", generating.job.failure());
     draw_previews(ui, work, shown.get());
     begin_foot(ui);
     ImGui::Spacing();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/patterns/rhythm_choice.h"
 #include "model/design_space/candidates.h"
 #include "model/set/set_candidates.h"
@@ -56,8 +56,7 @@ struct GenerateState {
     float row_px = 0.0F;   // and width of the widest one
     RhythmChoice rhythms;
     std::optional<Before> asking;  // whether this many are really wanted
-    OwnedJob<GenerateRequest, GeneratePlan> job;
-    GenerateRequest asked;
+    Query<GenerateRequest, GeneratePlan> job;
 };
 
 }  // namespace tact

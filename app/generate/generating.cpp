@@ -76,14 +76,12 @@ void open_generate(Ui& ui, const Workspace& work, GenerateState& generating) {
     }
     generating.asking.reset();
     generating.typing.clear();
-    if (!generating.job) {
-        generating.job = std::make_unique<LatestJob<GenerateRequest, GeneratePlan>>(
-            JobPolicy::supersede,
-            [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
-                return plan_of(request, std::move(stop));
-            },
-            ui.wake);
-    }
+    generating.job.begin(
+        JobPolicy::supersede,
+        [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
+            return plan_of(request, std::move(stop));
+        },
+        ui.wake);
     ui.dialog = Dialog::generate;
 }
 
@@ -106,16 +104,13 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 }
 
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating) {
-    if (ui.dialog != Dialog::generate || !generating.job) return;
-    GenerateRequest wanted{generating.draft, work.document.committed};
-    if (wanted == generating.asked) return;
-    generating.asked = wanted;
-    generating.job->submit(std::move(wanted));
+    if (ui.dialog != Dialog::generate) return;
+    generating.job.want(GenerateRequest{generating.draft, work.document.committed});
 }
 
 std::shared_ptr<const GeneratePlan> current_plan(const Workspace& work,
                                                  const GenerateState& generating) {
-    auto plan = generating.job ? generating.job->latest() : nullptr;
+    auto plan = generating.job.latest();
     const bool current = plan && plan->request.space == generating.draft &&
                          plan->request.set == work.document.committed;
     return current ? plan : nullptr;

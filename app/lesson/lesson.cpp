@@ -139,7 +139,7 @@ void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson) {
     state.lesson = std::move(lesson);
     state.shown = in_language(state.lesson, shown_language(state));
     state.tallies.resize(state.lesson->steps.size());
-    if (state.job) state.job->submit({state.shown});
+    state.job.ask({state.shown});
 }
 
 void choose_language(Ui& ui, LessonState& state, const std::string& code) {

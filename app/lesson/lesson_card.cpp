@@ -85,7 +85,7 @@ bool lacks_numbers(const LessonState& state, const std::string& text) {
     const auto is_known = [answers](const std::string& placeholder) {
         return answers != nullptr && answers->numbers.contains(placeholder);
     };
-    return state.job && state.job->busy() && !std::ranges::all_of(placeholders_in(text), is_known);
+    return state.job.busy() && !std::ranges::all_of(placeholders_in(text), is_known);
 }
 
 void draw_text_of(Ui& ui, const LessonState& state, const LessonStep& step) {

@@ -7,7 +7,7 @@
 namespace tact {
 
 void make_lesson_job(const Ui& ui, LessonState& state) {
-    state.job = std::make_unique<LessonJob>(
+    state.job.begin(
         JobPolicy::supersede,
         [](const LessonAsked& asked, std::stop_token stop,
            std::atomic<float>& progress) -> std::optional<LessonAnswered> {
@@ -18,16 +18,16 @@ void make_lesson_job(const Ui& ui, LessonState& state) {
             return answered;
         },
         ui.wake);
-    if (state.step && state.shown) state.job->submit({state.shown});
+    if (state.step && state.shown) state.job.ask({state.shown});
 }
 
 void follow_lesson(LessonState& state) {
-    if (!state.job) return;
-    auto answered = state.job->latest();
+    if (!state.job.has_begun()) return;
+    auto answered = state.job.latest();
     if (!answered || answered == state.answered) return;
     state.answered = std::move(answered);
     if (!state.answered->with_pairs && state.answered->of == state.shown) {
-        state.job->submit({state.shown, true});
+        state.job.ask({state.shown, true});
     }
 }
 

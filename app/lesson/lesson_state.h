@@ -79,8 +79,6 @@ struct LessonAnswered {
     LessonAnswers answers;
 };
 
-using LessonJob = LatestJob<LessonAsked, LessonAnswered>;
-
 inline constexpr float kPresentScale = 1.25F;  // of text, on a screen of 1280 x 720
 
 struct LessonState {
@@ -98,7 +96,7 @@ struct LessonState {
     std::optional<SetAside> aside;
     std::uint64_t document_number = 0;  // of the set on screen, while it is open
     std::vector<Tally> tallies;         // of each step
-    std::unique_ptr<LessonJob> job;
+    Query<LessonAsked, LessonAnswered> job;
     std::shared_ptr<const LessonAnswered> answered;
 
     // What was written of it, and is kept (lesson_keeping.h).

@@ -171,9 +171,9 @@ void draw_library_search(Ui& ui, const Workspace& work, LibraryState& state) {
 }
 
 void draw_library_order(Ui& ui, const Workspace& work, LibraryState& state) {
-    if (state.comparer && state.comparer->busy()) {
-        if (draw_progress(ui, {"Comparing", state.comparer->progress(), "comparing"})) {
-            state.comparer->cancel();
+    if (state.comparer.busy()) {
+        if (draw_progress(ui, {"Comparing", state.comparer.progress(), "comparing"})) {
+            state.comparer.cancel();
         }
         return;
     }

@@ -66,10 +66,9 @@ std::optional<EntriesRead> read_entries(const EntriesRequest& request, std::stop
 }
 
 template <class Request, class Answer, class Work>
-void submit(OwnedJob<Request, Answer>& job, const Ui& ui, Work work, Request request) {
-    using Job = LatestJob<Request, Answer>;
-    if (!job) job = std::make_unique<Job>(JobPolicy::supersede, work, ui.wake);
-    job->submit(std::move(request));
+void submit(Query<Request, Answer>& job, const Ui& ui, Work work, Request request) {
+    job.begin(JobPolicy::supersede, work, ui.wake);
+    job.ask(std::move(request));
 }
 
 // By the target that is chosen now.
@@ -216,7 +215,7 @@ void ask_alike_again(const Ui& ui, const Workspace& work, LibraryState& state) {
 
 void forget_alike(LibraryState& state) {
     state.alike.reset();
-    if (state.comparer) state.comparer->forget();
+    state.comparer.forget();
     if (state.by == LibraryColumn::match && state.drawn.empty()) state.by = LibraryColumn::file;
 }
 
@@ -228,29 +227,21 @@ void add_entries(Ui& ui, const Workspace& work, LibraryState& state,
 }
 
 void follow_library(Ui& ui, Workspace& work, LibraryState& state) {
-    if (state.reader) {
-        ShownLibrary library = state.reader->latest();
-        if (library && library != state.library) take_library(ui, state, std::move(library));
+    ShownLibrary library = state.reader.latest();
+    if (library && library != state.library) take_library(ui, state, std::move(library));
+    auto alike = state.comparer.latest();
+    const bool is_new = alike && alike != state.alike && alike->request.library == state.library;
+    if (is_new && !alike->fault.empty()) {
+        complain(ui, alike->fault);
+        forget_alike(state);
+    } else if (is_new) {
+        state.alike = std::move(alike);
+        state.by = LibraryColumn::match;
+        state.descending = false;
     }
-    if (state.comparer) {
-        auto alike = state.comparer->latest();
-        const bool is_new =
-            alike && alike != state.alike && alike->request.library == state.library;
-        if (is_new && !alike->fault.empty()) {
-            complain(ui, alike->fault);
-            forget_alike(state);
-        } else if (is_new) {
-            state.alike = std::move(alike);
-            state.by = LibraryColumn::match;
-            state.descending = false;
-        }
-    }
-    if (state.adder) {
-        const auto read = state.adder->latest();
-        if (read) {
-            state.adder->forget();
-            if (read->request.document == work.document_number) take_entries(ui, work, *read);
-        }
+    if (const auto read = state.adder.latest()) {
+        state.adder.forget();
+        if (read->request.document == work.document_number) take_entries(ui, work, *read);
     }
 }
 
@@ -269,7 +260,7 @@ const std::vector<LibraryRow>& library_rows(LibraryState& state) {
 }
 
 bool is_library_busy(const LibraryState& state) {
-    return (state.reader && state.reader->busy()) || (state.comparer && state.comparer->busy());
+    return state.reader.busy() || state.comparer.busy();
 }
 
 void hold_entry(const Ui& ui, Workspace& work, LibraryState& state, std::size_t entry) {
@@ -277,7 +268,7 @@ void hold_entry(const Ui& ui, Workspace& work, LibraryState& state, std::size_t 
         state.held = entry;
         submit(state.holder, ui, read_entries, EntriesRequest{state.library, {entry}, 0});
     }
-    const auto read = state.holder->latest();
+    const auto read = state.holder.latest();
     const bool is_it = read && read->request.library == state.library &&
                        read->request.entries == std::vector<std::size_t>{entry};
     if (is_it && !read->vibrations.empty()) note_pressed(work, read->vibrations.front());

@@ -14,11 +14,11 @@ namespace tact {
 void draw_library_panel(Ui& ui, Workspace& work, LibraryState& state) {
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.held.reset();
     if (!ui.as_picture) draw_library_folder(ui, work, state);
-    if (state.reader && state.reader->busy()) {
-        if (draw_progress(ui, {"Reading", state.reader->progress(), "reading"}))
-            state.reader->cancel();
+    if (state.reader.busy()) {
+        if (draw_progress(ui, {"Reading", state.reader.progress(), "reading"}))
+            state.reader.cancel();
     }
-    if (draw_failure(ui, "library", failure_of(state.reader))) return;
+    if (draw_failure(ui, "library", state.reader.failure())) return;
     if (!state.library) {
         draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No library is open",
                    "A folder of effects, recordings and sets is listed here, to be searched and "

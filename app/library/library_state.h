@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/library/library.h"
 #include "model/library/library_search.h"
 #include "model/library/like.h"
@@ -86,10 +86,10 @@ struct LibraryState {
     std::optional<LibraryAsked> asked;
     std::vector<LibraryRow> rows;
     std::optional<std::size_t> held;  // is felt as long as its row is pressed
-    OwnedJob<LibraryRequest, Library> reader;
-    OwnedJob<AlikeRequest, Alike> comparer;
-    OwnedJob<EntriesRequest, EntriesRead> holder;
-    OwnedJob<EntriesRequest, EntriesRead> adder;
+    Query<LibraryRequest, Library> reader;
+    Query<AlikeRequest, Alike> comparer;
+    Query<EntriesRequest, EntriesRead> holder;
+    Query<EntriesRequest, EntriesRead> adder;
 };
 
 }  // namespace tact

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 
 namespace tact {
 
@@ -23,7 +23,7 @@ struct ManualMade {
 
 struct ManualState {
     std::filesystem::path program;  // itself; empty: nothing is started, as in tests
-    OwnedJob<ManualRequest, ManualMade> job;
+    Query<ManualRequest, ManualMade> job;
     std::shared_ptr<const ManualMade> shown;  // the last that was opened
     std::vector<int> openers;                 // processes that opened it, until they have ended
     std::string wanted_keys;                  // what the list of keys is searched for

@@ -128,23 +128,21 @@ void open_manual(Ui& ui, ManualState& manual) {
                         "FILE.html\" in a terminal makes it.");
     }
     if (is_current(kept, manual.program)) return show_in_browser(ui, manual, kept);
-    if (manual.job && manual.job->busy()) return;
-    if (!manual.job) {
-        manual.job = std::make_unique<LatestJob<ManualRequest, ManualMade>>(
-            JobPolicy::finish,
-            [](const ManualRequest& request, const std::stop_token& stop, std::atomic<float>&) {
-                return made_manual(request, stop);
-            },
-            ui.wake);
-    }
-    manual.job->submit({manual.program, kept});
+    if (manual.job.busy()) return;
+    manual.job.begin(
+        JobPolicy::finish,
+        [](const ManualRequest& request, const std::stop_token& stop, std::atomic<float>&) {
+            return made_manual(request, stop);
+        },
+        ui.wake);
+    manual.job.ask({manual.program, kept});
     say(ui, "The manual is being made; it opens in a moment.");
 }
 
 void take_manual(Ui& ui, ManualState& manual) {
     if (!manual.openers.empty()) forget_ended(manual);
-    if (!manual.job) return;
-    const auto made = manual.job->latest();
+    if (!manual.job.has_begun()) return;
+    const auto made = manual.job.latest();
     if (!made || made == manual.shown) return;
     manual.shown = made;
     if (!made->fault.empty()) return complain(ui, "The manual could not be made: " + made->fault);

@@ -94,18 +94,15 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
 }
 
 void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map) {
-    using MapJob = LatestJob<LiveMapRequest, LiveMap>;
-    shown_map.preview_job = std::make_unique<MapJob>(JobPolicy::finish, LiveMapWork{}, ui.wake);
-    shown_map.full_job =
-        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
-    shown_map.unshifted_job =
-        std::make_unique<MapJob>(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
+    shown_map.preview_job.begin(JobPolicy::finish, LiveMapWork{}, ui.wake);
+    shown_map.full_job.begin(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
+    shown_map.unshifted_job.begin(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
     shown_map.maps_asked = work.revision;  // until something changes or is asked for
 }
 
 void take_maps(const Ui& ui, ShownMap& shown_map) {
-    if (!shown_map.full_job) return;
-    for (const auto* job : {shown_map.preview_job.get(), shown_map.full_job.get()}) {
+    if (!shown_map.full_job.has_begun()) return;
+    for (const auto* job : {&shown_map.preview_job, &shown_map.full_job}) {
         if (auto map = job->latest(); is_news(shown_map, map))
             show_map(ui, shown_map, std::move(map));
     }
@@ -113,7 +110,8 @@ void take_maps(const Ui& ui, ShownMap& shown_map) {
 }
 
 void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
-    if (!shown_map.full_job) return;  // a picture without a window computes its map itself
+    if (!shown_map.full_job.has_begun())
+        return;  // a picture without a window computes its map itself
     shown_map.maps_asked = work.revision;
     shown_map.cancelled = false;
     // Another document is another map: the last one says nothing of it.
@@ -123,8 +121,8 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     const PatternSet& set = work.document.set;
     const bool has_preview = preview_grain(set).has_value();
     const bool waits = exact_waits(work, shown_map);
-    if (waits) shown_map.full_job->cancel();
-    if (!has_preview) shown_map.preview_job->cancel();
+    if (waits) shown_map.full_job.cancel();
+    if (!has_preview) shown_map.preview_job.cancel();
     if (waits && !has_preview) return;
     LiveMapRequest request{work.revision,
                            work.document_number,
@@ -132,12 +130,12 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
                            shown_map.dimensions,
                            false,
                            rendered_by(rendered)};
-    if (!waits) shown_map.full_job->submit(request);
+    if (!waits) shown_map.full_job.ask(request);
     const auto& shown = shown_map.transition.shown;
     const bool is_shown = shown && shown->request.revision == work.revision;
     if (!has_preview || (is_shown && shown->request.preview)) return;
     request.preview = true;
-    shown_map.preview_job->submit(request);
+    shown_map.preview_job.ask(request);
 }
 
 void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {

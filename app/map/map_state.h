@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/map/live_map.h"
 #include "model/pattern/pattern_parameter.h"
 #include "viz/space/space_view.h"
@@ -114,9 +114,9 @@ struct ShownUnfelt {
 };
 
 struct ShownMap {
-    OwnedJob<LiveMapRequest, LiveMap> preview_job;
-    OwnedJob<LiveMapRequest, LiveMap> full_job;
-    OwnedJob<LiveMapRequest, LiveMap> unshifted_job;
+    Query<LiveMapRequest, LiveMap> preview_job;
+    Query<LiveMapRequest, LiveMap> full_job;
+    Query<LiveMapRequest, LiveMap> unshifted_job;
     std::shared_ptr<const LiveMap> unshifted_asked_of;  // the map shown then
     bool show_people = false;                           // their map over the predicted one
     std::optional<MapProgress> progress;                // while it is being computed

@@ -186,7 +186,7 @@ void act_on(Workspace& work, const MatrixAction& action, const std::vector<std::
 
 void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     if (!ui.as_picture) draw_choice(ui, shown_map);
-    const bool failed = draw_failure(ui, "matrix", failure_of(shown_map.full_job));
+    const bool failed = draw_failure(ui, "matrix", shown_map.full_job.failure());
     Rect area = rest_of_pane();
     if (area.empty()) return;
     const bool few = work.document.set.vibrations.size() < 2;

@@ -322,7 +322,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     if (!ui.as_picture) draw_controls(ui, work, shown_map);
     const MapState state = map_state(work, shown_map);
     const bool failed =
-        state != MapState::too_large && draw_failure(ui, "space", failure_of(shown_map.full_job));
+        state != MapState::too_large && draw_failure(ui, "space", shown_map.full_job.failure());
     shown_map.has_headline = false;
     Rect area = rest_of_pane();
     if (area.empty()) return {};

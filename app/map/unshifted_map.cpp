@@ -50,13 +50,13 @@ bool shows_unshifted(const MapTransition& map) {
 
 void follow_unshifted(ShownMap& shown_map) {
     MapTransition& map = shown_map.transition;
-    if (!map.shown || !shown_map.unshifted_job || map.shown->request.preview) return;
+    if (!map.shown || !shown_map.unshifted_job.has_begun() || map.shown->request.preview) return;
     const LiveMapRequest& shown = map.shown->request;
     if (!is_shifted(shown) || shows_unshifted(map) || needs_asking(*shown.set)) return;
     if (std::exchange(shown_map.unshifted_asked_of, map.shown) != map.shown) {
-        shown_map.unshifted_job->submit(without_shifts(shown));
+        shown_map.unshifted_job.ask(without_shifts(shown));
     }
-    auto unshifted = shown_map.unshifted_job->latest();
+    auto unshifted = shown_map.unshifted_job.latest();
     if (!unshifted || !is_without_shifts(unshifted->request, shown)) return;
     map.anchor_points = aligned_to_anchor(map, *unshifted);
     map.anchor = std::move(unshifted);

@@ -68,7 +68,7 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
     const ImportedFile* file = answer_of(importing, k);
     char text[64] = "";
     if (file == nullptr) {
-        const bool failed = !failure_of(importing.import_job).empty();
+        const bool failed = !importing.import_job.failure().empty();
         std::snprintf(text, sizeof text, "%s", failed ? "not read" : "reading\u2026");
     } else if (!file->fault.empty()) {
         std::snprintf(text, sizeof text, "cannot be read");
@@ -116,7 +116,7 @@ void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
         return draw_empty_overlay(ui, "No recordings yet", "Add the files of an accelerometer.");
     importing.shown = std::min(importing.shown, importing.files.size() - 1);
     const ImportedFile* file = answer_of(importing, importing.shown);
-    if (file == nullptr && draw_failure(ui, "import", failure_of(importing.import_job))) return;
+    if (file == nullptr && draw_failure(ui, "import", importing.import_job.failure())) return;
     if (file == nullptr) return draw_empty_overlay(ui, "Reading\u2026", "");
     if (!file->fault.empty()) return draw_empty_overlay(ui, "Cannot be read", file->fault);
     const auto place = file->twin
@@ -247,7 +247,7 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
         const auto place =
             place_named(work.document.set, std::get<Measurement>(twin.vibration.source).measures);
         if (place) draw_twin(ui, work, work.document.set.vibrations[*place], twin, "synthetic");
-    } else if (shown || !draw_failure(ui, "simulation", failure_of(importing.simulation_job))) {
+    } else if (shown || !draw_failure(ui, "simulation", importing.simulation_job.failure())) {
         draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");
     }

@@ -144,20 +144,19 @@ SimulationRequest simulation_request(const Workspace& work, ImportState& importi
 
 template <class Request, class Answer, class Work>
 void ask_to_take(const Ui& ui, Takes<Request, Answer>& takes, Request request, Work work) {
-    using Job = LatestJob<Request, Answer>;
-    if (!takes.job) takes.job = std::make_unique<Job>(JobPolicy::finish, work, ui.wake);
+    takes.job.begin(JobPolicy::finish, work, ui.wake);
     takes.waiting.push_back(std::move(request));
-    if (takes.waiting.size() == 1) takes.job->submit(takes.waiting.front());
+    if (takes.waiting.size() == 1) takes.job.ask(takes.waiting.front());
 }
 
 // The answer to the one that is being worked on, once; the next one begins.
 template <class Request, class Answer>
 std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
-    std::shared_ptr<const Answer> answer = takes.job->latest();
+    std::shared_ptr<const Answer> answer = takes.job.latest();
     if (!answer || answer->request.number != takes.waiting.front().number) return {};
     takes.waiting.pop_front();
-    if (!takes.waiting.empty()) takes.job->submit(takes.waiting.front());
+    if (!takes.waiting.empty()) takes.job.ask(takes.waiting.front());
     return answer;
 }
 
@@ -165,10 +164,10 @@ std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
 template <class Request, class Answer>
 std::string next_failed(Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
-    std::string failure = failure_of(takes.job);
+    std::string failure = takes.job.failure();
     if (failure.empty()) return {};
     takes.waiting.pop_front();
-    if (!takes.waiting.empty()) takes.job->submit(takes.waiting.front());
+    if (!takes.waiting.empty()) takes.job.ask(takes.waiting.front());
     return failure;
 }
 
@@ -192,10 +191,10 @@ void take_simulated(Ui& ui, Workspace& work, const SimulationAnswer& answer) {
 }  // namespace
 
 void stop_import(ImportState& importing) {
-    importing.import_job.reset();
-    importing.simulation_job.reset();
-    importing.import_takes.job.reset();
-    importing.simulation_takes.job.reset();
+    importing.import_job.end();
+    importing.simulation_job.end();
+    importing.import_takes.job.end();
+    importing.simulation_takes.job.end();
 }
 
 bool is_taking(const ImportState& importing) {
@@ -203,11 +202,11 @@ bool is_taking(const ImportState& importing) {
 }
 
 void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
-    if (importing.import_job) {
-        if (auto answer = importing.import_job->latest()) importing.answer = std::move(answer);
+    if (importing.import_job.has_begun()) {
+        if (auto answer = importing.import_job.latest()) importing.answer = std::move(answer);
     }
-    if (importing.simulation_job) {
-        if (auto answer = importing.simulation_job->latest())
+    if (importing.simulation_job.has_begun()) {
+        if (auto answer = importing.simulation_job.latest())
             importing.simulated = std::move(answer);
     }
     // The chooser was left without a file.
@@ -275,11 +274,8 @@ void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& imp
 }
 
 void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing) {
-    using Job = LatestJob<ImportRequest, ImportAnswer>;
-    if (!importing.import_job) {
-        importing.import_job = std::make_unique<Job>(JobPolicy::supersede, import_all, ui.wake);
-    }
-    importing.import_job->submit(import_request(work, importing, {}));
+    importing.import_job.begin(JobPolicy::supersede, import_all, ui.wake);
+    importing.import_job.ask(import_request(work, importing, {}));
 }
 
 void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
@@ -289,13 +285,8 @@ void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
 }
 
 void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing) {
-    using Job = LatestJob<SimulationRequest, SimulationAnswer>;
-    if (!importing.simulation_job) {
-        importing.simulation_job =
-            std::make_unique<Job>(JobPolicy::supersede, simulate_all, ui.wake);
-    }
-    importing.simulation_job->submit(
-        simulation_request(work, importing, {work.selection.current}, {}));
+    importing.simulation_job.begin(JobPolicy::supersede, simulate_all, ui.wake);
+    importing.simulation_job.ask(simulation_request(work, importing, {work.selection.current}, {}));
 }
 
 void take_simulation(Ui& ui, const Workspace& work, ImportState& importing) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/measured/recording_fields.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/measured_twin.h"
@@ -59,7 +59,7 @@ struct SimulationAnswer {
 template <class Request, class Answer>
 struct Takes {
     std::deque<Request> waiting;  // the first is being worked on
-    OwnedJob<Request, Answer> job;
+    Query<Request, Answer> job;
 };
 
 struct ImportState {
@@ -70,10 +70,10 @@ struct ImportState {
     bool adding = false;               // the chooser looks for more files
     std::filesystem::path columns_of;  // whose columns somebody wants to tell; empty: nobody
     ActuatorParams actuator;
-    bool simulate_all = true;  // patterns, not only the selected ones
-    std::uint64_t asked = 0;   // the number of the last request of either kind
-    OwnedJob<ImportRequest, ImportAnswer> import_job;  // to look
-    OwnedJob<SimulationRequest, SimulationAnswer> simulation_job;
+    bool simulate_all = true;                       // patterns, not only the selected ones
+    std::uint64_t asked = 0;                        // the number of the last request of either kind
+    Query<ImportRequest, ImportAnswer> import_job;  // to look
+    Query<SimulationRequest, SimulationAnswer> simulation_job;
     Takes<ImportRequest, ImportAnswer> import_takes;  // into the set
     Takes<SimulationRequest, SimulationAnswer> simulation_takes;
     std::shared_ptr<const ImportAnswer> answer;

@@ -100,25 +100,22 @@ std::string proposed_name(const FoundTraining& found) {
 }  // namespace
 
 void make_training_job(const Ui& ui, ModelBench& model_bench) {
-    model_bench.training.job = std::make_unique<LatestJob<TrainingRequest, FoundTraining>>(
-        JobPolicy::supersede, find_parameters, ui.wake);
+    model_bench.training.job.begin(JobPolicy::supersede, find_parameters, ui.wake);
 }
 
-void stop_training(ModelBench& model_bench) { model_bench.training.job.reset(); }
+void stop_training(ModelBench& model_bench) { model_bench.training.job.end(); }
 
 void follow_training(Ui& ui, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
-    if (!state.job) return;
-    const auto latest = state.job->latest();
+    if (!state.job.has_begun()) return;
+    const auto latest = state.job.latest();
     if (!latest || latest == state.found) return;
     state.found = latest;
     state.scroll_to_result = latest->fault.empty();
     if (!latest->fault.empty()) complain(ui, "Nothing to fit to: " + latest->fault);
 }
 
-bool is_training(const ModelBench& model_bench) {
-    return model_bench.training.job && model_bench.training.job->busy();
-}
+bool is_training(const ModelBench& model_bench) { return model_bench.training.job.busy(); }
 
 const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench) {
     OwnRatings& own = model_bench.training.own;
@@ -152,13 +149,11 @@ TrainingRequest training_request(const Workspace& work, ModelBench& model_bench)
 
 void begin_training(const Workspace& work, ModelBench& model_bench) {
     TrainingRequest request = training_request(work, model_bench);
-    if (request.sets.empty() || !model_bench.training.job) return;
-    model_bench.training.job->submit(std::move(request));
+    if (request.sets.empty() || !model_bench.training.job.has_begun()) return;
+    model_bench.training.job.ask(std::move(request));
 }
 
-void cancel_training(ModelBench& model_bench) {
-    if (model_bench.training.job) model_bench.training.job->cancel();
-}
+void cancel_training(ModelBench& model_bench) { model_bench.training.job.cancel(); }
 
 bool is_training_stale(const Workspace& work, ModelBench& model_bench) {
     TrainingFreshness& fresh = model_bench.training.freshness;

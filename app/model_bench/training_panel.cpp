@@ -117,7 +117,7 @@ const TrainingEstimate& estimate(ModelBench& model_bench, const TrainingRequest&
 }
 
 void draw_search(Ui& ui, ModelBench& model_bench) {
-    const float share = model_bench.training.job->progress();
+    const float share = model_bench.training.job.progress();
     const Rect bar = rect_at(ImGui::GetCursorScreenPos(),
                              {ImGui::GetContentRegionAvail().x, 3.0F * ui.theme.scale});
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -160,9 +160,9 @@ void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {
         draw_search(ui, model_bench);
-    } else if (model_bench.training.job) {
+    } else if (model_bench.training.job.has_begun()) {
         draw_begin(ui, work, model_bench);
-        (void)draw_failure(ui, "training", failure_of(model_bench.training.job));
+        (void)draw_failure(ui, "training", model_bench.training.job.failure());
     }
     const auto found = model_bench.training.found;  // kept while it is drawn
     if (found && found->fault.empty()) draw_training_result(ui, work, model_bench, *found);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/io/set/model_file.h"
 #include "model/set/pattern_set.h"
 #include "model/study/ratings.h"
@@ -84,7 +84,7 @@ struct TrainingState {
     std::vector<KeptModel> kept;  // by name
     bool kept_were_read = false;
 
-    OwnedJob<TrainingRequest, FoundTraining> job;  // null: a picture
+    Query<TrainingRequest, FoundTraining> job;  // null: a picture
     std::shared_ptr<const FoundTraining> found;
 };
 

@@ -133,7 +133,7 @@ void begin(Ui& ui, Workspace& work, Opening& opening, OpeningRequest request) {
     request.number = ++opening.requests;
     request.since_s = ui.time_s;
     opening.asked = request;
-    if (opening.job) return opening.job->submit(std::move(request));
+    if (opening.job.has_begun()) return opening.job.ask(std::move(request));
     std::atomic<float> progress;
     take(ui, work, opening, read_files(request, {}, progress));
 }
@@ -141,7 +141,7 @@ void begin(Ui& ui, Workspace& work, Opening& opening, OpeningRequest request) {
 }  // namespace
 
 void make_opening_job(Ui& ui, Opening& opening) {
-    opening.job = std::make_unique<LatestJob<OpeningRequest, OpeningAnswer>>(
+    opening.job.begin(
         JobPolicy::supersede,
         [](const OpeningRequest& request, const std::stop_token& stop, std::atomic<float>& progress)
             -> std::optional<OpeningAnswer> { return read_files(request, stop, progress); },
@@ -163,15 +163,15 @@ void add_paths(Ui& ui, Workspace& work, Opening& opening, const std::vector<fs::
 }
 
 void follow_opening(Ui& ui, Workspace& work, Opening& opening, bool is_free) {
-    if (!opening.asked || !opening.job || !is_free) return;
+    if (!opening.asked || !opening.job.has_begun() || !is_free) return;
     // Before its answer is looked for: one that comes in between is taken by the next frame.
-    const bool is_busy = opening.job->busy();
-    const auto answer = opening.job->latest();
+    const bool is_busy = opening.job.busy();
+    const auto answer = opening.job.latest();
     if (answer && answer->request.number == opening.asked->number) {
         take(ui, work, opening, *answer);
     } else if (!is_busy) {
         opening.asked.reset();
-        const std::string failure = opening.job->failure();
+        const std::string failure = opening.job.failure();
         if (!failure.empty()) complain(ui, "Nothing was opened: " + failure);
     }
 }
@@ -182,14 +182,14 @@ void cancel_opening(Ui& ui, Opening& opening) {
     if (!opening.asked) return;
     const std::string done = opening.asked->adds ? "added" : "opened";
     opening.asked.reset();
-    opening.job->forget();
+    opening.job.forget();
     say(ui, "Nothing was " + done + ": reading was cancelled.");
 }
 
 bool draw_opening(Ui& ui, Opening& opening) {
     if (!opening.asked || ui.time_s - opening.asked->since_s < kSoonS) return false;
     const std::string doing = "Reading " + name_of(*opening.asked);
-    if (draw_progress(ui, {doing.c_str(), opening.job->progress(), "reading"})) {
+    if (draw_progress(ui, {doing.c_str(), opening.job.progress(), "reading"})) {
         cancel_opening(ui, opening);
     }
     return true;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/common/expected.h"
 #include "model/io/set/loaded.h"
 
@@ -31,7 +31,7 @@ struct OpeningAnswer {
 };
 
 struct Opening {
-    OwnedJob<OpeningRequest, OpeningAnswer> job;
+    Query<OpeningRequest, OpeningAnswer> job;
     std::optional<OpeningRequest> asked;  // which is being read, or waits to be shown
     std::uint64_t requests = 0;           // that were numbered so far
     std::vector<std::string> left_out;    // of what was opened last, each "FILE: what was expected"

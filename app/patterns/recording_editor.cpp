@@ -42,25 +42,15 @@ void follow_recording(RecordingEditor& editor, const Vibration& vibration) {
 }
 
 void follow_trace(const Ui& ui, RecordingEditor& editor) {
-    if (!editor.job) {
-        editor.job = std::make_unique<LatestJob<TraceRequest, TraceAnswer>>(
-            JobPolicy::finish,
-            [](const TraceRequest& request, std::stop_token, std::atomic<float>&) {
-                TraceParams params;
-                params.most_points = request.most_points;
-                return std::optional(TraceAnswer{request, traced(*request.recording, params)});
-            },
-            ui.wake);
-    }
-    const TraceRequest wanted{editor.after, editor.most_points};
-    if (wanted == editor.asked) return;
-    editor.asked = wanted;
-    editor.job->submit(wanted);
-}
-
-std::shared_ptr<const TraceAnswer> current_trace(const RecordingEditor& editor) {
-    auto answer = editor.job->latest();
-    return answer && answer->request == editor.asked ? answer : nullptr;
+    editor.job.begin(
+        JobPolicy::finish,
+        [](const TraceRequest& request, std::stop_token, std::atomic<float>&) {
+            TraceParams params;
+            params.most_points = request.most_points;
+            return std::optional(TraceAnswer{request, traced(*request.recording, params)});
+        },
+        ui.wake);
+    editor.job.want(TraceRequest{editor.after, editor.most_points});
 }
 
 void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) {
@@ -297,7 +287,7 @@ void draw_recording_editor(Ui& ui, Workspace& work, RecordingEditor& editor) {
     const Measurement measurement = std::get<Measurement>(vibration->source);
     follow_recording(editor, *vibration);
     follow_trace(ui, editor);
-    const std::shared_ptr<const TraceAnswer> answer = current_trace(editor);
+    const std::shared_ptr<const TraceAnswer> answer = editor.job.current();
     draw_picture(ui, work, measurement, answer.get());
     draw_source(ui, work, measurement);
     draw_cut_fields(ui, work, editor);

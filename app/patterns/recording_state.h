@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/pattern/traced.h"
 #include "model/set/pattern_set.h"
 
@@ -40,8 +40,7 @@ struct RecordingEditor {
     std::shared_ptr<const Waveform> after;  // what is in the set
     RecordingCut cut;
     std::size_t most_points = TraceParams{}.most_points;
-    TraceRequest asked;
-    OwnedJob<TraceRequest, TraceAnswer> job;
+    Query<TraceRequest, TraceAnswer> job;
 };
 
 }  // namespace tact

@@ -7,35 +7,25 @@
 namespace tact {
 
 void make_stages_jobs(const Ui& ui, Physiology& physiology) {
-    using StagesJob = LatestJob<LiveStagesRequest, LiveStages>;
     for (auto* job : {&physiology.stages_job, &physiology.pinned_job}) {
-        *job = std::make_unique<StagesJob>(JobPolicy::finish, compute_live_stages, ui.wake);
+        job->begin(JobPolicy::finish, compute_live_stages, ui.wake);
     }
 }
 
 void take_stages(Physiology& physiology) {
-    if (!physiology.stages_job) return;
-    if (auto stages = physiology.stages_job->latest()) physiology.stages = std::move(stages);
-    if (auto stages = physiology.pinned_job->latest()) physiology.pinned_stages = std::move(stages);
+    if (!physiology.stages_job.has_begun()) return;
+    if (auto stages = physiology.stages_job.latest()) physiology.stages = std::move(stages);
+    if (auto stages = physiology.pinned_job.latest()) physiology.pinned_stages = std::move(stages);
 }
 
 void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology) {
     const PatternSet& set = work.document.set;
-    if (!physiology.stages_job || work.selection.current >= set.vibrations.size()) return;
-    LiveStagesRequest request = stages_request(set, work.selection.current, rendered_by(rendered));
-    if (request != physiology.stages_asked) {
-        physiology.stages_asked = request;
-        physiology.stages_job->submit(std::move(request));
-    }
-    const auto pinned = place_named(set, work.selection.pinned);
-    if (!pinned) {
-        work.selection.pinned.clear();
+    if (!physiology.stages_job.has_begun() || work.selection.current >= set.vibrations.size())
         return;
-    }
-    request = stages_request(set, *pinned, rendered_by(rendered));
-    if (request == physiology.pinned_asked) return;
-    physiology.pinned_asked = request;
-    physiology.pinned_job->submit(std::move(request));
+    physiology.stages_job.want(stages_request(set, work.selection.current, rendered_by(rendered)));
+    const auto pinned = place_named(set, work.selection.pinned);
+    if (!pinned) return work.selection.pinned.clear();
+    physiology.pinned_job.want(stages_request(set, *pinned, rendered_by(rendered)));
 }
 
 void follow_pair(const Workspace& work, const ShownMap& shown_map, Physiology& physiology) {

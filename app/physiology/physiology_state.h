@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/physiology/live_stages.h"
 #include "app/physiology/stage_signals.h"
 #include "app/physiology/stages.h"
@@ -63,12 +63,10 @@ struct PhysiologyState {
 };
 
 struct Physiology {
-    OwnedJob<LiveStagesRequest, LiveStages> stages_job;
+    Query<LiveStagesRequest, LiveStages> stages_job;
     std::shared_ptr<const LiveStages> stages;  // of the current vibration, or of one before it
-    LiveStagesRequest stages_asked;
-    OwnedJob<LiveStagesRequest, LiveStages> pinned_job;
+    Query<LiveStagesRequest, LiveStages> pinned_job;
     std::shared_ptr<const LiveStages> pinned_stages;
-    LiveStagesRequest pinned_asked;
     PhysiologyState view;
 };
 

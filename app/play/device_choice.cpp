@@ -30,9 +30,7 @@ void restore_devices(Workspace& work, PlayState& play) {
     play.choices.erase(chosen);
 }
 
-void refresh_devices(PlayState& play) {
-    if (play.list_job) play.list_job->submit(++play.lists_asked);
-}
+void refresh_devices(PlayState& play) { play.list_job.ask(++play.lists_asked); }
 
 void begin_softly(PlayState& play) {
     play.was_softened = play.was_softened || play.level > kFirstLevel;
@@ -107,9 +105,7 @@ std::string name_with_output(const DeviceInfo& info) {
 std::string device_text(const PlayState& play) {
     if (play.choice.id.empty()) {
         const bool is_any = play.listed && !play.listed->empty();
-        return is_any                                   ? "No device"
-               : play.list_job && play.list_job->busy() ? "Looking..."
-                                                        : "No device";
+        return is_any ? "No device" : play.list_job.busy() ? "Looking..." : "No device";
     }
     const std::optional<DeviceInfo> info = chosen_device(play);
     if (play.for_ear) return "By ear: " + (info ? name_with_output(*info) : "no output");

@@ -242,7 +242,7 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (ImGui::Button("Refresh")) refresh_devices(play);
     note_item(ui.rects, "button:refresh");
-    if (play.list_job && play.list_job->busy()) {
+    if (play.list_job.busy()) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         dim_text(ui, "looking...");
     }

@@ -252,7 +252,7 @@ void draw_report(Ui& ui, const Workspace& work, Timeline& timeline,
                  const RenderingState& rendered) {
     const Vibration* const current = current_vibration(work);
     const std::shared_ptr<const LiveRendering> live = rendered.shown;
-    const bool failed = draw_failure(ui, "device", failure_of(rendered.job));
+    const bool failed = draw_failure(ui, "device", rendered.job.failure());
     if (failed && !live) return;
     if (current == nullptr || !live) {
         const Rect area = rest_of_pane();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "devices/calibration/calibration.h"
 #include "devices/device/device.h"
 #include "devices/device/device_info.h"
@@ -90,7 +90,7 @@ struct PlayState {
     double gap_s = 0.5;         // between two patterns
 
     std::shared_ptr<AudioHost> audio;  // null: no sound in this program, as in tests and pictures
-    OwnedJob<int, Listing> list_job;   // asked for by number
+    Query<int, Listing> list_job;      // asked for by number
     int lists_asked = 0;
     std::shared_ptr<const Listing> listed;  // null: not yet
     std::string cards_fault;                // why it has no sound cards; empty: it may have
@@ -100,7 +100,7 @@ struct PlayState {
     std::string opened_place;        // ... and where that sounds
     std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
     std::string calibration_read;                    // the file it is from, or that was no good
-    OwnedJob<DriveRequest, MadeDrive> drive_job;     // of calibrated ones
+    Query<DriveRequest, MadeDrive> drive_job;        // of calibrated ones
     std::uint64_t drives_asked = 0;
     std::uint64_t drive_taken = 0;  // number of the last one
     DeviceStatus status;            // of this frame

@@ -279,7 +279,7 @@ Sounding of_transport(const Workspace& work, const Timeline& timeline, const Sho
 
 void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
     play.audio = std::make_shared<AudioHost>();
-    play.list_job = std::make_unique<LatestJob<int, Listing>>(
+    play.list_job.begin(
         JobPolicy::finish,
         [host = play.audio](int, std::stop_token, std::atomic<float>&) {
             return std::optional<Listing>(list_devices(*host));
@@ -293,8 +293,8 @@ void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
 void stop_sound(Timeline& timeline, PlayState& play) {
     silence(timeline, play);
     play.device.reset();
-    play.list_job.reset();
-    play.drive_job.reset();
+    play.list_job.end();
+    play.drive_job.end();
     play.audio.reset();
 }
 
@@ -316,8 +316,8 @@ void take_escape(Ui& ui, Timeline& timeline, PlayState& play, bool is_pressed) {
 
 void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
-    if (play.list_job) {
-        if (auto listed = play.list_job->latest()) take_list(ui, play, std::move(listed));
+    if (play.list_job.has_begun()) {
+        if (auto listed = play.list_job.latest()) take_list(ui, play, std::move(listed));
     }
     follow_calibration(ui, work, rendered, play);
     tell_softened(ui, play);

@@ -15,16 +15,14 @@ constexpr double kLongestAtOnceS = 2.0;
 
 // The number of the request.
 std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
-    if (!play.drive_job) {
-        play.drive_job = std::make_unique<LatestJob<DriveRequest, MadeDrive>>(
-            JobPolicy::finish,
-            [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
-                return std::optional(made_drive(asked));
-            },
-            ui.wake);
-    }
+    play.drive_job.begin(
+        JobPolicy::finish,
+        [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
+            return std::optional(made_drive(asked));
+        },
+        ui.wake);
     request.number = ++play.drives_asked;
-    play.drive_job->submit(std::move(request));
+    play.drive_job.ask(std::move(request));
     return play.drives_asked;
 }
 
@@ -38,7 +36,7 @@ void give_next(Ui& ui, Timeline& timeline, PlayState& play, const MadeDrive& mad
 
 // True: what was being computed cannot be played, and nothing sounds any more.
 bool fails_to_make(Ui& ui, Timeline& timeline, PlayState& play) {
-    const std::string failure = failure_of(play.drive_job);
+    const std::string failure = play.drive_job.failure();
     if (failure.empty()) return false;
     complain(ui, "This cannot be played: " + failure + ".");
     silence(timeline, play);
@@ -96,7 +94,7 @@ bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     if (sounding.next_drive == 0) return false;
     if (fails_to_make(ui, timeline, play)) return true;
-    const auto made = play.drive_job->latest();
+    const auto made = play.drive_job.latest();
     if (!made || made->request.number != sounding.next_drive) return false;
     sounding.next_drive = 0;
     play.drive_taken = made->request.number;
@@ -106,7 +104,7 @@ bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play) {
 
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
-    const auto made = play.drive_job ? play.drive_job->latest() : nullptr;
+    const auto made = play.drive_job.latest();
     if (sounding.is_prepared) return false;
     if (fails_to_make(ui, timeline, play)) return true;
     if (!made || made->request.number < sounding.first_drive ||

@@ -238,8 +238,8 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (row_link(ui, "map action", texts.action)) {
         if (shown_map.progress) {
-            shown_map.full_job->cancel();
-            shown_map.preview_job->cancel();
+            shown_map.full_job.cancel();
+            shown_map.preview_job.cancel();
             shown_map.cancelled = true;
         } else {
             request_maps(work, shown_map, rendered);

@@ -19,11 +19,11 @@ std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& requ
 }
 
 void follow_rendering(RenderingState& state, const Vibration* vibration) {
-    if (!state.job || vibration == nullptr) return;
+    if (!state.job.has_begun() || vibration == nullptr) return;
     RenderingRequest request{*vibration, state.by};
     if (request == state.asked) return;
     state.asked = request;
-    state.job->submit(std::move(request));
+    state.job.ask(std::move(request));
 }
 
 std::optional<RenderedBy> rendered_by(const RenderingState& state) {

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <string>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "devices/calibration/rendering.h"
 #include "model/set/pattern_set.h"
 
@@ -31,7 +31,7 @@ struct RenderingState {
     bool on = false;  // maps, matrices and stages are of what the device plays
     RenderedBy by;
     bool at_bar_level = false;  // else as at full level
-    OwnedJob<RenderingRequest, LiveRendering> job;
+    Query<RenderingRequest, LiveRendering> job;
     RenderingRequest asked;
     std::shared_ptr<const LiveRendering> shown;  // of the current vibration, or of one before it
 };

@@ -104,7 +104,7 @@ void draw_sound_fields(Ui& ui, SoundsRequest& wanted) {
 void draw_made(Ui& ui, const SoundsState& sounds, const SoundsAnswer* answer) {
     const SoundMade* made = shown_sound(sounds, answer);
     if (made == nullptr) {
-        if (draw_failure(ui, "sounds", failure_of(sounds.job))) return;
+        if (draw_failure(ui, "sounds", sounds.job.failure())) return;
         return draw_empty_overlay(ui, "Reading\u2026", "");
     }
     if (!made->sound) return draw_empty_overlay(ui, "No pattern can be made of it", made->fault);
@@ -135,15 +135,15 @@ void draw_sounds_dialog(Ui& ui, Workspace& work, SoundsState& sounds) {
     draw_made(ui, sounds, answer.get());
     if (sounds.wanted != before) want_sounds(ui, sounds);
     answer = current_sounds(sounds);
-    if (answer && !answer->request.with_pm && sounds.job->busy()) {
+    if (answer && !answer->request.with_pm && sounds.job.busy()) {
         dim_text(ui, "How far it is from the sound, by PM: " +
-                         std::to_string(static_cast<int>(100.0F * sounds.job->progress())) +
+                         std::to_string(static_cast<int>(100.0F * sounds.job.progress())) +
                          " %. It can be added before.");
     }
     const std::size_t count = answer ? sounds_made(*answer) : 0;
     const std::string action = "Add " + counted(count, "pattern", "patterns");
     if (draw_ends(ui, action.c_str(), count > 0)) take_sounds(ui, work, *answer);
-    if (ui.dialog != Dialog::from_sound && sounds.job) sounds.job->cancel();
+    if (ui.dialog != Dialog::from_sound) sounds.job.cancel();
 }
 
 }  // namespace tact

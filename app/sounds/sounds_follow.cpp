@@ -50,9 +50,8 @@ SoundsRequest with_pm(SoundsRequest request) {
 }
 
 void ask_for(const Ui& ui, SoundsState& sounds, SoundsRequest request) {
-    using Job = LatestJob<SoundsRequest, SoundsAnswer>;
-    if (!sounds.job) sounds.job = std::make_unique<Job>(JobPolicy::supersede, make_all, ui.wake);
-    sounds.job->submit(std::move(request));
+    sounds.job.begin(JobPolicy::supersede, make_all, ui.wake);
+    sounds.job.ask(std::move(request));
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ void from_sound_dialog(Ui& ui, const Workspace& work) {
 void open_sounds(Ui& ui, const Workspace& work, SoundsState& sounds,
                  const std::vector<fs::path>& files) {
     sounds.answer.reset();
-    if (sounds.job) sounds.job->forget();
+    sounds.job.forget();
     sounds.shown = 0;
     sounds.wanted.document = work.document_number;
     sounds.wanted.files = files;
@@ -88,8 +87,8 @@ bool are_sounds(const std::vector<fs::path>& files) {
 }
 
 void follow_sounds(const Ui& ui, SoundsState& sounds) {
-    if (!sounds.job) return;
-    auto answer = sounds.job->latest();
+    if (!sounds.job.has_begun()) return;
+    auto answer = sounds.job.latest();
     if (!answer || answer == sounds.answer) return;
     sounds.answer = std::move(answer);
     const SoundsRequest& known = sounds.answer->request;

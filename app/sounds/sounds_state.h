@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/sound/from_sound.h"
 
 namespace tact {
@@ -39,7 +39,7 @@ struct SoundsAnswer {
 struct SoundsState {
     SoundsRequest wanted;  // without PM
     std::size_t shown = 0;
-    OwnedJob<SoundsRequest, SoundsAnswer> job;
+    Query<SoundsRequest, SoundsAnswer> job;
     std::shared_ptr<const SoundsAnswer> answer;
 };
 

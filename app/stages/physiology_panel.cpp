@@ -208,7 +208,7 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     const Rect rest = rest_of_pane();
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     const Rect row{rest.min, {rest.max.x - links - ui.theme.gap_px, rest.max.y}};
-    const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job));
+    const bool failed = draw_failure(ui, "physiology", physiology.stages_job.failure());
     if (!failed && patterns.empty()) {
         draw_on_their_way(ui, row, *vibration);
     }
@@ -241,8 +241,8 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
     if (!ui.as_picture) deed = draw_strip(ui, work, physiology, tour_begun);
     // The links above may have turned to another range.
     fit_time(work, timeline);
-    const bool failed = draw_failure(ui, "physiology", failure_of(physiology.stages_job)) ||
-                        draw_failure(ui, "physiology", failure_of(physiology.pinned_job));
+    const bool failed = draw_failure(ui, "physiology", physiology.stages_job.failure()) ||
+                        draw_failure(ui, "physiology", physiology.pinned_job.failure());
     if (patterns.empty() && failed) return deed;
     if (patterns.empty()) {
         draw_on_their_way(ui, rest_of_pane(), *vibration);

@@ -92,7 +92,7 @@ void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, Stud
         studying.shown.reset();
     }
     const bool waits = !answers || !answers->results;
-    if (waits && draw_failure(ui, "study answers", failure_of(studying.job))) return;
+    if (waits && draw_failure(ui, "study answers", studying.job.failure())) return;
     if (waits) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;

@@ -40,13 +40,10 @@ void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) 
     question.rule = studying.rule;
     question.rule.attention = work.document.set.study.attention;
     question.set = work.document.committed;
-    if (!studying.job) {
-        studying.job = std::make_unique<LatestJob<StudyQuestion, StudyAnswers>>(
-            JobPolicy::supersede, read_answers, ui.wake);
-    }
-    if (question != studying.asked) studying.job->submit(question);
+    studying.job.begin(JobPolicy::supersede, read_answers, ui.wake);
+    if (question != studying.asked) studying.job.ask(question);
     studying.asked = question;
-    studying.answers = studying.job->latest();
+    studying.answers = studying.job.latest();
 }
 
 // Onto another disk they are copied, and the first ones stay: nobody can be asked again.
@@ -65,7 +62,7 @@ bool move_or_copy(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 void stop_study(StudyState& studying) {
-    studying.job.reset();
+    studying.job.end();
     if (studying.run) studying.device->stop();
     stop_masking(studying);
 }
@@ -294,7 +291,7 @@ double study_wake_s(const Ui& ui, const StudyState& studying) {
         const bool looks = studying.masks || studying.actuator.is_there;
         return looks ? std::min(next_s, kMaskingLookS) : next_s;
     }
-    const bool is_busy = studying.is_open && studying.job && studying.job->busy();
+    const bool is_busy = studying.is_open && studying.job.busy();
     return is_busy ? 0.1 : std::numeric_limits<double>::infinity();
 }
 

@@ -215,7 +215,7 @@ void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     draw_buttons(ui, work, timeline, shown_map, play, studying);
     draw_device(ui, play, studying);
     draw_design_changes(ui, work, studying);
-    (void)draw_failure(ui, "study", failure_of(studying.job));
+    (void)draw_failure(ui, "study", studying.job.failure());
     const std::shared_ptr<const StudyAnswers> answers = studying.answers;
     if (!answers) {
         const Rect area = rest_of_pane();

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/study/study_runner.h"
 #include "devices/device/device.h"
 #include "devices/device/memory_device.h"
@@ -88,7 +88,7 @@ struct StudyState {
     std::optional<StudyRun> run;            // fills the window
     std::optional<StudyLog> log;            // its file
     std::shared_ptr<const PatternSet> set;  // as it was when the run began
-    OwnedJob<StudyQuestion, StudyAnswers> job;
+    Query<StudyQuestion, StudyAnswers> job;
     std::shared_ptr<const StudyAnswers> answers;
     StudyQuestion asked;
     std::uint64_t folder_revision = 1;  // raised when a file was written, or may have been

@@ -153,9 +153,10 @@ std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map
 
 void ask_for_separation(const Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                         std::size_t row) {
-    if (!picking.separation_job || !separation_obstacle(work, shown_map, picking, row).empty())
+    if (!picking.separation_job.has_begun() ||
+        !separation_obstacle(work, shown_map, picking, row).empty())
         return;
-    picking.separation_job->submit(separation_request(shown_map, picking, row));
+    picking.separation_job.ask(separation_request(shown_map, picking, row));
 }
 
 void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& picking,

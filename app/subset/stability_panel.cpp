@@ -33,7 +33,7 @@ bool may_ask(const ShownMap& shown_map, const SubsetState& picking) {
 
 // Takes the click on the button, which was drawn last.
 void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
-    if (pressed && picking.stability_job) picking.stability_job->submit({picking.pick, 100});
+    if (pressed) picking.stability_job.ask({picking.pick, 100});
     note_item(ui.rects, "button:draw models");
     draw_tooltip(ui,
                  "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
@@ -41,7 +41,7 @@ void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
 }
 
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
-    const bool busy = picking.stability_job && picking.stability_job->busy();
+    const bool busy = picking.stability_job.busy();
     const Pick* pick = shown_pick(shown_map, picking);
     const bool is_preview = pick != nullptr && is_of_preview(pick->request);
     const bool possible = may_ask(shown_map, picking);
@@ -51,11 +51,11 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     take_ask(ui, picking, pressed);
     if (busy) {
         ImGui::SameLine();
-        if (draw_progress(ui, {"Testing variants", picking.stability_job->progress(), "stability"},
+        if (draw_progress(ui, {"Testing variants", picking.stability_job.progress(), "stability"},
                           true)) {
-            picking.stability_job->cancel();
+            picking.stability_job.cancel();
         }
-    } else if (draw_failure(ui, "stability", failure_of(picking.stability_job))) {
+    } else if (draw_failure(ui, "stability", picking.stability_job.failure())) {
         return;
     } else if (!possible) {
         const std::string why = pick == nullptr ? "Nothing is picked yet: see Pick."
@@ -106,9 +106,9 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                          SubsetState& picking) {
     const Stability* stability = shown_stability(picking);
     // Below what it is for, until there is an answer to stand above.
-    const bool busy = picking.stability_job && picking.stability_job->busy();
+    const bool busy = picking.stability_job.busy();
     const bool first = stability == nullptr && may_ask(shown_map, picking) && !busy &&
-                       failure_of(picking.stability_job).empty();
+                       picking.stability_job.failure().empty();
     if (!first) draw_ask(ui, shown_map, picking);
     if (stability == nullptr) {
         const Rect area = rest_of_pane();

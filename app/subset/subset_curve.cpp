@@ -128,7 +128,7 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     if (pressed) picking.count = static_cast<int>(point.count);
 }
 
-bool is_busy(const SubsetState& picking) { return picking.curve_job && picking.curve_job->busy(); }
+bool is_busy(const SubsetState& picking) { return picking.curve_job.busy(); }
 
 }  // namespace
 
@@ -156,7 +156,7 @@ void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const R
     if (!is_busy(picking)) return;
     char text[32];
     std::snprintf(text, sizeof text, "%d %% done",
-                  static_cast<int>(100.0F * picking.curve_job->progress()));
+                  static_cast<int>(100.0F * picking.curve_job.progress()));
     draw_empty(list, ui.theme, area, "Trying other counts", text);
 }
 

@@ -156,7 +156,7 @@ std::string no_pick_because(const Workspace& work, const ShownMap& shown_map,
     if (is_picking(picking)) return {};
     if (picking.cancelled) return "the picking was cancelled; press Pick again, then export";
     if (picking.pick && !is_pick_stale(work, shown_map, picking)) return picking.pick->fault;
-    return failure_of(picking.pick_job);
+    return picking.pick_job.failure();
 }
 
 void write_report(Ui& ui, const fs::path& file, const Report& report) {

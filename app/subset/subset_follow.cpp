@@ -142,15 +142,15 @@ PickRequest curve_request(PickRequest request) {
     return request;
 }
 
-template <class Job, class Answer>
-void take(const std::unique_ptr<Job>& job, std::shared_ptr<const Answer>& answer) {
-    if (auto latest = job->latest()) answer = std::move(latest);
+template <class Request, class Answer>
+void take(const Query<Request, Answer>& job, std::shared_ptr<const Answer>& answer) {
+    if (auto latest = job.latest()) answer = std::move(latest);
 }
 
 constexpr std::size_t kKeptStabilities = 8;
 
 void take_stability(SubsetState& picking) {
-    auto latest = picking.stability_job->latest();
+    auto latest = picking.stability_job.latest();
     auto& all = picking.stabilities;
     if (!latest || (!all.empty() && all.front() == latest)) return;
     all.insert(all.begin(), std::move(latest));
@@ -173,26 +173,22 @@ bool is_same_pick(const Pick& a, const Pick& b) {
 }  // namespace
 
 void make_subset_jobs(const Ui& ui, SubsetState& picking) {
-    picking.pick_job =
-        std::make_unique<LatestJob<PickRequest, Pick>>(JobPolicy::supersede, pick_subset, ui.wake);
-    picking.curve_job = std::make_unique<LatestJob<PickRequest, PickCurve>>(JobPolicy::supersede,
-                                                                            follow_curve, ui.wake);
-    picking.separation_job = std::make_unique<LatestJob<SeparationRequest, FoundSeparations>>(
-        JobPolicy::supersede, find_separations, ui.wake);
-    picking.stability_job = std::make_unique<LatestJob<StabilityRequest, FoundStability>>(
-        JobPolicy::supersede, find_stability, ui.wake);
+    picking.pick_job.begin(JobPolicy::supersede, pick_subset, ui.wake);
+    picking.curve_job.begin(JobPolicy::supersede, follow_curve, ui.wake);
+    picking.separation_job.begin(JobPolicy::supersede, find_separations, ui.wake);
+    picking.stability_job.begin(JobPolicy::supersede, find_stability, ui.wake);
 }
 
 void stop_subset_jobs(SubsetState& picking) {
-    picking.pick_job.reset();
-    picking.curve_job.reset();
-    picking.separation_job.reset();
-    picking.stability_job.reset();
+    picking.pick_job.end();
+    picking.curve_job.end();
+    picking.separation_job.end();
+    picking.stability_job.end();
 }
 
 void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                    SubsetState& picking) {
-    if (!picking.pick_job) return;
+    if (!picking.pick_job.has_begun()) return;
     take(picking.pick_job, picking.pick);
     take(picking.curve_job, picking.curve);
     take(picking.separation_job, picking.separations);
@@ -209,12 +205,12 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
     picking.asked = request;
     picking.cancelled = false;
     picking.alternative.reset();
-    picking.pick_job->submit(request);
+    picking.pick_job.ask(request);
     if (state == MapState::preview) return;
     request = curve_request(std::move(request));
     if (request == picking.curve_asked) return;
     picking.curve_asked = request;
-    picking.curve_job->submit(std::move(request));
+    picking.curve_job.ask(std::move(request));
 }
 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
@@ -256,16 +252,16 @@ const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking
     return &pick->answer.alternatives[*alternative];
 }
 
-bool is_picking(const SubsetState& picking) { return picking.pick_job && picking.pick_job->busy(); }
+bool is_picking(const SubsetState& picking) { return picking.pick_job.busy(); }
 
 bool is_subset_busy(const SubsetState& picking) {
-    return picking.pick_job && (picking.pick_job->busy() || picking.curve_job->busy() ||
-                                picking.separation_job->busy() || picking.stability_job->busy());
+    return picking.pick_job.busy() || picking.curve_job.busy() || picking.separation_job.busy() ||
+           picking.stability_job.busy();
 }
 
 void cancel_picking(SubsetState& picking) {
-    picking.pick_job->cancel();
-    picking.curve_job->cancel();
+    picking.pick_job.cancel();
+    picking.curve_job.cancel();
     picking.cancelled = true;
 }
 

@@ -235,7 +235,7 @@ void draw_unfelt_choice(Ui& ui, SubsetState& picking) {
 bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                      SubsetState& picking) {
     if (is_picking(picking)) {
-        if (draw_progress(ui, {"Picking", picking.pick_job->progress(), "picking"}))
+        if (draw_progress(ui, {"Picking", picking.pick_job.progress(), "picking"}))
             cancel_picking(picking);
     } else if (picking.cancelled) {
         dim_text(ui, "Cancelled.");
@@ -243,8 +243,8 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         if (link(ui, "pick again", "Pick again")) picking.asked = {};
         note_item(ui.rects, "link:pick again");
     }
-    const bool failed = draw_failure(ui, "subset", failure_of(picking.pick_job));
-    (void)draw_failure(ui, "curve", failure_of(picking.curve_job));
+    const bool failed = draw_failure(ui, "subset", picking.pick_job.failure());
+    (void)draw_failure(ui, "curve", picking.curve_job.failure());
     if (shown_pick(shown_map, picking) != nullptr) return true;
     if (failed) return false;
     const bool has_fault = picking.pick && !picking.pick->fault.empty() && !is_picking(picking);

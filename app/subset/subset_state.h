@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/metric.h"
 #include "model/pattern/pattern_parameter.h"
@@ -132,10 +132,10 @@ struct SubsetState {
     std::filesystem::path report_to;
 
     // Null until the program has begun; the answers may be of an earlier document.
-    OwnedJob<PickRequest, Pick> pick_job;
-    OwnedJob<PickRequest, PickCurve> curve_job;
-    OwnedJob<SeparationRequest, FoundSeparations> separation_job;
-    OwnedJob<StabilityRequest, FoundStability> stability_job;
+    Query<PickRequest, Pick> pick_job;
+    Query<PickRequest, PickCurve> curve_job;
+    Query<SeparationRequest, FoundSeparations> separation_job;
+    Query<StabilityRequest, FoundStability> stability_job;
     PickRequest asked;
     PickRequest curve_asked;
     bool cancelled = false;  // by the person, until something else is asked for

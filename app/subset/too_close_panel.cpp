@@ -276,7 +276,7 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
 }
 
 void draw_search(Ui& ui, SubsetState& picking) {
-    auto& job = *picking.separation_job;
+    auto& job = picking.separation_job;
     if (draw_progress(ui, {"Separating", job.progress(), "separation"})) job.cancel();
 }
 
@@ -326,7 +326,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     draw_change_choice(ui, work, shown_map, picking, rows);
     const std::size_t row = row_to_change(work, shown_map, picking, rows);
     const SeparationRequest asked = separation_request(shown_map, picking, row);
-    if (picking.separation_job && picking.separation_job->busy()) return draw_search(ui, picking);
+    if (picking.separation_job.busy()) return draw_search(ui, picking);
     const std::string obstacle = separation_obstacle(work, shown_map, picking, row);
     ImGui::BeginDisabled(!obstacle.empty());
     if (primary_button(ui.theme, kAsk)) ask_for_separation(work, shown_map, picking, row);
@@ -341,7 +341,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         reading_text(ui.theme.dim_text, obstacle);
         note_item(ui.rects, "separation obstacle", obstacle);
     }
-    (void)draw_failure(ui, "separation", failure_of(picking.separation_job));
+    (void)draw_failure(ui, "separation", picking.separation_job.failure());
     draw_found(ui, work, picking, asked);
 }
 

@@ -164,7 +164,7 @@ bool draw_rows(Ui& ui, const TableAnswer& answer, TableWords& words) {
 void draw_outcome(Ui& ui, const TableState& table, bool is_newest) {
     const TableAnswer* answer = table.answer.get();
     if (answer == nullptr || !is_newest) {
-        if (!draw_failure(ui, "table", failure_of(table.job))) dim_text(ui, "Reading\u2026");
+        if (!draw_failure(ui, "table", table.job.failure())) dim_text(ui, "Reading\u2026");
         return;
     }
     const bool is_bad = !answer->fault.empty();

@@ -212,37 +212,31 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path
 }
 
 void look_at_table(const Ui& ui, const Workspace& work, TableState& table) {
-    using Job = LatestJob<TableRequest, TableAnswer>;
-    if (!table.job) {
-        table.job = std::make_unique<Job>(JobPolicy::supersede, looked_at, ui.wake);
-    }
-    table.job->submit({work.document_number, table.file, table.words,
-                       std::make_shared<const PatternSet>(work.document.set)});
+    table.job.begin(JobPolicy::supersede, looked_at, ui.wake);
+    table.job.ask({work.document_number, table.file, table.words,
+                   std::make_shared<const PatternSet>(work.document.set)});
 }
 
 void read_tables(Ui& ui, const Workspace& work, TableState& table,
                  const std::vector<fs::path>& files, bool may_be_recordings) {
     if (files.empty()) return;
-    using Job = LatestJob<TablesRequest, TablesAnswer>;
-    if (!table.reading_job) {
-        table.reading_job = std::make_unique<Job>(JobPolicy::finish, read_all, ui.wake);
-    }
-    table.reading_job->submit({++table.asked, work.document_number, files, may_be_recordings});
+    table.reading_job.begin(JobPolicy::finish, read_all, ui.wake);
+    table.reading_job.ask({++table.asked, work.document_number, files, may_be_recordings});
     say(ui, "Reading " + files.front().filename().string() + "\u2026");
 }
 
 void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                    ImportState& importing) {
-    if (table.job) {
-        const auto answer = table.job->latest();
+    if (table.job.has_begun()) {
+        const auto answer = table.job.latest();
         if (answer && answer->request.file == table.file) table.answer = answer;
     }
     if (table.asked == table.taken) return;
-    if (const std::string failure = failure_of(table.reading_job); !failure.empty()) {
+    if (const std::string failure = table.reading_job.failure(); !failure.empty()) {
         table.taken = table.asked;
         return complain(ui, "Not read: " + failure + ".");
     }
-    const auto read = table.reading_job ? table.reading_job->latest() : nullptr;
+    const auto read = table.reading_job.latest();
     if (!read || read->request.number != table.asked) return;
     // What has to be asked waits for what is asked now.
     const bool is_free = ui.dialog == Dialog::none && !ui.chooser.is_open;

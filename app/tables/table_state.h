@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/pattern_set.h"
@@ -69,9 +69,9 @@ struct TableState {
     std::filesystem::path file;
     TableHead names;  // the first row as it was found, by which words are remembered
     TableWords words;
-    OwnedJob<TableRequest, TableAnswer> job;
+    Query<TableRequest, TableAnswer> job;
     std::shared_ptr<const TableAnswer> answer;
-    OwnedJob<TablesRequest, TablesAnswer> reading_job;
+    Query<TablesRequest, TablesAnswer> reading_job;
     std::uint64_t asked = 0;  // the number of the last request ...
     std::uint64_t taken = 0;  // ... and of the last one that came to its end
 };

@@ -104,7 +104,7 @@ std::string outcome(const Transformed& made) {
 }
 
 void draw_outcome(Ui& ui, const TransformState& state, const Transformed* made) {
-    if (made == nullptr && draw_failure(ui, "transform", failure_of(state.job))) return;
+    if (made == nullptr && draw_failure(ui, "transform", state.job.failure())) return;
     const std::string words = made == nullptr ? "..." : outcome(*made);
     const bool failed = made != nullptr && made->left > 0;
     coloured_text(failed ? ui.theme.warning : ui.theme.text, words);

@@ -81,10 +81,7 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
         if (is_other(state.other)) break;
         state.other = vibration.name;
     }
-    if (!state.job) {
-        state.job = std::make_unique<LatestJob<TransformTask, Transformed>>(JobPolicy::supersede,
-                                                                            transformed, ui.wake);
-    }
+    state.job.begin(JobPolicy::supersede, transformed, ui.wake);
     ui.dialog = Dialog::transform;
 }
 
@@ -115,24 +112,18 @@ std::string transformed_words(const Workspace& work) {
 }
 
 void follow_transform(const Ui& ui, const Workspace& work, TransformState& state) {
-    if (!state.job) return;
-    if (ui.dialog != Dialog::transform) {
-        if (state.job->busy()) state.job->cancel();
-        state.asked.reset();
-        return;
-    }
-    const auto wanted = transform_request(work, state);
-    if (wanted && state.asked && is_same(*wanted, *state.asked)) return;
-    if (wanted) state.job->submit(task_of(work, *wanted));
-    if (!wanted && state.asked) state.job->cancel();
-    state.asked = wanted;
+    const auto wanted = ui.dialog == Dialog::transform ? transform_request(work, state)
+                                                       : std::optional<TransformRequest>();
+    if (!wanted) return state.job.leave();
+    const auto& asked = state.job.asked();
+    if (!asked || !is_same(*wanted, asked->request)) state.job.ask(task_of(work, *wanted));
 }
 
-bool is_transforming(const TransformState& state) { return state.job && state.job->busy(); }
+bool is_transforming(const TransformState& state) { return state.job.busy(); }
 
 std::shared_ptr<const Transformed> current_transform(const Workspace& work,
                                                      const TransformState& state) {
-    auto made = state.job ? state.job->latest() : nullptr;
+    auto made = state.job.latest();
     if (!made) return nullptr;
     const auto wanted = transform_request(work, state);
     return wanted && is_same(*wanted, made->request) ? made : nullptr;

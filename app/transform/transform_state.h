@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/jobs/owned_job.h"
+#include "app/jobs/query.h"
 #include "model/algebra/algebra.h"
 
 namespace tact {
@@ -39,8 +39,7 @@ struct TransformState {
     std::array<std::optional<double>, kEditKindCount> numbers;  // none: what is offered first
     std::string other;  // name of the pattern that is joined or mixed
 
-    OwnedJob<TransformTask, Transformed> job;  // null until it is wanted
-    std::optional<TransformRequest> asked;
+    Query<TransformTask, Transformed> job;
 };
 
 }  // namespace tact

@@ -87,7 +87,7 @@ void draw_next_of_sheet(App& app) {
     if (!state.lesson) return state.sheet_to.clear();
     const LessonAnswers* answers = answers_of(state);
     const Lesson& lesson = *state.shown;
-    if (state.job && state.job->busy()) return;  // they are on their way
+    if (state.job.busy()) return;  // they are on their way
     const std::size_t next = state.sheet_pictures.size();
     if (next < lesson.steps.size()) {
         state.sheet_pictures.push_back(step_picture(lesson, next));

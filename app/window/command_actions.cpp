@@ -157,7 +157,7 @@ void escape(App& app) {
         leave_the_lesson(app);
     } else if (is_filling(app.maybes)) {
         stop_filling(app.maybes);
-    } else if (app.maybes.put.asked) {
+    } else if (app.maybes.put.job.asked()) {
         stop_putting(app.maybes);
     } else if (!app.maybes.varied.empty()) {
         stop_varying(app.maybes);

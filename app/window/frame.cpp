@@ -151,7 +151,7 @@ void draw_status_line(App& app, const Rect& area) {
     const ImVec2 min{area.max.x - width - theme.padding_px, area.centre().y - 2.0F * theme.scale};
     const ImVec2 max{area.max.x - theme.padding_px, min.y + 4.0F * theme.scale};
     list.AddRectFilled(min, max, theme.field, 2.0F * theme.scale);
-    const float share = std::clamp(app.shown_map.full_job->progress(), 0.0F, 1.0F);
+    const float share = std::clamp(app.shown_map.full_job.progress(), 0.0F, 1.0F);
     list.AddRectFilled(min, {min.x + (max.x - min.x) * share, max.y}, theme.accent,
                        2.0F * theme.scale);
 }
@@ -186,7 +186,8 @@ void take_row_click(App& app) {
 
 // A picture waits for all of them.
 void begin_thumbnails(App& app) {
-    if (app.shown_map.full_job) app.work.cache.samples_left = kMostSamplesAtOnce;  // about 1 ms
+    if (app.shown_map.full_job.has_begun())
+        app.work.cache.samples_left = kMostSamplesAtOnce;  // about 1 ms
     app.work.cache.behind = false;
     follow_render_job(app.work.cache);
 }
@@ -224,7 +225,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
 
 void follow_progress(App& app) {
     if (!is_computing(app)) return app.shown_map.progress.reset();
-    const float share = app.shown_map.full_job->progress();
+    const float share = app.shown_map.full_job.progress();
     // A newer request begins again.
     const bool begun = app.shown_map.progress && share >= app.shown_map.progress->share;
     app.shown_map.progress =
@@ -418,13 +419,10 @@ void draw_still_window(App& app) {
     draw_panes(app, {});
 }
 
-bool is_computing(const App& app) {
-    return app.shown_map.full_job && app.shown_map.full_job->busy();
-}
+bool is_computing(const App& app) { return app.shown_map.full_job.busy(); }
 
 bool is_comparing(const App& app) {
-    return app.comparing.comparison_job &&
-           (app.comparing.comparison_job->busy() || app.comparing.findings_job->busy());
+    return app.comparing.comparison_job.busy() || app.comparing.findings_job.busy();
 }
 
 bool wants_another_frame(const App& app) {

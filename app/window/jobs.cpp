@@ -168,7 +168,7 @@ void begin_others_again(App& app) {
     app.studying.leaving_out = {};
     app.studying.rounds_text.clear();
     app.studying.edited_text.clear();
-    if (app.studying.job) app.studying.job->forget();
+    app.studying.job.forget();
 }
 
 void begin_time_again(Timeline& timeline) {
@@ -205,7 +205,9 @@ void swap_with_aside(App& app) {
     app.shown_map.dimensions = aside.shown_map.dimensions;
     app.physiology.view.open = aside.physiology.view.open;
     app.pattern_panes.strip.height = aside.pattern_panes.strip.height;
-    if (!app.shown_map.full_job && aside.shown_map.full_job) make_document_jobs(app);
+    if (!app.shown_map.full_job.has_begun() && aside.shown_map.full_job.has_begun()) {
+        make_document_jobs(app);
+    }
 }
 
 // True where the rooms now are those of the document, as they were left.
@@ -255,36 +257,36 @@ void make_jobs(App& app) {
 void stop_jobs(App& app) {
     app.aside = {};
     stop_study(app.studying);
-    app.work.cache.render_job.reset();
-    app.opening.job.reset();
-    app.generating.job.reset();
-    app.manual.job.reset();
-    app.pattern_panes.recording.job.reset();
+    app.work.cache.render_job.end();
+    app.opening.job.end();
+    app.generating.job.end();
+    app.manual.job.end();
+    app.pattern_panes.recording.job.end();
     stop_import(app.importing);
-    app.table.job.reset();
-    app.table.reading_job.reset();
-    app.sounds.job.reset();
-    app.library.reader.reset();
-    app.library.comparer.reset();
-    app.library.holder.reset();
-    app.library.adder.reset();
+    app.table.job.end();
+    app.table.reading_job.end();
+    app.sounds.job.end();
+    app.library.reader.end();
+    app.library.comparer.end();
+    app.library.holder.end();
+    app.library.adder.end();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
     stop_maybes_jobs(app.maybes);
-    app.steps.job.reset();
-    app.transform.job.reset();
-    app.exports.effects.job.reset();
-    app.comparing.findings_job.reset();
-    app.rendered.job.reset();
-    app.comparing.fit_job.reset();
-    app.comparing.difference_job.reset();
-    app.comparing.comparison_job.reset();
-    app.shown_map.full_job.reset();
-    app.shown_map.preview_job.reset();
-    app.shown_map.unshifted_job.reset();
-    app.physiology.stages_job.reset();
-    app.physiology.pinned_job.reset();
-    app.lesson.job.reset();
+    app.steps.job.end();
+    app.transform.job.end();
+    app.exports.effects.job.end();
+    app.comparing.findings_job.end();
+    app.rendered.job.end();
+    app.comparing.fit_job.end();
+    app.comparing.difference_job.end();
+    app.comparing.comparison_job.end();
+    app.shown_map.full_job.end();
+    app.shown_map.preview_job.end();
+    app.shown_map.unshifted_job.end();
+    app.physiology.stages_job.end();
+    app.physiology.pinned_job.end();
+    app.lesson.job.end();
 }
 
 void take_answers(App& app) {

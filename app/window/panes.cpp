@@ -64,7 +64,7 @@ std::string time_taken(double seconds) {
 std::string map_state_text(const App& app) {
     char text[96];
     const bool busy = is_computing(app);
-    const int percent = busy ? static_cast<int>(100.0F * app.shown_map.full_job->progress()) : 0;
+    const int percent = busy ? static_cast<int>(100.0F * app.shown_map.full_job.progress()) : 0;
     const bool another = shows_another_set(app.work, app.shown_map);
     switch (another ? MapState::none : map_state(app.work, app.shown_map)) {
         case MapState::none:

@@ -64,7 +64,7 @@ void frame_while_putting(benchmark::State& state) {
     const Eigen::MatrixXd& points = program.app.shown_map.transition.to;
     FrameTimes searching;
     for (auto _ : state) {
-        if (!program.app.maybes.put.asked) {
+        if (!program.app.maybes.put.job.asked()) {
             const PointMove move{0, points.row(points.rows() / 2), true};
             move_point(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes,
                        move);

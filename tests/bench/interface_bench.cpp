@@ -316,7 +316,7 @@ void frame_on_display(benchmark::State& state, const PatternSet& set) {
     };
     client.after_frame = [&] {
         const bool ready =
-            app.physiology.stages && app.physiology.stages->request == app.physiology.stages_asked;
+            app.physiology.stages && app.physiology.stages == app.physiology.stages_job.current();
         if (!ready ||
             (set.vibrations.size() > 1 && map_state(app.work, app.shown_map) != MapState::exact))
             return;

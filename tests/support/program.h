@@ -156,15 +156,15 @@ struct Program {
 
     // Draws frames until the stages on screen are those of the present patterns; starts the jobs.
     void wait_for_stages() {
-        if (!app.shown_map.full_job) make_jobs(app);
+        if (!app.shown_map.full_job.has_begun()) make_jobs(app);
         [[maybe_unused]] const auto until = end_of_patience();  // checks may be off
         const auto arrived = [this] {
-            if (!app.physiology.stages ||
-                app.physiology.stages->request != app.physiology.stages_asked)
+            const Physiology& physiology = app.physiology;
+            if (!physiology.stages || physiology.stages != physiology.stages_job.current())
                 return false;
             if (app.work.selection.pinned.empty()) return true;
-            return app.physiology.pinned_stages &&
-                   app.physiology.pinned_stages->request == app.physiology.pinned_asked;
+            return physiology.pinned_stages &&
+                   physiology.pinned_stages == physiology.pinned_job.current();
         };
         do {
             REQUIRE(std::chrono::steady_clock::now() < until);

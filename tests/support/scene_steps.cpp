@@ -115,14 +115,14 @@ void maximise(Program& program, Pane pane) {
 
 void wait_for_comparison(Program& program) {
     const Comparing& comparing = program.app.comparing;
-    wait_until(program, [&] { return comparing.comparison && !comparing.comparison_job->busy(); });
+    wait_until(program, [&] { return comparing.comparison && !comparing.comparison_job.busy(); });
 }
 
 void show_why(Program& program) {
     choose_pair(program.app.work, 0, 1);
     show_bench(program, BenchTab::why);
     const Comparing& comparing = program.app.comparing;
-    wait_until(program, [&] { return comparing.difference && !comparing.difference_job->busy(); });
+    wait_until(program, [&] { return comparing.difference && !comparing.difference_job.busy(); });
 }
 
 void open_people(Program& program, StudyKind kind) {

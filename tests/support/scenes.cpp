@@ -316,7 +316,7 @@ void add_bench(std::vector<Scene>& all) {
                        show_compare(p, CompareView::findings);
                        click_if_there(p, "button:check findings");
                        wait_until(p, [&p] {
-                           return p.app.comparing.findings && !p.app.comparing.findings_job->busy();
+                           return p.app.comparing.findings && !p.app.comparing.findings_job.busy();
                        });
                    },
                    true});

@@ -109,7 +109,8 @@ Expected<ManualPicture> drawn_view(const ManualView& wanted) {
         size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
         return std::get<Svg>(view_picture(*view, wanted.view, wanted.at_s, size)).text;
     };
-    if (view->app.picking.pick_job) bring_to_rest(view->app.picking, [&] { svg(false); });
+    if (view->app.picking.pick_job.has_begun())
+        bring_to_rest(view->app.picking, [&] { svg(false); });
     return ManualPicture{svg(false), svg(true)};
 }
 

@@ -159,12 +159,12 @@ TEST_CASE("move tool: a drag of a point searches its pattern; without it the poi
         program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
     };
     drag_first();
-    CHECK_FALSE(program.app.maybes.put.asked);
+    CHECK_FALSE(program.app.maybes.put.job.asked());
     program.click("tool:move");
     drag_first();
-    CHECK(program.app.maybes.put.asked);
+    CHECK(program.app.maybes.put.job.asked());
     program.press_key(key::kEscape);
-    CHECK_FALSE(program.app.maybes.put.asked);
+    CHECK_FALSE(program.app.maybes.put.job.asked());
     CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
@@ -176,9 +176,9 @@ TEST_CASE("move tool: where it was to be and the other points stay until the nex
     const Eigen::MatrixXd before = map.transition.to;
     const ImVec2 at = program.at("point:p1").middle();
     program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
-    REQUIRE(program.app.maybes.put.asked);
+    REQUIRE(program.app.maybes.put.job.asked());
     const Eigen::RowVectorXd wanted = *program.app.maybes.put.wanted;
-    wait_until(program, [&] { return !program.app.maybes.put.asked; });
+    wait_until(program, [&] { return !program.app.maybes.put.job.asked(); });
     REQUIRE(program.app.maybes.put.aim);
     CHECK(*program.app.maybes.put.aim == wanted);
     MapMaybes shown;

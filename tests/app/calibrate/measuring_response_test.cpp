@@ -174,12 +174,13 @@ TEST_CASE("measuring a response: what is doubtful of the table is said beside it
     read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();
     CHECK_FALSE(program.shows("calibrate:remark 0"));
-    ResponseAnswer doubted = *program.app.calibrating.job->latest();
+    ResponseAnswer doubted = *program.app.calibrating.job.latest();
     doubted.result.remarks = {"between 50 and 71 Hz strengths may be wrong by 2.0 dB"};
-    program.app.calibrating.job = std::make_unique<LatestJob<ResponseQuestion, ResponseAnswer>>(
+    program.app.calibrating.job.end();
+    program.app.calibrating.job.begin(
         JobPolicy::finish, [doubted](const ResponseQuestion&, std::stop_token,
                                      std::atomic<float>&) { return std::optional(doubted); });
-    program.app.calibrating.job->submit(doubted.question);
+    program.app.calibrating.job.ask(doubted.question);
     while (!program.shows("calibrate:remark 0")) program.frame();
     CHECK(program.at("calibrate:remark 0").value == doubted.result.remarks.front());
 }

@@ -244,10 +244,10 @@ TEST_CASE("compare tab: cancelled, it waits for a word or the next edit") {
     bench.program.app.layout.bench = BenchTab::compare;
     bench.program.frame();
     cancel_comparison(bench.program.app.work, bench.program.app.comparing);
-    bench.wait_until([&] { return !bench.program.app.comparing.comparison_job->busy(); });
+    bench.wait_until([&] { return !bench.program.app.comparing.comparison_job.busy(); });
     CHECK(bench.program.app.comparing.comparison == nullptr);
     for (int k = 0; k < 5; ++k) bench.program.frame();
-    CHECK_FALSE(bench.program.app.comparing.comparison_job->busy());
+    CHECK_FALSE(bench.program.app.comparing.comparison_job.busy());
     bench.program.click("button:compare metrics");
     bench.wait_for_comparison();
     CHECK(bench.program.shows("metric:pm"));
@@ -315,7 +315,7 @@ TEST_CASE("findings: they are checked on request, and can be cancelled") {
     CHECK(bench.program.app.comparing.findings == nullptr);
     bench.program.click("button:check findings");
     bench.program.click("link:cancel findings");
-    bench.wait_until([&] { return !bench.program.app.comparing.findings_job->busy(); });
+    bench.wait_until([&] { return !bench.program.app.comparing.findings_job.busy(); });
     CHECK(bench.program.app.comparing.findings == nullptr);
     CHECK(bench.program.shows("button:check findings"));
 }

@@ -46,7 +46,7 @@ struct EffectDialog {
         EditedDocument& document = program.app.work.document;
         document.open({document.set, folder.path / "test.tactspace.json", document.saved});
         program.compute_map();
-        if (!with_job) effects().job.reset();
+        if (!with_job) effects().job.end();
         run_command(program, "Export vibrations...");
     }
     ~EffectDialog() { stop_jobs(program.app); }

@@ -174,7 +174,7 @@ TEST_CASE("library: a held row is felt as long as it is held") {
     program.settle();
     wait_until(program, [&] {
         const auto& holder = program.app.library.holder;
-        return holder->latest() != nullptr;
+        return holder.latest() != nullptr;
     });
     program.wait(kHoldS + 0.05);
     CHECK(program.device->playing());

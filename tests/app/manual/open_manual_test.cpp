@@ -73,7 +73,7 @@ struct ProgramWithManual : Program {
     explicit ProgramWithManual(const Desktop& desktop) : Program(short_patterns(2)) {
         app.manual.program = desktop.program;
     }
-    ~ProgramWithManual() { app.manual.job.reset(); }
+    ~ProgramWithManual() { app.manual.job.end(); }
 };
 
 }  // namespace

@@ -104,13 +104,13 @@ TEST_CASE("map: where the exact one has to be asked for, a preview is shown, sai
         REQUIRE(std::chrono::steady_clock::now() < until);
         program.frame();
     }
-    CHECK_FALSE(app.shown_map.full_job->busy());
+    CHECK_FALSE(app.shown_map.full_job.busy());
     program.settle();
     CHECK(program.at("title right:Perceptual space").value == "preview; exact waits");
     CHECK(app.shown_map.transition.to.rows() == kMostLivePatterns + 1);
     const auto preview = app.shown_map.transition.shown;
     program.click("link:compute exact");
-    CHECK(app.shown_map.full_job->busy());
+    CHECK(app.shown_map.full_job.busy());
     CHECK(app.shown_map.transition.shown == preview);  // it stays until the exact one is there
     CHECK_FALSE(program.shows("link:compute exact"));
     stop_jobs(app);
@@ -153,7 +153,7 @@ TEST_CASE("map: a set that is too large even for a preview waits for a word") {
     Program program(short_patterns(2001));
     make_jobs(program.app);
     request_maps(program.app.work, program.app.shown_map, program.app.rendered);
-    CHECK_FALSE(program.app.shown_map.full_job->busy());
+    CHECK_FALSE(program.app.shown_map.full_job.busy());
     CHECK(map_state(program.app.work, program.app.shown_map) == MapState::too_large);
     program.settle();
     CHECK(program.shows("button:compute anyway"));
@@ -172,7 +172,7 @@ TEST_CASE("map: of another set nothing is shown, of an earlier state it is said 
     program.compute_map();
     App& app = program.app;
     app.layout.bench = BenchTab::matrix;
-    app.shown_map.full_job->cancel();
+    app.shown_map.full_job.cancel();
     app.shown_map.maps_asked = ++app.work.revision;  // nobody computes it
     program.settle();
     CHECK(program.at("title right:Perceptual space").value.starts_with("before the edit"));

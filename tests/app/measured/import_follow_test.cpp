@@ -107,11 +107,13 @@ TEST_CASE("import: of work that fails the sentence is told, and the next one beg
     import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
     take_recordings(app.ui, app.work, app.importing);
     take_recordings(app.ui, app.work, app.importing);
-    app.importing.import_takes.job = std::make_unique<LatestJob<ImportRequest, ImportAnswer>>(
-        JobPolicy::finish,
-        [](const ImportRequest&, std::stop_token, std::atomic<float>&)
-            -> std::optional<ImportAnswer> { throw std::runtime_error("the disk is gone"); });
-    app.importing.import_takes.job->submit(app.importing.import_takes.waiting.front());
+    app.importing.import_takes.job.end();
+    app.importing.import_takes.job.begin(JobPolicy::finish,
+                                         [](const ImportRequest&, std::stop_token,
+                                            std::atomic<float>&) -> std::optional<ImportAnswer> {
+                                             throw std::runtime_error("the disk is gone");
+                                         });
+    app.importing.import_takes.job.ask(app.importing.import_takes.waiting.front());
     wait_until(program, [&] { return !is_taking(app.importing); });
     CHECK(contains(app.ui.status.text, "Not imported: the work failed: the disk is gone"));
     CHECK(count(program) == 4);

@@ -32,7 +32,8 @@ struct SlowDisk {
     App& app = program.app;
 
     SlowDisk() {
-        app.opening.job = std::make_unique<LatestJob<OpeningRequest, OpeningAnswer>>(
+        app.opening.job.end();
+        app.opening.job.begin(
             JobPolicy::supersede,
             [is_read = is_read](const OpeningRequest& request, const std::stop_token& stop,
                                 std::atomic<float>& progress) -> std::optional<OpeningAnswer> {
@@ -68,7 +69,7 @@ struct SlowDisk {
     std::size_t count() const { return app.work.document.set.vibrations.size(); }
     // Until the disk is being read.
     void wait_for_reader() {
-        wait_until(program, [this] { return app.opening.job->progress() > 0.0F; });
+        wait_until(program, [this] { return app.opening.job.progress() > 0.0F; });
     }
     // So long that it is said.
     void rest() {
@@ -138,7 +139,7 @@ TEST_CASE("opening: what was read waits for a question, a dialog, a list and a h
     App& app = disk.app;
     const auto stays = [&] {
         *disk.is_read = true;
-        while (app.opening.job->busy()) disk.program.frame();
+        while (app.opening.job.busy()) disk.program.frame();
         disk.rest();
         return disk.count() == 2;
     };

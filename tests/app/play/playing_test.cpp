@@ -300,7 +300,7 @@ TEST_CASE("playing: what was being computed when it was silenced is not played")
     play_once(program.app.ui, program.app.work, program.app.timeline, program.app.play, 0);
     silence(program.app.timeline, program.app.play);
     const auto until = end_of_patience();
-    while (!program.app.play.drive_job->latest()) {
+    while (!program.app.play.drive_job.latest()) {
         REQUIRE(std::chrono::steady_clock::now() < until);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

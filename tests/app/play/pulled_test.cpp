@@ -74,7 +74,7 @@ struct Pulled : FeltProgram {
     }
     void wait_for_drives() {
         const auto until = end_of_patience();
-        while (app.play.drive_job && app.play.drive_job->busy()) {
+        while (app.play.drive_job.busy()) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }

@@ -30,14 +30,14 @@ constexpr const char* kSaid = "the work failed: the lights went out";
 
 // In place of a job: one that fails whatever it is asked.
 template <class Request, class Answer>
-void fail(std::unique_ptr<LatestJob<Request, Answer>>& job) {
-    job = std::make_unique<LatestJob<Request, Answer>>(
-        JobPolicy::supersede,
-        [](const Request&, std::stop_token, std::atomic<float>&) -> std::optional<Answer> {
-            throw std::runtime_error("the lights went out");
-        });
-    job->submit(Request{});
-    while (job->busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+void fail(Query<Request, Answer>& job) {
+    job.end();
+    job.begin(JobPolicy::supersede,
+              [](const Request&, std::stop_token, std::atomic<float>&) -> std::optional<Answer> {
+                  throw std::runtime_error("the lights went out");
+              });
+    job.ask(Request{});
+    while (job.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 struct Failing : Program {
@@ -78,6 +78,7 @@ TEST_CASE("failure: it goes with the first answer") {
     program.compute_map();
     fail(app.shown_map.full_job);
     CHECK(program.says("space"));
+    app.shown_map.full_job.end();
     make_map_jobs(app.ui, app.work, app.shown_map);
     std::get<Pattern>(app.work.document.edit().vibrations[0].source).amplitude_g *= 0.5;
     document_changed(app.work);
@@ -91,16 +92,16 @@ TEST_CASE("failure: a job that failed is asked again with the next change") {
     App& app = program.app;
     make_jobs(app);
     std::atomic<int> asked = 0;
-    app.shown_map.full_job = std::make_unique<LatestJob<LiveMapRequest, LiveMap>>(
-        JobPolicy::finish,
-        [&asked](const LiveMapRequest&, std::stop_token,
-                 std::atomic<float>&) -> std::optional<LiveMap> {
-            ++asked;
-            throw std::runtime_error("the lights went out");
-        });
+    app.shown_map.full_job.end();
+    app.shown_map.full_job.begin(JobPolicy::finish,
+                                 [&asked](const LiveMapRequest&, std::stop_token,
+                                          std::atomic<float>&) -> std::optional<LiveMap> {
+                                     ++asked;
+                                     throw std::runtime_error("the lights went out");
+                                 });
     for (int k = 1; k <= 2; ++k) {
         document_changed(app.work);
-        while (asked < k || app.shown_map.full_job->busy()) program.frame();
+        while (asked < k || app.shown_map.full_job.busy()) program.frame();
         CHECK(program.says("space"));
     }
 }

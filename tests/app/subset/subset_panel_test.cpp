@@ -163,7 +163,7 @@ TEST_CASE("subset panel: too close pairs are listed, and a separation is one ste
     CHECK(too_close_names(app.layout, app.picking).contains(all[pair.a].name));
     bench.program.click("too close:" + all[pair.a].name + "|" + all[pair.b].name);
     bench.program.click("button:separate");
-    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    bench.wait([&] { return !app.picking.separation_job.busy(); });
     const auto found = app.picking.separations;
     REQUIRE(found);
     REQUIRE_FALSE(found->all.empty());
@@ -202,7 +202,7 @@ TEST_CASE("subset panel: by felt steps no pair is too close, until two differ by
     CHECK(bench.program.shows("too close:p1|p2"));
     bench.program.click("too close:p1|p2");
     bench.program.click("button:separate");
-    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    bench.wait([&] { return !app.picking.separation_job.busy(); });
     const auto found = app.picking.separations;
     REQUIRE(found);
     REQUIRE_FALSE(found->all.empty());
@@ -225,7 +225,7 @@ TEST_CASE("subset panel: what would separate the weakest pair is asked in one cl
     CHECK(opened_rows(app.shown_map, app.picking) == before.weakest);
     CHECK(bench.program.shows("too close:" + name(before.weakest.first) + "|" +
                               name(before.weakest.second)));
-    bench.wait([&] { return !app.picking.separation_job->busy(); });
+    bench.wait([&] { return !app.picking.separation_job.busy(); });
     const auto found = app.picking.separations;
     REQUIRE(found);
     CHECK(found->request.from == before.members);
@@ -254,7 +254,7 @@ TEST_CASE("subset panel: whatever cannot be asked says why") {
     CHECK(bench.program.at("separation obstacle").value ==
           "It can be asked once the map is exact.");
     bench.program.click("button:separate");
-    CHECK_FALSE(app.picking.separation_job->busy());
+    CHECK_FALSE(app.picking.separation_job.busy());
     bench.program.click("subset:Pick");
     CHECK(bench.program.at("subset:proof").value.starts_with("From before the last change"));
     bench.program.click("subset:Too close");
@@ -295,7 +295,7 @@ TEST_CASE("subset panel: the weakest pair can be played from where it is named")
 TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse for each point") {
     SubsetBench bench;
     bench.program.click("subset:How sure");
-    bench.app.picking.stability_job->submit({bench.app.picking.pick, 4});
+    bench.app.picking.stability_job.ask({bench.app.picking.pick, 4});
     bench.wait([&] { return shown_stability(bench.app.picking) != nullptr; });
     const Stability& stability = *shown_stability(bench.app.picking);
     CHECK(stability.draws == 4);
@@ -310,7 +310,7 @@ TEST_CASE("subset panel: ellipses are gone with an edit, and are there again onc
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("subset:How sure");
-    app.picking.stability_job->submit({app.picking.pick, 4});
+    app.picking.stability_job.ask({app.picking.pick, 4});
     bench.wait([&] { return shown_stability(app.picking) != nullptr; });
     const auto moves = shown_stability(app.picking)->moves;
     edit_patterns(app.work, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 333.0; });

@@ -137,7 +137,7 @@ TEST_CASE(
     REQUIRE(app.table.taken < app.table.asked);
     app.ui.dialog = Dialog::about;
     wait_until(program, [&app] {
-        const auto read = app.table.reading_job->latest();
+        const auto read = app.table.reading_job.latest();
         return read && read->request.number == app.table.asked;
     });
     program.settle();

@@ -113,7 +113,7 @@ void work_on(Program& program) {
         return app.picking.curve && !is_subset_busy(app.picking) && !app.picking.pick->fault.size();
     });
     app.picking.alternative = 0;
-    app.picking.stability_job->submit({app.picking.pick, 2});
+    app.picking.stability_job.ask({app.picking.pick, 2});
     wait_until(program, [&] { return !app.picking.stabilities.empty(); });
     show_compare(program, CompareView::table);
     wait_for_comparison(program);
@@ -234,19 +234,20 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     request_maps(app.work, app.shown_map, app.rendered);
     wait_until(program, [&] { return program.shows("link:compute exact"); });
     program.click("link:compute exact");
-    wait_until(program, [&] { return app.shown_map.full_job->busy(); });
-    const auto* job = app.shown_map.full_job.get();
+    wait_until(program, [&] { return app.shown_map.full_job.busy(); });
+    const LiveMapRequest asked = *app.shown_map.full_job.asked();
     const std::uint64_t document = app.work.document_number;
     app.timeline.range = {0.0, 0.5};
     begin_tour(program);
     CHECK(app.work.document_number != document);
-    CHECK(app.shown_map.full_job.get() != job);
-    CHECK(app.aside.shown_map.full_job->busy());
+    const auto& of_lesson = app.shown_map.full_job.asked();
+    CHECK((!of_lesson || of_lesson->document != asked.document));
+    CHECK(app.aside.shown_map.full_job.busy());
     leave_lesson(hands_of(app), app.lesson);
     program.settle();
     CHECK(app.work.document_number == document);
-    CHECK(app.shown_map.full_job.get() == job);
-    CHECK(job->busy());
+    CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // what runs goes on
+    CHECK(app.shown_map.full_job.busy());
     CHECK(map_state(app.work, app.shown_map) != MapState::too_large);
     CHECK(app.timeline.range == TimeRange{0.0, 0.5});
     // One that is new is none that was open before: its number is of no lesson either.
