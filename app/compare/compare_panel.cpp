@@ -156,7 +156,7 @@ void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
 }
 
 void draw_comparing(Ui& ui, const Workspace& work, Comparing& comparing) {
-    if (!comparing.comparison_job.has_begun() || !comparing.comparison_job.busy()) return;
+    if (!comparing.comparison_job.busy()) return;
     if (draw_progress(ui, {"Comparing", comparing.comparison_job.progress(), "comparison"}))
         cancel_comparison(work, comparing);
 }

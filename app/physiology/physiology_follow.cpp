@@ -13,15 +13,13 @@ void make_stages_jobs(const Ui& ui, Physiology& physiology) {
 }
 
 void take_stages(Physiology& physiology) {
-    if (!physiology.stages_job.has_begun()) return;
     if (auto stages = physiology.stages_job.latest()) physiology.stages = std::move(stages);
     if (auto stages = physiology.pinned_job.latest()) physiology.pinned_stages = std::move(stages);
 }
 
 void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology) {
     const PatternSet& set = work.document.set;
-    if (!physiology.stages_job.has_begun() || work.selection.current >= set.vibrations.size())
-        return;
+    if (work.selection.current >= set.vibrations.size()) return;
     physiology.stages_job.want(stages_request(set, work.selection.current, rendered_by(rendered)));
     const auto pinned = place_named(set, work.selection.pinned);
     if (!pinned) return work.selection.pinned.clear();
