@@ -52,13 +52,15 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
     ImGui::GetStyle().AntiAliasedLines = false;
     ImGui::GetStyle().AntiAliasedLinesUseTex = false;
     ImGui::GetStyle().AntiAliasedFill = false;
-    // A picture waits for the stages that it shows, and says nothing of a map under way.
+    // A picture waits for the stages that it shows, and says nothing of a map under way, nor leaves
+    // it room.
     const auto is_awaited = [](const std::string& text) {
         return text.find("on their way") != text.npos || text.starts_with("computing");
     };
     std::vector<std::string> texts = drawn_texts(window);
     for (const auto until = end_of_patience();
-         std::ranges::any_of(texts, is_awaited) && std::chrono::steady_clock::now() < until;) {
+         (std::ranges::any_of(texts, is_awaited) || window.app.shown_map.full_job.busy()) &&
+         std::chrono::steady_clock::now() < until;) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         texts = drawn_texts(window);
     }
