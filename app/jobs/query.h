@@ -37,7 +37,7 @@ class Query {
         return *this;
     }
 
-    // The first time; after that the work goes on as it is.
+    // Work begins with the first call; a further one changes nothing.
     void begin(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {}) {
         if (job_) return;
         job_ = std::make_unique<Job>(policy, std::move(work), std::move(wake), std::move(same));
