@@ -32,7 +32,11 @@ constexpr auto kSheetWords = std::to_array<SheetWords>(
     {{"en", "Name:", "Why?", "Mark the place in the map. Next to which does it lie?", "Note",
       "Answers", "Sources"},
      {"de", "Name:", "Warum?", "Kreuze die Stelle in der Karte an. Neben welchem Muster liegt sie?",
-      "Notiz", "Antworten", "Quellen"}});
+      "Notiz", "Antworten", "Quellen"},
+     {"ko", "\uc774\ub984:", "\uc65c \uadf8\ub807\uc2b5\ub2c8\uae4c?",
+      "\uc9c0\ub3c4\uc5d0 \uc704\uce58\ub97c \ud45c\uc2dc\ud558\uc2ed\uc2dc\uc624. \uc5b4\ub290 "
+      "\ud328\ud134 \uc606\uc785\ub2c8\uae4c?",
+      "\uba54\ubaa8", "\ub2f5", "\ucd9c\ucc98"}});
 
 // In English where the lesson's language is none of these.
 const SheetWords& words_of(const LessonSheet& sheet) {
@@ -49,7 +53,8 @@ QuestionAnswer answer_of_step(const LessonSheet& sheet, std::size_t k) {
     return k < sheet.answers.questions.size() ? sheet.answers.questions[k] : QuestionAnswer{};
 }
 
-std::string answer_html(const LessonSheet& sheet, std::size_t k) {
+// `mark` stands before it: the number of its step, or that it is the answer to what is above.
+std::string answer_html(const LessonSheet& sheet, std::size_t k, const std::string& mark) {
     const LessonQuestion& question = *sheet.lesson.steps[k].question;
     const QuestionAnswer answer = answer_of_step(sheet, k);
     std::string text;
@@ -61,7 +66,7 @@ std::string answer_html(const LessonSheet& sheet, std::size_t k) {
     for (const std::string& more : {answer.model, answer.people}) {
         if (!more.empty()) text += " " + more;
     }
-    return "<p><b>" + std::to_string(k + 1) + "</b> " + html_escaped(text) + "</p>\n";
+    return "<p><b>" + mark + "</b> " + html_escaped(text) + "</p>\n";
 }
 
 std::string question_html(const LessonSheet& sheet, std::size_t k) {
@@ -75,7 +80,7 @@ std::string question_html(const LessonSheet& sheet, std::size_t k) {
         html += "<li>\u2610 " + html_escaped(filled(option, sheet.answers.numbers)) + "</li>\n";
     }
     html += "</ul>";
-    if (is_handed_on(sheet)) return html + answer_html(sheet, k) + "</div>\n";
+    if (is_handed_on(sheet)) return html + answer_html(sheet, k, "\u2713") + "</div>\n";
     return html + "<p class=\"line\">" + words_of(sheet).why + "</p></div>\n";
 }
 
@@ -99,7 +104,7 @@ std::string answers_html(const LessonSheet& sheet) {
     if (is_handed_on(sheet)) return {};  // they stand beside the questions
     std::string html;
     for (std::size_t k = 0; k < sheet.lesson.steps.size(); ++k) {
-        if (sheet.lesson.steps[k].question) html += answer_html(sheet, k);
+        if (sheet.lesson.steps[k].question) html += answer_html(sheet, k, std::to_string(k + 1));
     }
     if (html.empty()) return {};
     return "<div class=\"answers\">" + html_section("answers", words_of(sheet).answers, html) +
@@ -164,7 +169,8 @@ std::string lesson_sheet(const LessonSheet& sheet) {
         ".question ul,.question li{list-style:none}"
         ".line{border-bottom:1px solid var(--line);min-height:3em}"
         ".name{display:inline-block;width:16em;border-bottom:1px solid var(--line)}"
-        ".answers{break-before:page}.words{white-space:pre-line}"
+        ".answers{break-before:page}.words{white-space:pre-line}p.words:not(.note){break-after:"
+        "avoid}"
         ".note{border-left:3px solid var(--line);padding-left:1em;color:var(--dim-text)}";
     return html_of(page);
 }
