@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/subset/subset_follow.h"
 #include "app/window/view_pictures.h"
 #include "tests/support/drawn_texts.h"
 #include "tests/support/scene_steps.h"
@@ -59,12 +60,14 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
     };
     std::vector<std::string> texts = drawn_texts(window);
     for (const auto until = end_of_patience();
-         (std::ranges::any_of(texts, is_awaited) || window.app.shown_map.full_job.busy()) &&
+         (std::ranges::any_of(texts, is_awaited) || window.app.shown_map.full_job.busy() ||
+          is_picking(window.app.picking)) &&
          std::chrono::steady_clock::now() < until;) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         texts = drawn_texts(window);
     }
-    return texts;
+    window.settle();  // what has come since the last of these
+    return drawn_texts(window);
 }
 
 std::vector<std::string> texts_in_picture(const App& app, PictureView view, ImVec2 size) {
