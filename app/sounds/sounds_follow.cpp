@@ -5,6 +5,7 @@
 
 #include "app/document/editing.h"
 #include "app/ui/file_question.h"
+#include "model/io/recordings/recording.h"
 #include "model/io/recordings/sound_file.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
