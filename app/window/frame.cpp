@@ -31,6 +31,7 @@
 #include "app/play/listening.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
+#include "app/sounds/sounds_follow.h"
 #include "app/stages/physiology_panel.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_pages.h"
