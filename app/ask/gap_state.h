@@ -35,7 +35,7 @@ struct FoundGap {
     bool coarse = false;         // by coarse envelopes
 };
 
-// Asked: under way.
+// It is under way while asked() has a request.
 using GapQuery = Query<GapRequest, FoundGap>;
 
 }  // namespace tact

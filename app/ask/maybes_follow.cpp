@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kTrackStaysS = 2.0;
 
-void begin(const Ui& ui, MaybesQuery& question) {
-    question.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
+void begin(const Ui& ui, MaybesQuery& query) {
+    query.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
 }
 
 // The track stays a while when the mouse has left the slider, so that it can be rested on.

@@ -74,7 +74,7 @@ struct EffectExport {
     std::uint64_t opened = 0;          // of requests up to this another set was asked about
     bool large = false;                // it would take minutes: predicted when that is asked for
     bool without = false;              // nothing is predicted: large, or stopped by the person
-    Query<LossRequest, LiveLoss> job;  // null until the program has begun
+    Query<LossRequest, LiveLoss> job;  // begun with the program
     std::shared_ptr<const LiveLoss> answer;  // may be of an earlier request
     SpaceCamera camera;
     std::filesystem::path export_to;  // when the frame is done

@@ -116,7 +116,8 @@ TEST_CASE("query: what was cancelled is asked again only when something else was
     CHECK(asked.query.current()->square == 16);
 }
 
-TEST_CASE("query: a copy has no work, and what is assigned to forgets but goes on") {
+TEST_CASE(
+    "query: a copy has no work; a query that another is assigned to keeps its work and forgets") {
     Asked asked;
     asked.begin();
     asked.query.want(3);

@@ -246,7 +246,7 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     leave_lesson(hands_of(app), app.lesson);
     program.settle();
     CHECK(app.work.document_number == document);
-    CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // what runs goes on
+    CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // so that it is not begun again
     CHECK(app.shown_map.full_job.busy());
     CHECK(map_state(app.work, app.shown_map) != MapState::too_large);
     CHECK(app.timeline.range == TimeRange{0.0, 0.5});

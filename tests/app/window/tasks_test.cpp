@@ -73,7 +73,7 @@ struct Counted : Program {
         click(field);
         types(text);
     }
-    // Of one with buttons at its right.
+    // The field has buttons at its right.
     void fills_left(const std::string& field, const std::string& text) {
         const Place place = at(field);
         window.move({place.min.x + 10.0F, place.middle().y});
