@@ -149,7 +149,8 @@ bool can_vary(const Workspace& work) {
 void vary(Ui& ui, const Workspace& work, MaybesState& state) {
     const Vibration* current = current_vibration(work);
     if (current == nullptr || editable_pattern(*current) == nullptr) {
-        return say(ui, "Only a pattern made of parameters that is not locked can be varied.");
+        return say(
+            ui, "Only a pattern without layers that is no recording and not locked can be varied.");
     }
     if (work.document.set.vibrations.size() < 3) {
         return say(ui, "Neighbours are shown in the map: it needs three patterns.");

@@ -51,7 +51,8 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     const Vibration& vibration = work.document.set.vibrations[move.place];
     const Pattern* pattern = editable_pattern(vibration);
     if (pattern == nullptr) {
-        return say(ui, "Only a pattern made of parameters that is not locked can be moved.");
+        return say(
+            ui, "Only a pattern without layers that is no recording and not locked can be moved.");
     }
     put.aim.reset();
     put.name = vibration.name;

@@ -56,7 +56,8 @@ void open_steps(Ui& ui, const Workspace& work, StepsState& state, const std::str
 std::string steps_obstacle(const Workspace& work, const StepsState& state) {
     const PatternSet& set = work.document.set;
     if (pattern_named(set, state.from) == nullptr || pattern_named(set, state.to) == nullptr) {
-        return "Choose two patterns made of parameters: recordings have none to go along.";
+        return "Choose two patterns without layers that are no recordings: others have no numbers "
+               "to go along.";
     }
     if (state.from == state.to) return "Choose another pattern for the end.";
     if (!steps_request(work, state)) {

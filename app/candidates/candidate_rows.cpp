@@ -57,8 +57,7 @@ CandidateRow row_of(const Vibration& vibration, std::size_t place, DrawnByName& 
     row.place = place;
     const auto* pattern = std::get_if<Pattern>(&vibration.source);
     if (pattern == nullptr) {
-        const Waveform& recorded = *std::get<Measurement>(vibration.source).waveform;
-        row.duration_s = duration_s(recorded);
+        row.duration_s = own_duration_s(vibration);
         return row;
     }
     row.amplitude_g = value_of(*pattern, PatternParameter::amplitude);

@@ -18,10 +18,7 @@ namespace {
 constexpr std::chrono::seconds kWorthKeeping{3};
 
 std::size_t length_of(const Vibration& vibration) {
-    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
-        return sample_count(pattern->duration_s, kModelRateHz);
-    }
-    return std::get<Measurement>(vibration.source).waveform->samples_g.size();
+    return sample_count(own_duration_s(vibration), kModelRateHz);
 }
 
 PartTiles& made_of(TileRun& run, Part part) { return run.made[static_cast<std::size_t>(part)]; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/set/felt_versions.h"
+#include "model/set/layers.h"
 
 namespace tact {
 
@@ -16,10 +17,6 @@ Measurement* measurement_of(Vibration& vibration) {
     return std::get_if<Measurement>(&vibration.source);
 }
 
-const Measurement* measurement_of(const Vibration& vibration) {
-    return std::get_if<Measurement>(&vibration.source);
-}
-
 // A recording lies in another file now.
 struct Moved {
     Measurement from, to;
@@ -28,10 +25,11 @@ struct Moved {
 std::vector<Moved> moved_files(const PatternSet& before, const PatternSet& stored) {
     std::vector<Moved> moved;
     for (std::size_t k = 0; k < stored.vibrations.size(); ++k) {
-        const Measurement* from = measurement_of(before.vibrations[k]);
-        const Measurement* to = measurement_of(stored.vibrations[k]);
-        if (from != nullptr && to != nullptr && from->path != to->path)
-            moved.push_back({*from, *to});
+        const auto from = recordings_in(before.vibrations[k]);
+        const auto to = recordings_in(stored.vibrations[k]);
+        for (std::size_t one = 0; one < std::min(from.size(), to.size()); ++one) {
+            if (from[one]->path != to[one]->path) moved.push_back({*from[one], *to[one]});
+        }
     }
     return moved;
 }

@@ -8,6 +8,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/document/renaming.h"
 #include "app/document/shown_side.h"
+#include "model/set/layers.h"
 #include "model/set/vibration_search.h"
 #include "model/text/unique_names.h"
 
@@ -46,6 +47,21 @@ void toggle_mark(Ui& ui, Workspace& work, bool Vibration::*mark, bool Vibration:
     }
     document_changed(work);
     commit_step(ui, work, of_selection(work, marks ? set : unset));
+}
+
+const LayeredPattern* layers_of(const Vibration& vibration) {
+    return std::get_if<LayeredPattern>(&vibration.source);
+}
+
+// The layer of the same place, or the last one.
+std::size_t layer_in(const LayeredPattern& layered, std::size_t k) {
+    return std::min(k, layered.layers.size() - 1);
+}
+
+const Pattern* pattern_in(const Vibration& vibration, std::size_t layer) {
+    const LayeredPattern* layered = layers_of(vibration);
+    if (layered == nullptr) return std::get_if<Pattern>(&vibration.source);
+    return std::get_if<Pattern>(&layered->layers[layer_in(*layered, layer)].source);
 }
 
 }  // namespace
@@ -149,6 +165,70 @@ void choose_pair(Workspace& work, std::size_t current, std::size_t partner) {
     work.selection.scroll_to_current = true;
 }
 
+const LayeredPattern* current_layers(const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    return current == nullptr ? nullptr : layers_of(*current);
+}
+
+std::size_t open_layer(const Workspace& work) {
+    const LayeredPattern* layered = current_layers(work);
+    if (layered == nullptr || work.selection.layer_of != current_vibration(work)->name) return 0;
+    return layer_in(*layered, work.selection.layer);
+}
+
+void choose_layer(Workspace& work, std::size_t k) {
+    if (const Vibration* current = current_vibration(work)) {
+        work.selection.layer = k;
+        work.selection.layer_of = current->name;
+    }
+}
+
+const Pattern* shown_pattern(const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    return current == nullptr ? nullptr : pattern_in(*current, open_layer(work));
+}
+
+std::string shown_name(const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    if (current == nullptr) return {};
+    const LayeredPattern* layered = current_layers(work);
+    return layered == nullptr ? current->name
+                              : current->name + ", " + name_of(*layered, open_layer(work));
+}
+
+Vibration layer_alone(const Workspace& work, const LayeredPattern& layered, std::size_t k) {
+    Vibration alone;
+    alone.name = current_vibration(work)->name + "\n" + std::to_string(k);
+    if (const auto* pattern = std::get_if<Pattern>(&layered.layers[k].source)) {
+        alone.source = *pattern;
+    } else {
+        alone.source = std::get<Measurement>(layered.layers[k].source);
+    }
+    return alone;
+}
+
+Vibration shown_vibration(const Workspace& work) {
+    const LayeredPattern* layered = current_layers(work);
+    return layered == nullptr ? *current_vibration(work)
+                              : layer_alone(work, *layered, open_layer(work));
+}
+
+const Pattern* editable_layer(const Workspace& work, std::size_t index) {
+    const Vibration& vibration = work.document.set.vibrations[index];
+    return vibration.locked ? nullptr : pattern_in(vibration, open_layer(work));
+}
+
+const Pattern* editable_layer(const Workspace& work) {
+    const Vibration* current = current_vibration(work);
+    return current == nullptr ? nullptr : editable_layer(work, work.selection.current);
+}
+
+Pattern* layer_pattern(Vibration& vibration, std::size_t layer) {
+    auto* layered = std::get_if<LayeredPattern>(&vibration.source);
+    if (layered == nullptr) return std::get_if<Pattern>(&vibration.source);
+    return std::get_if<Pattern>(&layered->layers[layer_in(*layered, layer)].source);
+}
+
 void document_changed(Workspace& work) {
     give_looks(work.document.edit());
     ++work.revision;
@@ -178,9 +258,11 @@ void commit_step(Ui& ui, Workspace& work, const std::string& label) {
 
 namespace {
 
-void put(Vibration& vibration, Pattern pattern) {
-    if (editable_pattern(vibration) == nullptr) return;
-    vibration.source = clamped(std::move(pattern));
+// In the place of the layer's, where the vibration has layers.
+void put(Vibration& vibration, std::size_t layer, Pattern pattern) {
+    Pattern* kept = vibration.locked ? nullptr : layer_pattern(vibration, layer);
+    if (kept == nullptr) return;
+    *kept = clamped(std::move(pattern));
     vibration.generated = false;
 }
 
@@ -192,7 +274,7 @@ const Pattern* editable_pattern(const Vibration& vibration) {
 
 void edit_current_pattern(Workspace& work, const Pattern& pattern) {
     if (current_vibration(work) == nullptr) return;
-    put(vibrations(work)[work.selection.current], pattern);
+    put(vibrations(work)[work.selection.current], open_layer(work), pattern);
     document_changed(work);
 }
 
@@ -209,12 +291,23 @@ void edit_current_recording(Workspace& work, const Measurement& recording,
 
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change) {
     for (const std::size_t index : selected_indices(work)) {
-        Vibration& vibration = vibrations(work)[index];
-        const Pattern* before = editable_pattern(vibration);
+        const Pattern* before = editable_layer(work, index);
         if (before == nullptr) continue;
         Pattern pattern = *before;
         change(pattern);
-        put(vibration, std::move(pattern));
+        put(vibrations(work)[index], open_layer(work), std::move(pattern));
+    }
+    document_changed(work);
+}
+
+void put_sources(Workspace& work, const std::vector<std::size_t>& places,
+                 const std::vector<VibrationSource>& sources) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        Vibration& vibration = vibrations(work)[places[k]];
+        if (vibration.locked || vibration.source == sources[k]) continue;
+        vibration.source = sources[k];
+        if (auto* pattern = std::get_if<Pattern>(&vibration.source)) *pattern = clamped(*pattern);
+        vibration.generated = false;
     }
     document_changed(work);
 }

@@ -31,6 +31,35 @@ void select_next(Workspace& work, int step);
 // Makes the first pattern current and the second its partner.
 void choose_pair(Workspace& work, std::size_t current, std::size_t partner);
 
+// The editor has one layer open, and does with its pattern what it does with any. Where several
+// vibrations are selected, a layered one takes part with its layer of the same place.
+
+// Null: what is in the editor has no layers.
+const LayeredPattern* current_layers(const Workspace& work);
+
+std::size_t open_layer(const Workspace& work);
+void choose_layer(Workspace& work, std::size_t k);
+
+// The pattern made of parameters that the editor shows; null: a recording, or an empty set.
+const Pattern* shown_pattern(const Workspace& work);
+
+// "alarm"; of a layer "alarm, bed".
+std::string shown_name(const Workspace& work);
+
+// The open layer as a vibration of that name; what has no layers as it is. Asserts that there is
+// one.
+Vibration shown_vibration(const Workspace& work);
+
+// A layer of the current vibration by itself, under a name that no other has.
+Vibration layer_alone(const Workspace& work, const LayeredPattern& layered, std::size_t k);
+
+// The pattern that the editor would show of any vibration; null where it is locked.
+const Pattern* editable_layer(const Workspace& work, std::size_t index);
+const Pattern* editable_layer(const Workspace& work);
+
+// The pattern of the vibration, or of its layer, in its place; null: it has none.
+Pattern* layer_pattern(Vibration& vibration, std::size_t layer);
+
 // The document was changed, perhaps in the middle of a drag: the maps follow.
 void document_changed(Workspace& work);
 // The same of the model's parameters, by hand: they are no longer as they were trained.
@@ -44,14 +73,18 @@ void follow_stale(Workspace& work);
 // A gesture ended: what changed since the last step becomes one.
 void commit_step(Ui& ui, Workspace& work, const std::string& label);
 
-// Null where the vibration is a recording, or locked.
+// Null where the vibration is a recording, has layers, or is locked.
 const Pattern* editable_pattern(const Vibration& vibration);
 
-// Applies `change` to every selected pattern that may be edited.
+// Applies `change` to every selected pattern that may be edited, of layers to the open one.
 void edit_patterns(Workspace& work, const std::function<void(Pattern&)>& change);
 
-// Puts `pattern`, clamped, in the place of the one in the editor, if that may be edited.
+// Puts `pattern`, clamped, in the place of the one that the editor shows, if that may be edited.
 void edit_current_pattern(Workspace& work, const Pattern& pattern);
+
+// Puts what each of these vibrations is from now on in its place, of those that are not locked.
+void put_sources(Workspace& work, const std::vector<std::size_t>& places,
+                 const std::vector<VibrationSource>& sources);
 
 // Puts a recording in the place of the one in the editor, with what its note then says, if that is
 // one and not locked.

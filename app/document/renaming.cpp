@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "model/set/layers.h"
+
 namespace tact {
 
 namespace {
 
 void rename_measured(Vibration& vibration, const std::string& before, const std::string& after) {
-    auto* measurement = std::get_if<Measurement>(&vibration.source);
-    if (measurement != nullptr && measurement->measures == before) measurement->measures = after;
+    for (Measurement* measurement : recordings_in(vibration)) {
+        if (measurement->measures == before) measurement->measures = after;
+    }
 }
 
 }  // namespace
@@ -24,6 +27,7 @@ void rename_in(PatternSet& set, std::size_t index, const std::string& name) {
 void follow_rename(Workspace& work, const Renaming& renaming) {
     follow(renaming, work.selection.partner);
     follow(renaming, work.selection.pinned);
+    follow(renaming, work.selection.layer_of);
     for (Vibration& copied : work.clipboard) {
         rename_measured(copied, renaming.before, renaming.after);
     }

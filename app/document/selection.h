@@ -34,10 +34,12 @@ struct SuggestedChange {
 
 // The part of the document that the person is looking at. Indices into document.set.vibrations.
 struct Selection {
-    std::string pinned;            // name of the pattern shown for comparison; empty: none
-    std::string partner;           // name of the pattern that makes a pair with the current one
-    std::size_t current = 0;       // shown in the editor and the middle column
-    std::set<std::size_t> others;  // edited together with it
+    std::string pinned;       // name of the pattern shown for comparison; empty: none
+    std::string partner;      // name of the pattern that makes a pair with the current one
+    std::size_t current = 0;  // shown in the editor and the middle column
+    std::size_t layer = 0;    // that is open in the editor, of the pattern of the name below
+    std::string layer_of;
+    std::set<std::size_t> others;             // edited together with it
     std::optional<std::size_t> hovered;       // in this frame, by any panel drawn so far
     std::string search;                       // what the list is narrowed to
     bool scroll_to_current = false;           // in the list, in the next frame

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/set/layers.h"
+
 namespace tact {
 
 namespace {
@@ -19,6 +21,22 @@ double bound_g(const Pattern& pattern) {
         strongest_g = std::max(strongest_g, transient.amplitude_g);
     }
     return pattern.amplitude_g * sum * (am ? 1.0 + pattern.modulation.depth : 1.0) + strongest_g;
+}
+
+double bound_g(const VibrationSource& source) {
+    if (const auto* pattern = std::get_if<Pattern>(&source)) return bound_g(*pattern);
+    const auto* layered = std::get_if<LayeredPattern>(&source);
+    if (layered == nullptr) return 0.0;
+    double sum_g = 0.0;
+    for (std::size_t k = 0; k < layered->layers.size(); ++k) {
+        const Layer& layer = layered->layers[k];
+        if (!sounds(*layered, k)) continue;
+        const auto* pattern = std::get_if<Pattern>(&layer.source);
+        sum_g += layer.gain * (pattern != nullptr
+                                   ? bound_g(*pattern)
+                                   : peak_g(*std::get<Measurement>(layer.source).waveform));
+    }
+    return sum_g;
 }
 
 // None where the entry of the name is of another vibration.
@@ -37,11 +55,10 @@ std::optional<double> known_peak_g(const VibrationCache& cache, const Vibration&
 // Not rendered yet: as it was, as much stronger as its numbers are. Else the scale of all would
 // shake while the strongest is dragged.
 double expected_peak_g(const VibrationCache& cache, const Vibration& vibration) {
-    const double bound = bound_g(std::get<Pattern>(vibration.source));
+    const double bound = bound_g(vibration.source);
     const auto found = cache.entries.find(vibration.name);
     if (found == cache.entries.end()) return bound;
-    const auto* before = std::get_if<Pattern>(&found->second.source);
-    const double bound_before = before == nullptr ? 0.0 : bound_g(*before);
+    const double bound_before = bound_g(found->second.source);
     return bound_before > 0.0 ? found->second.peak_g * (bound / bound_before) : bound;
 }
 
@@ -57,8 +74,8 @@ const Waveform& keep(VibrationCache& cache, const Vibration& vibration, Waveform
         .first->second.waveform;
 }
 
-bool is_long(const Pattern& pattern) {
-    return pattern.duration_s * kModelRateHz > static_cast<double>(kMostSamplesAtOnce);
+bool is_long(const Vibration& vibration) {
+    return own_duration_s(vibration) * kModelRateHz > static_cast<double>(kMostSamplesAtOnce);
 }
 
 }  // namespace
@@ -108,8 +125,7 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     const auto found = cache.entries.find(vibration.name);
     const bool known = found != cache.entries.end() && found->second.source == vibration.source;
     if (known) return &found->second.waveform;
-    const bool beside =
-        cache.render_job.has_begun() && is_long(std::get<Pattern>(vibration.source));
+    const bool beside = cache.render_job.has_begun() && is_long(vibration);
     if (beside) cache.wanted.push_back(vibration);
     if (beside || cache.samples_left == 0) {
         cache.behind = cache.behind || !beside;  // the job brings a frame when it is done

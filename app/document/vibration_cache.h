@@ -20,8 +20,8 @@
 namespace tact {
 
 struct CachedVibration {
-    std::variant<Pattern, Measurement> source;
-    Waveform waveform;  // of a pattern
+    VibrationSource source;
+    Waveform waveform;  // of a pattern, or of layers
     double peak_g = 0.0;
 };
 

@@ -6,6 +6,7 @@
 #include "app/report/html.h"
 #include "app/report/wave_html.h"
 #include "model/io/lesson/lesson_file.h"
+#include "model/set/layers.h"
 #include "model/text/file_stem.h"
 #include "model/text/utf8.h"
 
@@ -138,7 +139,7 @@ std::string lesson_link(const LessonSheet& sheet) {
 
 Expected<std::string> whole_lesson_file(Lesson lesson) {
     for (const Vibration& vibration : lesson.set.vibrations) {
-        if (!std::holds_alternative<Measurement>(vibration.source)) continue;
+        if (recordings_in(vibration).empty()) continue;
         return Error{in_quotes(vibration.name) +
                      " is a recording, and a lesson file has the name of its file alone: hand on "
                      "the folder of both, or a lesson without recordings"};

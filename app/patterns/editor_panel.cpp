@@ -260,14 +260,19 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
                  Columns columns) {
     const Vibration shown = *current_vibration(work);  // edits below replace the document's own
     draw_lock(ui, work, shown);
+    if (columns == Columns::one && shown_pattern(work) != nullptr) draw_add_layer(ui, work);
     if (columns == Columns::one) draw_warnings(ui, work, shown);
     // Arrow keys nudge what was touched last in this pattern, not in the one before.
-    if (std::exchange(pattern_panes.editor.active_pattern, shown.name) != shown.name) {
+    const std::string open = shown_name(work);
+    if (std::exchange(pattern_panes.editor.active_pattern, open) != open) {
         ui.field.active.clear();
     }
     ImGui::BeginDisabled(shown.locked);
-    if (const auto* pattern = std::get_if<Pattern>(&shown.source)) {
-        draw_numbers(ui, work, pattern_panes, *pattern, columns);
+    if (const Pattern* open_pattern = shown_pattern(work)) {
+        const Pattern pattern = *open_pattern;
+        draw_numbers(ui, work, pattern_panes, pattern, columns);
+    } else if (std::holds_alternative<LayeredPattern>(shown.source)) {
+        wrapped_text("This layer is a recording: it has a gain and a begin.");
     } else {
         keep_narrow(ui.theme);
         draw_recording_editor(ui, work, pattern_panes.recording);
@@ -300,6 +305,7 @@ void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline&
     const float room_px = ImGui::GetContentRegionAvail().y;
     const bool low = room_px < 2.2F * strip_height(ui, pattern_panes.strip);
     const auto draw_within = [&](float most_px) {
+        draw_layers_bar(ui, work, pattern_panes.layers, room_px);
         draw_strip(ui, work, pattern_panes.strip, timeline, {most_px}, ChosenFields::below);
     };
     if (!low) draw_within(1e4F);
@@ -334,13 +340,24 @@ float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, flo
     return draw_foot && room_px - used_px - wanted_px >= kLeastAbovePx * s ? wanted_px : 0.0F;
 }
 
+// At the end of the row of tools.
+void draw_add_layer_beside(Ui& ui, Workspace& work) {
+    flow_on(button_width("Add layer"), ui.theme.gap_px);
+    draw_add_layer(ui, work);
+}
+
 // The strip as high as the pane, above the foot, which goes first where there is no room for both.
 // The numbers of what is chosen stand among the others where those are in sight: the strip would
 // jump beneath the mouse.
-void draw_drawing(Ui& ui, Workspace& work, StripState& strip, Timeline& timeline,
+void draw_drawing(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline& timeline,
                   const DrawFoot& draw_foot, ChosenFields fields) {
+    StripState& strip = pattern_panes.strip;
     const bool below = fields == ChosenFields::below;
-    if (!below) draw_segments(ui, kTools, strip.tool, "strip tool:");
+    if (!below) {
+        draw_segments(ui, kTools, strip.tool, "strip tool:");
+        draw_add_layer_beside(ui, work);
+    }
+    draw_layers_bar(ui, work, pattern_panes.layers, ImGui::GetContentRegionAvail().y);
     const float room_px = ImGui::GetContentRegionAvail().y;
     const float chosen_px = below ? chosen_fields_px(ui, work, strip) : 0.0F;
     const float foot_px = foot_height_px(ui, draw_foot, room_px, chosen_px);
@@ -390,11 +407,14 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
     const BandWidths widths = band_widths(ui, ImGui::GetContentRegionAvail().x);
     const EditorTab tab = pattern_panes.editor.tab;
     const bool has_both = widths.drawing_px > 0.0F;
-    if (!has_both) draw_tabs(ui, pattern_panes);
+    if (!has_both) {
+        draw_tabs(ui, pattern_panes);
+        draw_add_layer_beside(ui, work);
+    }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (has_both || tab == EditorTab::drawing) {
         ImGui::BeginChild("drawing", {widths.drawing_px, 0.0F});
-        draw_drawing(ui, work, pattern_panes.strip, timeline, draw_foot,
+        draw_drawing(ui, work, pattern_panes, timeline, draw_foot,
                      has_both ? ChosenFields::elsewhere : ChosenFields::below);
         ImGui::EndChild();
         if (!has_both) return std::nullopt;
@@ -439,7 +459,7 @@ std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     if (room.x >= kTwoColumnsPx * ui.theme.scale &&
-        std::holds_alternative<Pattern>(vibration->source)) {
+        !std::holds_alternative<Measurement>(vibration->source)) {
         return draw_band(ui, work, pattern_panes, timeline, shown_map, draw_foot);
     }
     const auto neighbour = neighbour_of(work, shown_map);

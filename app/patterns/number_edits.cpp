@@ -22,7 +22,7 @@ struct Followed {
 Followed followed(const Workspace& work, const ReadNumber& read) {
     Followed all;
     for (const std::size_t index : selected_indices(work)) {
-        const Pattern* pattern = editable_pattern(work.document.set.vibrations[index]);
+        const Pattern* pattern = editable_layer(work, index);
         const auto value = pattern == nullptr ? std::nullopt : read(*pattern);
         if (!value) continue;
         if (index == work.selection.current) all.leader = all.values.size();
@@ -92,7 +92,8 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
     constexpr double kRestS = 0.15;
     constexpr int kPlaces = 13;
     const bool rests = ui.time_s - ui.hover_since_s >= kRestS;
-    if (!rests || ImGui::GetIO().MouseDown[0] || !work.selection.others.empty()) return;
+    const bool alone = work.selection.others.empty() && current_layers(work) == nullptr;
+    if (!rests || ImGui::GetIO().MouseDown[0] || !alone) return;
     RestedNumber rested{
         work.document.set.vibrations[work.selection.current].name, field.id, {}, {}};
     const auto [low, high] = field.slider;
@@ -127,9 +128,9 @@ void tell_clamped(Ui& ui, const Field& field, std::size_t clamped, std::size_t c
 
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write) {
-    const Vibration* vibration = current_vibration(work);
-    if (vibration == nullptr || !std::holds_alternative<Pattern>(vibration->source)) return;
-    const Pattern shown = std::get<Pattern>(vibration->source);
+    const Pattern* pattern = shown_pattern(work);
+    if (pattern == nullptr) return;
+    const Pattern shown = *pattern;
     const auto value = read(shown);
     if (!value) return;
     const Followed all = followed(work, read);

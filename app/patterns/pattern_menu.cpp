@@ -113,7 +113,10 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     draw_divider(ui.theme);
     asks("Find similar", "", PatternDeed::similar,
          count < 2 ? "there is no other pattern" : nullptr);
-    const char* no_numbers = has_numbers ? nullptr : "needs a pattern, not a recording";
+    const bool has_layers = std::holds_alternative<LayeredPattern>(vibration.source);
+    const char* no_numbers = has_numbers  ? nullptr
+                             : has_layers ? "needs a pattern without layers"
+                                          : "needs a pattern, not a recording";
     asks("Vary", "V", PatternDeed::vary,
          no_numbers != nullptr ? no_numbers
          : vibration.locked    ? "is locked"
@@ -121,9 +124,7 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
                                : nullptr);
     asks("Steps to...", "", PatternDeed::steps, no_numbers);
     asks("Transform...", "Ctrl+T", PatternDeed::transform,
-         no_numbers != nullptr ? no_numbers
-         : vibration.locked    ? "is locked"
-                               : nullptr);
+         vibration.locked ? "is locked" : nullptr);
     draw_divider(ui.theme);
     draw_look_menu(ui, work, index);
     draw_divider(ui.theme);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/layers/layers_bar.h"
 #include "app/patterns/recording_state.h"
 #include "app/patterns/rhythm_choice.h"
 #include "app/session/session.h"
@@ -65,6 +66,7 @@ struct PatternPanes {
     SetPanelState list;
     StripState strip;
     EditorState editor;
+    LayersBar layers;
     TappingState tapping;
     RecordingEditor recording;
 };

@@ -147,8 +147,7 @@ void open_tapping(Ui& ui, TappingState& tapping) {
 void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping) {
     if (!begin_dialog(ui, "Tap a rhythm")) return;
     draw_pad(ui, tapping);
-    const Vibration* vibration = current_vibration(work);
-    const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
+    const Pattern* pattern = editable_layer(work);
     const double least_s = pattern == nullptr ? 0.0 : pattern->duration_s;
     const double step_s = tapping.step_s.value_or(estimated_step_s(tapping.taps));
     const TappedRhythm tapped = tapped_rhythm(tapping.taps, step_s, least_s);

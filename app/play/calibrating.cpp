@@ -11,6 +11,7 @@
 #include "app/ui/widgets.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/protection.h"
+#include "model/set/layers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
@@ -105,7 +106,9 @@ namespace {
 
 Waveform waveform_for(const DriveRequest& request) {
     const auto* pattern = std::get_if<Pattern>(&request.vibration.source);
+    const auto* layered = std::get_if<LayeredPattern>(&request.vibration.source);
     if (request.by.for_ear && pattern != nullptr) return render(for_ear(*pattern));
+    if (request.by.for_ear && layered != nullptr) return render(for_ear(*layered));
     return waveform_of(request.vibration);
 }
 
@@ -114,9 +117,10 @@ Waveform waveform_for(const DriveRequest& request) {
 MadeDrive made_drive(const DriveRequest& request) {
     const Waveform waveform = waveform_for(request);
     MadeDrive made{request, {}, {}};
-    if (request.by.for_ear && std::holds_alternative<Measurement>(request.vibration.source)) {
-        made.remark =
-            request.vibration.name + " is a recording: it is heard unchanged, not two octaves up.";
+    if (request.by.for_ear && !recordings_in(request.vibration).empty()) {
+        const bool whole = std::holds_alternative<Measurement>(request.vibration.source);
+        made.remark = request.vibration.name + (whole ? " is" : " has a layer that is") +
+                      " a recording: it is heard unchanged, not two octaves up.";
     }
     if (!request.by.calibration) {
         ProtectedDrive kept = protected_drive(drive_of(waveform, request.by.full_scale_g),

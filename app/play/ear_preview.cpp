@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace tact {
 
@@ -11,6 +12,14 @@ Pattern for_ear(Pattern pattern) {
     for (FrequencyPoint& point : pattern.frequency_curve) point.frequency_hz *= kEarFactor;
     for (Transient& transient : pattern.transients) transient.frequency_hz *= kEarFactor;
     return pattern;
+}
+
+LayeredPattern for_ear(LayeredPattern layered) {
+    for (Layer& layer : layered.layers) {
+        auto* pattern = std::get_if<Pattern>(&layer.source);
+        if (pattern != nullptr) *pattern = for_ear(std::move(*pattern));
+    }
+    return layered;
 }
 
 std::optional<DeviceInfo> ear_output(const PlayState& play) {

@@ -18,6 +18,7 @@ inline constexpr const char* kEarWords =
     "preview for the ear, two octaves up, not what the skin gets";
 
 Pattern for_ear(Pattern pattern);
+LayeredPattern for_ear(LayeredPattern layered);
 
 // The output that the system plays on by itself; none: there is none.
 std::optional<DeviceInfo> ear_output(const PlayState& play);

@@ -62,8 +62,8 @@ void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive,
 }
 
 bool is_made_at_once(const DriveRequest& request) {
-    const auto* pattern = std::get_if<Pattern>(&request.vibration.source);
-    const bool is_long = pattern != nullptr && pattern->duration_s > kLongestAtOnceS;
+    const bool is_made = !std::holds_alternative<Measurement>(request.vibration.source);
+    const bool is_long = is_made && own_duration_s(request.vibration) > kLongestAtOnceS;
     return !request.by.calibration && !is_long;
 }
 

@@ -10,6 +10,7 @@
 #include "model/io/set/model_file.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
+#include "model/set/layers.h"
 #include "model/set/set_ratings.h"
 
 namespace tact {
@@ -31,11 +32,14 @@ py::dict dict_of(const Loaded& loaded) {
         const Vibration& one = set.vibrations[k];
         const auto* pattern = std::get_if<Pattern>(&one.source);
         const auto* measured = std::get_if<Measurement>(&one.source);
+        const auto* layered = std::get_if<LayeredPattern>(&one.source);
         waves.append(array_of(waveform_of(one).samples_g));
-        patterns.append(pattern != nullptr ? python_of(json_of(*pattern, Pattern().duration_s))
-                                           : py::none());
+        const double usual_s = Pattern().duration_s;
+        patterns.append(pattern != nullptr   ? python_of(json_of(*pattern, usual_s))
+                        : layered != nullptr ? python_of(json_of(*layered, usual_s, {}))
+                                             : py::none());
         measures.append(measured != nullptr ? measured->measures : "");
-        synthetic.append(measured != nullptr && measured->synthetic);
+        synthetic.append(is_synthetic(one));
         if (one.locked) locked.append(k);
         if (one.dropped) dropped.append(k);
     }

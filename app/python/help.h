@@ -164,7 +164,8 @@ Samples of a parametric vibration.
 
 pattern  dict with the keys of a pattern in a set file, such as {"amplitude_g": 1, "carriers":
          [{"frequency_hz": 150}], "rhythm": {"text": "x-x-", "unit_s": 0.125}, "duration_s": 1};
-         what is missing takes its default, what is unknown is a ValueError
+         what is missing takes its default, what is unknown is a ValueError; or {"layers": [...]},
+         one to four such dicts with name, gain, offset_s, mute and solo
 rate_hz  100 to 1e7 Hz
 
 Returns an array (N,) in g, N = round(duration_s rate_hz).)";
@@ -183,7 +184,7 @@ edits    in their order, each a text or a tuple of one with what it needs: "reve
          ("transpose", times), ("thin", %)
 model    as in predict(), for the thresholds that "felt" goes by
 
-Returns a dict for render(). A rhythm stays a rhythm where its notes lie on the grid of the result;
+Returns a dict for render(); what cannot be mixed into one pattern, as layers. A rhythm stays a rhythm where its notes lie on the grid of the result;
 elsewhere they are drawn as an amplitude curve. What cannot be is a ValueError that begins with the
 edit.)";
 

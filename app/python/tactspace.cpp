@@ -17,7 +17,7 @@
 #include "app/python/functions.h"
 #include "app/python/help.h"
 #include "app/python/values.h"
-#include "model/algebra/algebra.h"
+#include "model/algebra/source_edits.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/set/set_json.h"
 #include "model/map/mds.h"
@@ -165,10 +165,12 @@ py::dict subset(const py::object& matrix, int k, const std::vector<std::int64_t>
 }
 
 py::array render_pattern(const py::dict& pattern, double rate_hz) {
-    const Pattern drawn = pattern_of(pattern);
+    Vibration drawn;
+    drawn.source = pattern_of(pattern);
     within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
-    return array_of(
-        beside_python([&](const std::stop_token&) { return render(drawn, rate_hz); }).samples_g);
+    return array_of(beside_python([&](const std::stop_token&) {
+                        return waveform_of(drawn, rate_hz);
+                    }).samples_g);
 }
 
 // "reverse", or with what it needs: ("stretch", 1.2), ("join", {...}).
@@ -210,12 +212,17 @@ Edit edit_of(const py::handle& given) {
 py::object edit_pattern(const py::dict& pattern, const py::sequence& edits,
                         const py::object& model) {
     const PerceptualModelParams params = model_of(model);
-    const Pattern before = pattern_of(pattern);
+    Vibration before;
+    before.source = pattern_of(pattern);
     std::vector<Edit> all;
     for (const py::handle given : edits) all.push_back(edit_of(given));
-    const Pattern after = value_of(beside_python(
-        [&](const std::stop_token&) { return edited(before, all, params.coding.tables); }));
-    return python_of(json_of(after, Pattern().duration_s));
+    const VibrationSource after = value_of(beside_python(
+        [&](const std::stop_token&) { return edited_source(before, all, params.coding.tables); }));
+    const double usual_s = Pattern().duration_s;
+    if (const auto* layered = std::get_if<LayeredPattern>(&after)) {
+        return python_of(json_of(*layered, usual_s, {}));
+    }
+    return python_of(json_of(std::get<Pattern>(after), usual_s));
 }
 
 PYBIND11_MODULE(tactspace, module) {

@@ -9,6 +9,7 @@
 #include "model/io/set/loaded.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
+#include "model/set/layers.h"
 #include "model/signal/resample.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
@@ -278,12 +279,25 @@ PerceptualModelParams model_of(const py::object& model) {
     });
 }
 
-Pattern pattern_of(const py::dict& pattern) {
+VibrationSource pattern_of(const py::dict& pattern) {
     constexpr const char* kOfItsSet[] = {"name", "locked",    "dropped", "colour",
                                          "mark", "generated", "note",    "effect"};
-    return read_document(pattern, "pattern", kOfItsSet, [](JsonObject& object, Json& unknown) {
-        return pattern_of(object, Pattern().duration_s, unknown);
-    });
+    const double usual_s = Pattern().duration_s;
+    if (!pattern.contains("layers")) {
+        return read_document(pattern, "pattern", kOfItsSet, [&](JsonObject& object, Json& unknown) {
+            return pattern_of(object, usual_s, unknown);
+        });
+    }
+    Vibration layered;
+    layered.source = read_document(
+        pattern, "pattern", kOfItsSet,
+        [&](JsonObject& object, Json& unknown) { return layered_of(object, usual_s, unknown); });
+    if (!recordings_in(layered).empty()) {
+        throw py::value_error("pattern: expected layers made of parameters, got a recording");
+    }
+    const std::string fault = fault_of(std::get<LayeredPattern>(layered.source));
+    if (!fault.empty()) throw py::value_error("pattern: " + fault);
+    return layered.source;
 }
 
 RatingStudy study_of(const py::object& ratings) {

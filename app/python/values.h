@@ -23,6 +23,7 @@
 #include "model/pattern/pattern.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/signal/waveform.h"
+#include "model/set/pattern_set.h"
 #include "model/study/ratings.h"
 #include "model/text/json_fields.h"
 
@@ -58,7 +59,7 @@ std::vector<std::size_t> places_of(const std::vector<std::int64_t>& places, cons
 
 // None: the defaults.
 PerceptualModelParams model_of(const pybind11::object& model);
-Pattern pattern_of(const pybind11::dict& pattern);
+VibrationSource pattern_of(const pybind11::dict& pattern);
 
 // What read_ratings() gives; or dissimilarities, as of one voice.
 RatingStudy study_of(const pybind11::object& ratings);

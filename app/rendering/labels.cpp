@@ -5,16 +5,14 @@
 #include <variant>
 
 #include "app/rendering/rendered_set.h"
+#include "model/set/layers.h"
 #include "model/study/ratings.h"
 #include "model/text/shown_text.h"
 
 namespace tact {
 
 bool has_synthetic_patterns(const PatternSet& set) {
-    return std::ranges::any_of(set.vibrations, [](const Vibration& vibration) {
-        const auto* measured = std::get_if<Measurement>(&vibration.source);
-        return measured != nullptr && measured->synthetic;
-    });
+    return std::ranges::any_of(set.vibrations, is_synthetic);
 }
 
 std::string sentence_on(const RenderedBy& by) {

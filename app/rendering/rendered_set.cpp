@@ -6,6 +6,7 @@
 
 #include "devices/rumble/actuator_kind.h"
 #include "model/common/parallel.h"
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
@@ -74,8 +75,8 @@ std::optional<RenderedSet> rendered_set(const PatternSet& set, const RenderedBy&
         // A twin stays one, and what was computed stays computed.
         if (const auto* meant = std::get_if<Measurement>(&set.vibrations[k].source)) {
             measurement.measures = meant->measures;
-            measurement.synthetic = meant->synthetic;
         }
+        measurement.synthetic = is_synthetic(set.vibrations[k]);
         made.played.vibrations[k].source = std::move(measurement);
     }
     return made;

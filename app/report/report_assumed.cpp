@@ -10,6 +10,7 @@
 #include "app/report/html.h"
 #include "app/report/report_parts.h"
 #include "model/io/set/model_file.h"
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -154,9 +155,8 @@ std::string kinds_words(const PatternSet& set) {
     std::size_t recorded = 0;
     std::size_t synthetic = 0;
     for (const Vibration& vibration : set.vibrations) {
-        const auto* measured = std::get_if<Measurement>(&vibration.source);
-        if (measured == nullptr) continue;
-        ++(measured->synthetic ? synthetic : recorded);
+        if (recordings_in(vibration).empty()) continue;
+        ++(is_synthetic(vibration) ? synthetic : recorded);
     }
     std::string text =
         counted(set.vibrations.size() - recorded - synthetic, "pattern", "patterns") +

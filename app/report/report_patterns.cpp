@@ -6,6 +6,7 @@
 #include "app/report/report_parts.h"
 #include "app/report/wave_html.h"
 #include "model/pattern/pattern_parameter.h"
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -51,30 +52,61 @@ std::string drawn_words(const Pattern& pattern) {
 
 // Numbers in use: those that are 0 (a ramp, a modulation) are left out, and so is a rhythm's unit
 // without a rhythm.
-std::string parameters_html(const Vibration& vibration) {
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    if (pattern == nullptr) {
-        const auto& measured = std::get<Measurement>(vibration.source);
-        return measured.synthetic ? "<b>synthetic</b>: computed, not recorded" : "recorded";
-    }
+std::string recording_html(const Measurement& measured) {
+    return measured.synthetic ? "<b>synthetic</b>: computed, not recorded" : "recorded";
+}
+
+std::string parameters_html(const Pattern& pattern) {
     std::string html;
     const auto add = [&](const std::string& words) {
         html += (html.empty() ? "" : " \u00B7 ") + html_escaped(words);
     };
     for (const PatternParameter parameter : kPatternParameters) {
-        const auto value = value_of(*pattern, parameter);
+        const auto value = value_of(pattern, parameter);
         const bool is_idle =
-            parameter == PatternParameter::rhythm_unit && pattern->rhythm.text.empty();
+            parameter == PatternParameter::rhythm_unit && pattern.rhythm.text.empty();
         if (!value || *value == 0.0 || is_idle) continue;
         const ParameterTraits& about = traits(parameter);
         const std::string unit = about.unit;
         add(std::string(about.name) + " " + significant_digits(*value, 4) +
             (unit.empty() ? "" : " " + unit));
     }
-    if (!pattern->rhythm.text.empty()) add("rhythm " + pattern->rhythm.text);
-    if (is_drawn(*pattern)) add(drawn_words(*pattern));
-    add(significant_digits(pattern->duration_s, 3) + " s");
+    if (!pattern.rhythm.text.empty()) add("rhythm " + pattern.rhythm.text);
+    if (is_drawn(pattern)) add(drawn_words(pattern));
+    add(significant_digits(pattern.duration_s, 3) + " s");
     return html;
+}
+
+std::string parameters_html(const std::variant<Pattern, Measurement>& source) {
+    const auto* pattern = std::get_if<Pattern>(&source);
+    return pattern != nullptr ? parameters_html(*pattern)
+                              : recording_html(std::get<Measurement>(source));
+}
+
+// A line a layer.
+std::string layers_html(const LayeredPattern& layered) {
+    std::string html;
+    for (std::size_t k = 0; k < layered.layers.size(); ++k) {
+        const Layer& layer = layered.layers[k];
+        html += (html.empty() ? "<b>" : "<br><b>") + html_escaped(name_of(layered, k)) + "</b>";
+        if (!sounds(layered, k)) html += " (does not sound)";
+        if (layer.gain != 1.0) html += " times " + significant_digits(layer.gain, 3);
+        if (layer.offset_s != 0.0) {
+            html += " from " + significant_digits(layer.offset_s, 4) + " s";
+        }
+        html += ": " + parameters_html(layer.source);
+    }
+    return html;
+}
+
+std::string parameters_html(const Vibration& vibration) {
+    if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        return layers_html(*layered);
+    }
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+        return parameters_html(*pattern);
+    }
+    return recording_html(std::get<Measurement>(vibration.source));
 }
 
 std::string verdict_html(PairVerdict verdict) {

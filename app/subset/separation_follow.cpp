@@ -113,6 +113,7 @@ std::string fixed_because(const Workspace& work, const ShownMap& shown_map, std:
     const auto place = place_named(work.document.set, mapped(shown_map)[row].name);
     if (!place) return "removed";
     const Vibration& vibration = work.document.set.vibrations[*place];
+    if (std::holds_alternative<LayeredPattern>(vibration.source)) return "has layers";
     if (!std::holds_alternative<Pattern>(vibration.source)) return "measured";
     return vibration.locked ? "locked" : "";
 }
@@ -143,6 +144,7 @@ std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map
     const std::string why = fixed_because(work, shown_map, row);
     if (why == "locked") return "Neither may be changed: unlock one of them (Ctrl+L).";
     if (why == "measured") return "Only a pattern made of parameters can be changed.";
+    if (why == "has layers") return "Only a pattern without layers can be changed.";
     if (!why.empty()) return "The pattern was removed.";
     if (picking.too_close == TooClose::ratings) {
         return "People have not rated a changed pattern: choose Closest, which goes by PM.";

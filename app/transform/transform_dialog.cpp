@@ -59,7 +59,6 @@ void draw_other(Ui& ui, const PatternSet& set, std::string& name) {
     const std::string shown = shortened(ui.theme.fonts.regular, name, room);
     if (ImGui::BeginCombo("##other", label_of(shown).c_str())) {
         for (const Vibration& vibration : set.vibrations) {
-            if (!std::holds_alternative<Pattern>(vibration.source)) continue;
             if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == name)) {
                 name = vibration.name;
             }
@@ -76,7 +75,27 @@ std::string sentence_of(const char* help) {
     return words;
 }
 
-// "1 s becomes 2 s; 8 points, 2 ticks"
+// "; the notes become a curve; 8 points, 2 ticks"
+std::string change_words(const VibrationSource& from, const VibrationSource& to) {
+    if (const auto* layered = std::get_if<LayeredPattern>(&to)) {
+        return "; " + counted(layered->layers.size(), "layer", "layers");
+    }
+    const auto* after = std::get_if<Pattern>(&to);
+    if (after == nullptr) {
+        return std::holds_alternative<Measurement>(from) ? "" : "; it becomes samples";
+    }
+    const auto* before = std::get_if<Pattern>(&from);
+    const bool had_notes = before != nullptr && !before->rhythm.text.empty();
+    std::string words;
+    if (had_notes && after->rhythm.text.empty()) words += "; the notes become a curve";
+    const std::size_t points = after->amplitude_curve.size() + after->frequency_curve.size();
+    if (points > 0) words += "; " + counted(points, "point", "points");
+    const std::size_t ticks = after->transients.size();
+    if (ticks > 0) words += ", " + counted(ticks, "tick", "ticks");
+    return words;
+}
+
+// "1 s becomes 2 s; 8 points, 2 ticks."
 std::string outcome(const Transformed& made) {
     if (!can_be_applied(made)) return made.fault;
     if (made.after.size() > 1) {
@@ -87,20 +106,17 @@ std::string outcome(const Transformed& made) {
             words += ", " + std::to_string(made.left) + " cannot change: " + made.fault;
         return words + ".";
     }
-    const Pattern& before = made.before.front();
-    const Pattern& after = made.after.front();
-    if (before == after) return "Nothing changes.";
-    std::string words = before.duration_s == after.duration_s
-                            ? significant_digits(after.duration_s, 6) + " s as before"
-                            : significant_digits(before.duration_s, 6) + " s becomes " +
-                                  significant_digits(after.duration_s, 6) + " s";
-    const bool drawn = !before.rhythm.text.empty() && after.rhythm.text.empty();
-    if (drawn) words += "; the notes become a curve";
-    const std::size_t points = after.amplitude_curve.size() + after.frequency_curve.size();
-    if (points > 0) words += "; " + counted(points, "point", "points");
-    if (!after.transients.empty())
-        words += ", " + counted(after.transients.size(), "tick", "ticks");
-    return words + ".";
+    const Vibration& before = made.before.front();
+    Vibration after = before;
+    after.source = made.after.front();
+    if (before.source == after.source) return "Nothing changes.";
+    const double before_s = own_duration_s(before);
+    const double after_s = own_duration_s(after);
+    const std::string words = before_s == after_s
+                                  ? significant_digits(after_s, 6) + " s as before"
+                                  : significant_digits(before_s, 6) + " s becomes " +
+                                        significant_digits(after_s, 6) + " s";
+    return words + change_words(before.source, after.source) + ".";
 }
 
 void draw_outcome(Ui& ui, const TransformState& state, const Transformed* made) {

@@ -17,9 +17,7 @@ bool is_same(const TransformRequest& a, const TransformRequest& b) {
 std::vector<std::size_t> editable_places(const Workspace& work) {
     std::vector<std::size_t> places;
     for (const std::size_t index : selected_indices(work)) {
-        if (editable_pattern(work.document.set.vibrations[index]) != nullptr) {
-            places.push_back(index);
-        }
+        if (!work.document.set.vibrations[index].locked) places.push_back(index);
     }
     return places;
 }
@@ -29,11 +27,12 @@ std::optional<Transformed> transformed(const TransformTask& task, const std::sto
     Transformed made{task.request, task.patterns, {}, 0, {}};
     for (std::size_t k = 0; k < task.patterns.size(); ++k) {
         if (stop.stop_requested()) return std::nullopt;
-        auto after = edited(task.patterns[k], std::span(&task.request.edit, 1), task.tables);
+        const Vibration& one = task.patterns[k];
+        auto after = edited_source(one, std::span(&task.request.edit, 1), task.tables);
         if (!after && made.left++ == 0) {
-            made.fault = "\"" + task.names[k] + "\", " + after.error().message;
+            made.fault = "\"" + one.name + "\", " + after.error().message;
         }
-        made.after.push_back(after ? *std::move(after) : task.patterns[k]);
+        made.after.push_back(after ? *std::move(after) : one.source);
         progress = static_cast<float>(k + 1) / static_cast<float>(task.patterns.size());
     }
     return made;
@@ -44,8 +43,9 @@ Edit edit_of(const Workspace& work, const TransformState& state) {
     Edit edit{state.kind,
               state.numbers[static_cast<std::size_t>(state.kind)].value_or(about.start)};
     if (about.needs == EditNeeds::pattern) {
-        if (const Pattern* other = pattern_named(work.document.set, state.other)) {
-            edit.other = *other;
+        if (const auto other = place_named(work.document.set, state.other)) {
+            edit.other = work.document.set.vibrations[*other].source;
+            edit.other_name = state.other;
         }
     }
     return edit;
@@ -60,11 +60,8 @@ std::optional<TransformRequest> transform_request(const Workspace& work,
 
 TransformTask task_of(const Workspace& work, const TransformRequest& request) {
     const PatternSet& set = work.document.set;
-    TransformTask task{request, {}, {}, set.model.coding.tables};
-    for (const std::size_t place : request.places) {
-        task.names.push_back(set.vibrations[place].name);
-        task.patterns.push_back(std::get<Pattern>(set.vibrations[place].source));
-    }
+    TransformTask task{request, {}, set.model.coding.tables};
+    for (const std::size_t place : request.places) task.patterns.push_back(set.vibrations[place]);
     return task;
 }
 
@@ -74,7 +71,7 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
     const PatternSet& set = work.document.set;
     const Vibration* current = current_vibration(work);
     const auto is_other = [&](const std::string& name) {
-        return pattern_named(set, name) != nullptr && (current == nullptr || name != current->name);
+        return place_named(set, name) && (current == nullptr || name != current->name);
     };
     if (is_other(work.selection.partner)) state.other = work.selection.partner;
     for (const Vibration& vibration : set.vibrations) {
@@ -87,11 +84,11 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
 
 std::string transform_obstacle(const Workspace& work, const TransformState& state) {
     if (editable_places(work).empty()) {
-        return "Select a pattern made of parameters that is not locked.";
+        return "Select a pattern that is not locked.";
     }
     const bool needs_other = traits(state.kind).needs == EditNeeds::pattern;
-    if (needs_other && pattern_named(work.document.set, state.other) == nullptr) {
-        return "Choose another pattern made of parameters.";
+    if (needs_other && !place_named(work.document.set, state.other)) {
+        return "Choose another pattern.";
     }
     return {};
 }
@@ -104,8 +101,7 @@ std::string transformed_words(const Workspace& work) {
     std::string words = places.size() == 1 ? work.document.set.vibrations[places.front()].name
                                            : std::to_string(places.size()) + " patterns";
     if (left > 0) {
-        words += "; " + std::to_string(left) +
-                 (left == 1 ? " is locked or a recording" : " are locked or recordings") +
+        words += "; " + std::to_string(left) + (left == 1 ? " is locked" : " are locked") +
                  " and stay" + (left == 1 ? "s" : "") + " as " + (left == 1 ? "it is" : "they are");
     }
     return words;
@@ -135,9 +131,7 @@ void apply_transform(Ui& ui, Workspace& work, const TransformState& state,
                      const Transformed& made) {
     if (!can_be_applied(made)) return;
     const std::string label = of_selection(work, traits(state.kind).label);
-    // edit_patterns() goes through the same patterns in the same order as the request did.
-    std::size_t next = 0;
-    edit_patterns(work, [&](Pattern& pattern) { pattern = made.after[next++]; });
+    put_sources(work, made.request.places, made.after);
     commit_step(ui, work, label);
     say(ui, label + ". Ctrl+Z takes it back.");
 }

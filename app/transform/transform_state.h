@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/jobs/query.h"
-#include "model/algebra/algebra.h"
+#include "model/algebra/source_edits.h"
 
 namespace tact {
 
@@ -21,17 +21,16 @@ struct TransformRequest {
 
 struct TransformTask {
     TransformRequest request;
-    std::vector<std::string> names;
-    std::vector<Pattern> patterns;
+    std::vector<Vibration> patterns;
     PhysiologyTables tables;
 };
 
 struct Transformed {
     TransformRequest request;
-    std::vector<Pattern> before;
-    std::vector<Pattern> after;  // as before where it cannot be edited
-    std::size_t left = 0;        // number of those
-    std::string fault;           // of the first of these, as a sentence
+    std::vector<Vibration> before;
+    std::vector<VibrationSource> after;  // as before where it cannot be edited
+    std::size_t left = 0;                // number of those
+    std::string fault;                   // of the first of these, as a sentence
 };
 
 struct TransformState {

@@ -33,7 +33,7 @@ void draw_chosen(Ui& ui, Workspace& work, const Field& field, double value, cons
     const FieldEdit edit = draw_field(ui, field, edited);
     const Vibration* vibration = current_vibration(work);
     if (edit.changed && edited != value) {
-        Pattern changed = std::get<Pattern>(vibration->source);
+        Pattern changed = *shown_pattern(work);
         write(changed, edited);
         edit_current_pattern(work, changed);
     }
@@ -142,7 +142,7 @@ void draw_note_number(Ui& ui, Workspace& work, StripState& strip, const Field& f
     ImGui::TableNextColumn();
     double edited = value;
     const FieldEdit edit = draw_field(ui, field, edited);
-    const Pattern before = std::get<Pattern>(current_vibration(work)->source);
+    const Pattern before = *shown_pattern(work);
     if (edit.changed && edited != value) {
         const Expected<NotesEdit> notes = with(before, edited);
         if (!notes) return complain(ui, notes.error().message);
@@ -238,10 +238,9 @@ int count_of(GripKind kind) {
 
 // What the strip has chosen of the pattern in the editor; of notes the first.
 std::optional<Grip> chosen_of(const Workspace& work, const StripState& strip) {
-    const Vibration* vibration = current_vibration(work);
-    const auto* pattern = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
+    const Pattern* pattern = shown_pattern(work);
     if (has_chosen_notes(work, strip)) return Grip{GripKind::note};
-    const bool is_there = strip.chosen && pattern != nullptr && vibration->name == strip.pattern &&
+    const bool is_there = strip.chosen && pattern != nullptr && shown_name(work) == strip.pattern &&
                           exists(*pattern, *strip.chosen);
     return is_there ? strip.chosen : std::nullopt;
 }
@@ -260,7 +259,7 @@ float chosen_fields_px(const Ui& ui, const Workspace& work, const StripState& st
 void draw_chosen_fields(Ui& ui, Workspace& work, StripState& strip) {
     const auto chosen = chosen_of(work, strip);
     if (!chosen) return;
-    const Pattern pattern = std::get<Pattern>(current_vibration(work)->source);
+    const Pattern pattern = *shown_pattern(work);
     const int columns = columns_in(ui, ImGui::GetContentRegionAvail().x);
     ImGui::BeginDisabled(current_vibration(work)->locked);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.theme.gap_px, 0.0F});

@@ -16,10 +16,9 @@ namespace {
 
 // The pattern whose notes are chosen; null: none are.
 const Pattern* pattern_of_choice(const Workspace& work, const StripState& strip) {
-    const Vibration* vibration = current_vibration(work);
-    const bool is_there = vibration != nullptr && vibration->name == strip.pattern &&
-                          strip.tool == StripTool::notes && !strip.notes.empty();
-    return is_there ? editable_pattern(*vibration) : nullptr;
+    const bool is_there =
+        shown_name(work) == strip.pattern && strip.tool == StripTool::notes && !strip.notes.empty();
+    return is_there ? editable_layer(work) : nullptr;
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ bool drag_chosen_notes(Ui& ui, Workspace& work, StripState& strip, const GripDra
 void commit_notes(Ui& ui, Workspace& work, StripState& strip, const char* verb,
                   const Expected<NotesEdit>& edit) {
     if (!edit) return complain(ui, edit.error().message);
-    const Pattern before = std::get<Pattern>(current_vibration(work)->source);
+    const Pattern before = *shown_pattern(work);
     take_rhythm(work, before, edit->pattern);
     strip.notes = edit->chosen;
     commit_step(ui, work, std::string(verb) + " " + of_selection(work, "notes"));
@@ -135,17 +134,16 @@ bool choose_all_notes(Ui& ui, const Workspace& work, StripState& strip) {
 }
 
 bool paste_notes(Ui& ui, Workspace& work, StripState& strip, double playhead_s) {
-    const Vibration* vibration = current_vibration(work);
-    const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
+    const Pattern* pattern = editable_layer(work);
     const char* clipboard = ImGui::GetClipboardText();
     if (pattern == nullptr || strip.tool != StripTool::notes || clipboard == nullptr) return false;
     const std::string text = clipboard;
     if (text.empty() || !rhythm_fault(text).empty()) return false;
-    const bool is_pointed_at = vibration->name == strip.pattern && strip.pointed_s;
+    const bool is_pointed_at = shown_name(work) == strip.pattern && strip.pointed_s;
     const double at_s = is_pointed_at ? *strip.pointed_s : playhead_s;
     const double steps = std::max(0.0, at_s) / pattern->rhythm.unit_s;
     constexpr double kOnStep = 1e-6;  // a playhead on a step's start belongs to it
-    strip.pattern = vibration->name;
+    strip.pattern = shown_name(work);
     commit_notes(ui, work, strip, "Paste",
                  with_notes_pasted(*pattern, static_cast<std::size_t>(steps + kOnStep), text));
     ui.field.active = kChosenValue;

@@ -46,11 +46,14 @@ void draw_ghost_words(ImDrawList& list, const Theme& theme, const StripScene& sc
     const Rect& lane = scene.scale.amplitude.area;
     const ImFont* font = theme.fonts.small;
     const float line_px = text_size(font, "0").y;
+    if (lane.height() < 3.0F * line_px) return;
     const std::string words = shortened(font, scene.ghost_words, 0.6F * lane.width());
     const float end_px = to_pixel(scene.scale.amplitude.x, scene.pattern.duration_s);
     const ImVec2 at{std::min(lane.max.x, end_px) - text_size(font, words).x - 0.5F * theme.gap_px,
                     lane.min.y + line_px};
-    draw_text_halo(list, font, at, theme.dim_text, theme.pane, 2.0F * theme.scale, words);
+    const float halo_px = 2.0F * theme.scale;
+    if (at.y + line_px + halo_px > list.GetClipRectMax().y) return;  // half of them says nothing
+    draw_text_halo(list, font, at, theme.dim_text, theme.pane, halo_px, words);
 }
 
 // A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.

@@ -1,11 +1,13 @@
 // What the wave strip remembers between frames.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "app/wave_strip/grips.h"
 #include "model/algebra/chosen_notes.h"
+#include "model/signal/waveform.h"
 
 namespace tact {
 
@@ -27,17 +29,24 @@ struct NoteBox {
     StripScale scale;
 };
 
+// What the other layers sum up to, from where the open one begins.
+struct LayersBeneath {
+    std::uint64_t revision = 0;  // of the document
+    Waveform waveform;
+};
+
 inline constexpr Range kStripHeight{120.0, 900.0};  // px at a scale of 1
 
 // The name of the chosen one's own number, which arrows nudge.
 inline constexpr const char* kChosenValue = "chosen_value";
 
 struct StripState {
-    std::string pattern;  // its name; all below is of it, but for height and tool
+    std::string pattern;  // its name, and its layer's; all below is of it, but for height and tool
     std::optional<GripHold> held;
     std::optional<Grip> chosen;  // a point or a transient, whose numbers are shown
     ChosenNotes notes;           // with the tool of notes
     std::optional<NoteBox> box;
+    std::optional<LayersBeneath> beneath;
     std::optional<double> pointed_s;  // by the mouse over it: where notes are pasted
     bool is_scrubbed = false;         // the playhead is held, on the ruler
     bool has_just_drawn = false;      // the last press put something where nothing was

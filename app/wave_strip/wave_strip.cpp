@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/strip_picture.h"
 #include "model/set/felt_versions.h"
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -66,11 +68,10 @@ void take(Workspace& work, GripKind kind, const Pattern& changed) {
 }
 
 std::string label_of(const Workspace& work, const std::string& verb, GripKind kind) {
-    const Vibration& current = *current_vibration(work);
-    const auto* pattern = std::get_if<Pattern>(&current.source);
+    const Pattern* pattern = shown_pattern(work);
     const bool shared = pattern != nullptr && is_shared(kind, *pattern);
     const std::string what = name_of(kind);
-    return verb + " " + (shared ? of_selection(work, what) : what + " of " + current.name);
+    return verb + " " + (shared ? of_selection(work, what) : what + " of " + shown_name(work));
 }
 
 void complain_of_transients(Ui& ui) {
@@ -162,7 +163,7 @@ void drag(Ui& ui, Workspace& work, StripState& strip) {
 }
 
 void put_point(Ui& ui, Workspace& work, StripState& strip, GripKind line, double time_s) {
-    const Pattern* pattern = editable_pattern(*current_vibration(work));
+    const Pattern* pattern = editable_layer(work);
     if (pattern == nullptr) return;
     Pattern changed = *pattern;
     const auto point = add_point(changed, line, time_s);
@@ -186,7 +187,7 @@ void let_go(Ui& ui, Workspace& work, StripState& strip) {
 }
 
 void put_transient(Ui& ui, Workspace& work, StripState& strip, double time_s, double amplitude_g) {
-    const Pattern* pattern = editable_pattern(*current_vibration(work));
+    const Pattern* pattern = editable_layer(work);
     if (pattern == nullptr) return;
     Pattern changed = *pattern;
     const auto added = add_transient(changed, time_s, amplitude_g);
@@ -300,6 +301,28 @@ Ghost ghost_of(const Workspace& work, const Vibration& vibration) {
             "beneath: " + found->name + (measurement.synthetic ? ", synthetic" : "") + since};
 }
 
+// The sum of the other layers from where the open one begins; none of what has no layers, or is
+// long.
+void follow_other_layers(const Workspace& work, std::optional<LayersBeneath>& beneath) {
+    const LayeredPattern* layered = current_layers(work);
+    if (layered == nullptr || duration_s(*layered) * kModelRateHz > kMostSamplesAtOnce) {
+        beneath.reset();
+        return;
+    }
+    if (beneath && beneath->revision == work.revision) return;
+    LayeredPattern others = *layered;
+    const std::size_t open = open_layer(work);
+    for (std::size_t k = 0; k < others.layers.size(); ++k) {
+        others.layers[k].mute = k == open || !sounds(*layered, k);
+        others.layers[k].solo = false;
+    }
+    beneath = LayersBeneath{work.revision, render(others)};
+    std::vector<double>& samples = beneath->waveform.samples_g;
+    const auto before = static_cast<std::ptrdiff_t>(
+        std::min(samples.size(), sample_count(layered->layers[open].offset_s, kModelRateHz)));
+    samples.erase(samples.begin(), samples.begin() + before);
+}
+
 void follow_pattern(StripState& strip, const std::string& name) {
     if (strip.pattern == name) return;
     const float height = strip.height;
@@ -321,23 +344,25 @@ void follow_wheel(StripState& strip, bool hovered) {
 
 void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time,
                      const StripRoom& room) {
-    const Vibration* vibration = current_vibration(work);
-    const auto* source = vibration == nullptr ? nullptr : std::get_if<Pattern>(&vibration->source);
+    const Pattern* source = shown_pattern(work);
     if (source == nullptr) return;
+    const Vibration vibration = shown_vibration(work);
     const Pattern pattern = *source;  // edits below replace the document's own
-    follow_pattern(strip, vibration->name);
+    follow_pattern(strip, shown_name(work));
     if (strip.chosen && !exists(pattern, *strip.chosen)) strip.chosen.reset();
     strip.notes =
         strip.tool == StripTool::notes ? kept_choice(pattern, strip.notes) : ChosenNotes{};
-    const Waveform* waveform = waveform_in_time(work.cache, *vibration);
+    const Waveform* waveform = waveform_in_time(work.cache, vibration);
     const float least_px = kLeastHeightPx * ui.theme.scale;
     const float most_px = std::max(least_px, room.most_px);
     const float wanted_px = wanted_height_px(ui, strip, ImGui::GetContentRegionAvail());
     const float height_px = room.fills ? most_px : std::min(wanted_px, most_px);
     const Rect area = rect_at(ImGui::GetCursorScreenPos(),
                               {ImGui::GetContentRegionAvail().x, std::round(height_px)});
-    const Ghost ghost = ghost_of(work, *vibration);
-    const double peak = std::max(peak_in_time(work.cache, *vibration),
+    follow_other_layers(work, strip.beneath);
+    const Ghost ghost = strip.beneath ? Ghost{&strip.beneath->waveform, "beneath: the other layers"}
+                                      : ghost_of(work, vibration);
+    const double peak = std::max(peak_in_time(work.cache, vibration),
                                  ghost.waveform == nullptr ? 0.0 : peak_g(*ghost.waveform));
     const StripScale scale =
         strip.held ? strip.held->scale
@@ -393,9 +418,8 @@ float strip_height(const Ui& ui, const StripState& strip) {
 
 bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
     if (remove_notes(ui, work, strip)) return true;
-    const Vibration* vibration = current_vibration(work);
-    if (!strip.chosen || vibration == nullptr || vibration->name != strip.pattern) return false;
-    const Pattern* pattern = editable_pattern(*vibration);
+    if (!strip.chosen || shown_name(work) != strip.pattern) return false;
+    const Pattern* pattern = editable_layer(work);
     if (pattern == nullptr || !exists(*pattern, *strip.chosen)) return false;
     Pattern changed = *pattern;
     const GripKind kind = strip.chosen->kind;
@@ -410,17 +434,16 @@ bool remove_chosen(Ui& ui, Workspace& work, StripState& strip) {
 void add_at(Ui& ui, Workspace& work, StripState& strip, GripKind kind, double time_s) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) return;
-    follow_pattern(strip, vibration->name);
+    follow_pattern(strip, shown_name(work));
     if (kind != GripKind::transient) return put_point(ui, work, strip, kind, time_s);
-    const Pattern* pattern = editable_pattern(*vibration);
+    const Pattern* pattern = editable_layer(work);
     if (pattern != nullptr) put_transient(ui, work, strip, time_s, pattern->amplitude_g);
 }
 
 void choose_next(Ui& ui, const Workspace& work, StripState& strip, int step) {
-    const Vibration* vibration = current_vibration(work);
-    const Pattern* pattern = vibration == nullptr ? nullptr : editable_pattern(*vibration);
+    const Pattern* pattern = editable_layer(work);
     if (pattern == nullptr) return;
-    follow_pattern(strip, vibration->name);
+    follow_pattern(strip, shown_name(work));
     if (strip.tool == StripTool::notes) return choose_next_note(ui, strip, *pattern, step);
     const auto next = next_single(*pattern, strip.chosen, step);
     if (!next) return say(ui, "The pattern has no points and no transients yet.");

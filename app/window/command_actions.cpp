@@ -14,6 +14,7 @@
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
+#include "app/layers/layer_edits.h"
 #include "app/lesson/lesson.h"
 #include "app/lesson/lesson_edit.h"
 #include "app/lesson/lesson_keeping.h"
@@ -33,6 +34,7 @@
 #include "app/window/commands.h"
 #include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
+#include "model/set/layers.h"
 
 namespace tact {
 
@@ -63,6 +65,17 @@ bool has_chosen_notes(const App& app) {
     return has_chosen_notes(app.work, app.pattern_panes.strip);
 }
 
+bool has_layers(const App& app) { return current_layers(app.work) != nullptr; }
+
+bool can_add_layer(const App& app) {
+    const Vibration* current = current_vibration(app.work);
+    const LayeredPattern* layered = current_layers(app.work);
+    const std::size_t count = layered == nullptr ? 1 : layered->layers.size();
+    return current != nullptr && !current->locked && count < limits::kMaxLayers;
+}
+
+bool can_layer_selected(const App& app) { return can_be_layered(app.work); }
+
 bool has_selection(const App& app) { return current_vibration(app.work) != nullptr; }
 
 bool has_unread_files(const App& app) { return !app.opening.left_out.empty(); }
@@ -78,10 +91,7 @@ bool has_subset(const App& app) { return shown_pick(app.shown_map, app.picking) 
 
 bool has_pairs(const App& app) { return app.work.document.set.vibrations.size() > 1; }
 
-bool has_editable_pattern(const App& app) {
-    const Vibration* vibration = current_vibration(app.work);
-    return vibration != nullptr && editable_pattern(*vibration) != nullptr;
-}
+bool has_editable_pattern(const App& app) { return editable_layer(app.work) != nullptr; }
 
 bool has_neighbours(const App& app) { return can_vary(app.work); }
 
@@ -301,6 +311,9 @@ const char* what_lacks(const App& app, const Command& command) {
         Lack{has_pairs, "needs two patterns"},
         Lack{has_editable_pattern, "needs a pattern that is no recording and not locked"},
         Lack{has_chosen_notes, "choose notes of the strip first, with the tool of notes (B)"},
+        Lack{has_layers, "this pattern has no layers"},
+        Lack{can_add_layer, "needs a pattern that is not locked and has fewer than four layers"},
+        Lack{can_layer_selected, "select two to four patterns first"},
         Lack{has_neighbours, "needs three patterns, and one that can be edited"},
         Lack{has_corners, "select two to four patterns first"},
         Lack{has_missing, "no pattern is missing: raise the number to pick first"},

@@ -22,6 +22,9 @@ bool has_study(const App& app);
 bool has_map_of_all(const App& app);
 
 bool has_chosen_notes(const App& app);
+bool has_layers(const App& app);
+bool can_add_layer(const App& app);
+bool can_layer_selected(const App& app);
 
 // Of the notes that are chosen on the strip, or else of the patterns that are selected.
 void remove_chosen_or_selected(App& app);

@@ -11,6 +11,7 @@
 #include "app/document/rating_files.h"
 #include "app/export/exports.h"
 #include "app/generate/generating.h"
+#include "app/layers/layer_edits.h"
 #include "app/library/library_follow.h"
 #include "app/measured/import_follow.h"
 #include "app/opening/opening.h"
@@ -192,6 +193,27 @@ constexpr auto
                 {"Edit", "Transform...", ctrl('t'), has_selection,
                  [](App& app) { open_transform(app.ui, app.work, app.transform); }, nullptr,
                  "stretch reverse repeat join mix trim fade normalise quantise transpose thin"},
+                {"Edit",
+                 "Add a layer",
+                 {},
+                 can_add_layer,
+                 [](App& app) { add_layer(app.ui, app.work); },
+                 nullptr,
+                 "bed notes ticks track second voice at once"},
+                {"Edit",
+                 "Make layers of the selected patterns",
+                 {},
+                 can_layer_selected,
+                 [](App& app) { layer_selected(app.ui, app.work); },
+                 nullptr,
+                 "mix sum tracks together at once stack"},
+                {"Edit",
+                 "Split layers into patterns",
+                 {},
+                 has_layers,
+                 [](App& app) { split_layers(app.ui, app.work); },
+                 nullptr,
+                 "tracks apart separate single"},
                 {"Edit", "Vary", plain('v'), has_neighbours,
                  [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
                  "neighbours variants alternatives others like it ghosts"},

@@ -22,8 +22,8 @@ constexpr std::array<EditTraits, kEditKindCount> kEdits{{
     {"reverse", "Reverse", "", nothing, {}, 0.0, "notes, ramps, curves and ticks from the end to the beginning"},
     {"repeat", "Repeat", "times", whole_number, {1.0, 1000.0}, 2.0, "this many times in a row"},
     {"join", "Join", "", pattern, {}, 0.0, "the other pattern behind this one; both need the same modulation and carriers, up to one factor of frequency"},
-    {"mix", "Mix", "", pattern, {}, 0.0, "the other pattern at the same time: carriers under the same notes and curves, or ticks"},
-    {"trim", "Trim silence", "", nothing, {}, 0.0, "without the silence at the beginning and at the end"},
+    {"mix", "Mix", "", pattern, {}, 0.0, "the other pattern at the same time: one pattern where carriers lie under the same notes and curves, or ticks over them; otherwise layers"},
+    {"trim", "Trim silence", "", nothing, {}, 0.0, "without the silence at the beginning and at the end; of a recording, what is below 1 % of its peak"},
     {"fade-in", "Fade in", "s", number, {0.001, 60.0}, 0.2, "from nothing to full strength within this time"},
     {"fade-out", "Fade out", "s", number, {0.001, 60.0}, 0.2, "from full strength to nothing within this time before the end"},
     {"normalise", "Normalise to a peak", "g", number, {1e-6, 50.0}, 1.0, "so strong that the largest sample is this"},
@@ -33,6 +33,13 @@ constexpr std::array<EditTraits, kEditKindCount> kEdits{{
     {"transpose", "Transpose", "times", number, {0.01, 100.0}, 2.0, "frequencies of carriers, of the frequency curve and of ticks times this"},
     {"thin", "Thin the curves", "%", number, {0.0, 100.0}, 1.0, "as few points as keep amplitudes within this share of full scale, and frequencies within this share of the highest"}}};
 // clang-format on
+
+Expected<Pattern> with_other(Expected<Pattern> (*both)(Pattern, Pattern), Pattern pattern,
+                             const VibrationSource& other) {
+    const auto* second = std::get_if<Pattern>(&other);
+    if (second == nullptr) return Error{"expected another pattern made of parameters"};
+    return both(std::move(pattern), *second);
+}
 
 Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTables& tables) {
     switch (edit.kind) {
@@ -47,9 +54,9 @@ Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTab
         case EditKind::repeat:
             return repeated(pattern, static_cast<int>(edit.number));
         case EditKind::join:
-            return joined(std::move(pattern), *edit.other);
+            return with_other(joined, std::move(pattern), *edit.other);
         case EditKind::mix:
-            return mixed(std::move(pattern), *edit.other);
+            return with_other(mixed, std::move(pattern), *edit.other);
         case EditKind::trim:
             return trimmed(std::move(pattern));
         case EditKind::fade_in:

@@ -10,7 +10,8 @@
 //           scale off
 // Input     a pattern without fault
 // Output    a pattern without fault, or one sentence: "stretch: expected ..., got ..."
-// Left out  recordings; two beds at once (mix says so); what sounds of a transient behind the end.
+// Left out  two beds at once, which are layers (model/algebra/source_edits.h); what sounds of a
+//           transient behind the end.
 #pragma once
 
 #include <array>
@@ -24,6 +25,7 @@
 #include "model/common/range.h"
 #include "model/pattern/pattern.h"
 #include "model/physiology/mechanoreceptor.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 
@@ -66,8 +68,9 @@ std::optional<EditKind> edit_kind(std::string_view key);
 
 struct Edit {
     EditKind kind = EditKind::stretch;
-    double number = 0.0;             // where it needs one
-    std::optional<Pattern> other{};  // where it needs a pattern
+    double number = 0.0;                     // where it needs one
+    std::optional<VibrationSource> other{};  // where it needs a pattern
+    std::string other_name{};                // of the layer that it may become
 
     bool operator==(const Edit&) const = default;
 };

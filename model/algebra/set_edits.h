@@ -2,7 +2,8 @@
 //
 // Source    ours
 // Output    the set with every other vibration as it was, or one sentence on what cannot be edited
-// Left out  recordings and locked patterns: refused by name.
+//           A recording that is edited has no file yet: store_measurements() writes one
+// Left out  locked patterns: refused by name.
 #pragma once
 
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "model/algebra/algebra.h"
+#include "model/algebra/source_edits.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/algebra/one_pattern.h"
 #include "model/common/parallel.h"
 #include "model/export/openxr_back.h"
 #include "model/export/samples_back.h"
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
-#include "model/signal/resample.h"
+#include "model/set/layers.h"
 
 namespace tact {
 
@@ -82,22 +83,16 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
     return result;
 }
 
-Waveform waveform_at(const Vibration& vibration, double rate_hz) {
-    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
-        return render(*pattern, rate_hz);
-    }
-    return resampled(waveform_of(vibration), rate_hz);
-}
-
 ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget& target) {
     const EffectTarget samples{vibration.name, {}, {}, target.sampled};
     WrittenEffect written =
-        write_samples(target.format, waveform_at(vibration, target.sampled.rate_hz), samples);
+        write_samples(target.format, waveform_of(vibration, target.sampled.rate_hz), samples);
     auto back = samples_back(target.format, written, samples);
     ExportedPattern result{
         std::move(written.text), std::move(written.beside), std::move(written.remarks), {}, {}};
     const auto* recording = std::get_if<Measurement>(&vibration.source);
     Measurement measurement = recording != nullptr ? *recording : Measurement{};
+    measurement.synthetic = is_synthetic(vibration);
     if (!back) {
         result.remarks.push_back("nothing of it comes back: " + back.error().message);
         const std::size_t length = waveform_of(vibration).samples_g.size();
@@ -114,7 +109,7 @@ ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget&
 }  // namespace
 
 bool is_held(const Vibration& vibration, TargetFormat format) {
-    return is_sampled(format) || std::holds_alternative<Pattern>(vibration.source);
+    return is_sampled(format) || !std::holds_alternative<Measurement>(vibration.source);
 }
 
 ExportedPattern exported(const Pattern& pattern, const std::string& name,
@@ -128,6 +123,12 @@ ExportedPattern exported(const Pattern& pattern, const std::string& name,
 ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
                          const std::string& date) {
     if (is_sampled(target.format)) return samples_exported(vibration, target);
+    if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        const OnePattern one = as_one_pattern(*layered);
+        ExportedPattern result = effect_exported(one.pattern, vibration.name, target, date);
+        result.remarks.insert(result.remarks.begin(), one.remarks.begin(), one.remarks.end());
+        return result;
+    }
     return effect_exported(std::get<Pattern>(vibration.source), vibration.name, target, date);
 }
 
@@ -137,7 +138,7 @@ ExportTarget with_full_scale(ExportTarget target, const PatternSet& set, int thr
     if (target.format != TargetFormat::wav || as.full_scale_g > 0.0) return target;
     std::vector<double> peaks_g(set.vibrations.size());
     parallel_for(peaks_g.size(), threads, stop, [&](std::size_t k) {
-        peaks_g[k] = peak_g(waveform_at(set.vibrations[k], as.rate_hz));
+        peaks_g[k] = peak_g(waveform_of(set.vibrations[k], as.rate_hz));
     });
     const double loudest_g = peaks_g.empty() ? 0.0 : std::ranges::max(peaks_g);
     as.full_scale_g = full_scale_of(loudest_g, as.encoding);

@@ -28,8 +28,8 @@ struct ExportedPattern {
     // What was lost or changed, the most important last; sentences without a stop. None of what
     // costs less than 0.1 dB and 1 ms (envelope_error.h).
     std::vector<std::string> remarks;
-    std::variant<Pattern, Measurement> back;  // what the file holds, as it is read
-    std::optional<EnvelopeError> error{};     // of what is not samples
+    VibrationSource back;                  // what the file holds, as it is read
+    std::optional<EnvelopeError> error{};  // of what is not samples
 
     bool operator==(const ExportedPattern&) const = default;
 };

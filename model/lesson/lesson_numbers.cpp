@@ -90,7 +90,9 @@ std::string pattern_fault(const PatternSet& set, const std::string& name, const 
     if (!place) return "there is no pattern " + in_quotes(name) + " in the lesson's set";
     if (!is_parametric(word)) return {};
     const auto* pattern = std::get_if<Pattern>(&set.vibrations[*place].source);
-    if (pattern == nullptr) return in_quotes(name) + " is a recording, which has no carriers";
+    if (pattern == nullptr) {
+        return in_quotes(name) + " is no pattern made of parameters, so it has no carriers";
+    }
     if (is_of_frequency(word) && !value_of(*pattern, PatternParameter::carrier)) {
         return "the frequency of " + in_quotes(name) + " is drawn, so it has no one number";
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/set/layers.h"
 #include "model/signal/spectrum.h"
 
 namespace tact {
@@ -54,8 +55,9 @@ LibraryEntry entry_of(const Vibration& vibration) {
     if (const auto* measured = std::get_if<Measurement>(&vibration.source)) {
         entry.recording = true;
         entry.synthetic = measured->synthetic;
-    } else {
-        entry.ticks = std::get<Pattern>(vibration.source).transients.size();
+    }
+    for (const Pattern* pattern : patterns_in(vibration)) {
+        entry.ticks += pattern->transients.size();
     }
     const Waveform waveform = waveform_of(vibration);
     entry.duration_s = duration_s(waveform);

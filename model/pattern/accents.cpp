@@ -105,6 +105,10 @@ double transient_g(const Transient& transient, double since_s, double phase_turn
     return std::fmod(std::floor(2.0 * turns + kRounding), 2.0) == 0.0 ? level : -level;
 }
 
+void add_transients(Waveform& waveform, const std::vector<Transient>& transients) {
+    for (const Transient& one : transients) add(waveform, one, 0.0);
+}
+
 void add_accents(Waveform& waveform, std::vector<Transient> transients) {
     if (transients.empty()) return;
     const Waveform carriers = waveform;

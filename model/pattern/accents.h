@@ -26,4 +26,7 @@ double transient_g(const Transient& transient, double since_s, double phase_turn
 // end is cut.
 void add_accents(Waveform& waveform, std::vector<Transient> transients);
 
+// Adds each of them at phase 0, whatever sounds under it.
+void add_transients(Waveform& waveform, const std::vector<Transient>& transients);
+
 }  // namespace tact

@@ -141,6 +141,15 @@ Pattern with_duration(Pattern pattern, double duration_s) {
     return pattern;
 }
 
+bool has_accents(const Pattern& pattern) {
+    return std::ranges::any_of(pattern.transients, [&pattern](const Transient& one) {
+        const auto is_over = [&](double share) {
+            return envelope_g(pattern, one.time_s + share * one.duration_s) > 0.0;
+        };
+        return one.amplitude_g > 0.0 && (is_over(0.0) || is_over(0.5) || is_over(1.0));
+    });
+}
+
 bool is_drawn(const Pattern& pattern) {
     return !pattern.amplitude_curve.empty() || !pattern.frequency_curve.empty() ||
            !pattern.transients.empty();
@@ -165,6 +174,16 @@ double envelope_g(const Pattern& pattern, double t_s) {
 }
 
 Waveform render(const Pattern& pattern, double rate_hz) {
+    Waveform waveform = render_carriers(pattern, rate_hz);
+    if (pattern.accents == Accents::joined) {
+        add_accents(waveform, pattern.transients);
+    } else {
+        add_transients(waveform, pattern.transients);
+    }
+    return waveform;
+}
+
+Waveform render_carriers(const Pattern& pattern, double rate_hz) {
     Waveform waveform{rate_hz,
                       rhythm_gate(pattern, rate_hz, sample_count(pattern.duration_s, rate_hz))};
     const Sweep sweep = sweep_of(pattern.frequency_curve);
@@ -178,7 +197,6 @@ Waveform render(const Pattern& pattern, double rate_hz) {
             pattern.amplitude_g * modulation_at(pattern.modulation, t_s) * carriers;
         waveform.samples_g[n] *= amplitude_factor(pattern, t_s);
     }
-    add_accents(waveform, pattern.transients);
     return waveform;
 }
 

@@ -3,9 +3,10 @@
 //     x(t) = A e(t) r(t) a(t) sum_j w_j sin(2 pi (f_j / f_1) F(t) + phi_j) + sum_k b_k(t - t_k)
 //
 // Carriers as the frequency curve drives them, times modulation e(t), rhythm gate with linear ramps
-// r(t) and amplitude curve a(t), plus transients b_k in the phase of model/pattern/accents.h.
-// F(t) is the integral of the frequency curve, which is the first carrier's; f_1 t without one.
-// Read literally, Eq. 7's e(t) = sin(2 pi f_e t) is silent for f_e = 0; there the factor is 1.
+// r(t) and amplitude curve a(t), plus transients b_k in the phase of model/pattern/accents.h, or
+// each at phase 0 where the pattern says that they are added. F(t) is the integral of the frequency
+// curve, which is the first carrier's; f_1 t without one. Read literally, Eq. 7's e(t) = sin(2 pi
+// f_e t) is silent for f_e = 0; there the factor is 1.
 //
 // Source    Lim & Park 2023, Eq. 7, generalised.
 // Left out  noise.
@@ -42,6 +43,10 @@ struct Modulation {
     bool operator==(const Modulation&) const = default;
 };
 
+// How transients meet what sounds under them. Added, their phase against it decides how strong the
+// sum is: as everywhere before November 2026.
+enum class Accents { joined, added };
+
 struct Pattern {
     double amplitude_g = 1.0;
     std::vector<Carrier> carriers = std::vector<Carrier>(1);
@@ -53,6 +58,7 @@ struct Pattern {
     AmplitudeCurve amplitude_curve;     // empty: 1 throughout
     FrequencyCurve frequency_curve;     // empty: the first carrier's frequency throughout
     std::vector<Transient> transients;  // in any order; cut at the pattern's end
+    Accents accents = Accents::joined;
 
     bool operator==(const Pattern&) const = default;
 };
@@ -81,6 +87,9 @@ Pattern clamped(Pattern pattern);
 // they are cut at the new end, and transients that begin behind it are gone.
 Pattern with_duration(Pattern pattern, double duration_s);
 
+// Whether a transient begins, ends or has its middle where carriers sound.
+bool has_accents(const Pattern& pattern);
+
 // Whether it has a curve or a transient.
 bool is_drawn(const Pattern& pattern);
 
@@ -94,5 +103,8 @@ double envelope_g(const Pattern& pattern, double t_s);
 // Samples x[n] = x(n / rate_hz), n = 0 .. round(duration_s rate_hz) - 1. A carrier that its ratio
 // to the first one takes above half the rate is silent there.
 Waveform render(const Pattern& pattern, double rate_hz = kModelRateHz);
+
+// The same without its transients.
+Waveform render_carriers(const Pattern& pattern, double rate_hz = kModelRateHz);
 
 }  // namespace tact

@@ -114,6 +114,7 @@ void add_transients(std::vector<double>& numbers, const Pattern& pattern) {
                        one.shape == TransientShape::sine ? 0.0 : 1.0});
     }
     std::ranges::sort(all);
+    if (!all.empty() && pattern.accents == Accents::added) numbers.push_back(-6.0);
     for (const auto& one : all) numbers.insert(numbers.end(), one.begin(), one.end());
 }
 

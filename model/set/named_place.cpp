@@ -17,7 +17,9 @@ Expected<std::size_t> place_of(const PatternSet& set, const std::string& name) {
 Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string& name) {
     const Expected<std::size_t> place = place_of(set, name);
     if (!place || std::holds_alternative<Pattern>(set.vibrations[*place].source)) return place;
-    return Error{"expected a pattern made of parameters, got the recording \"" + name + "\""};
+    const bool has_layers = std::holds_alternative<LayeredPattern>(set.vibrations[*place].source);
+    return Error{"expected a pattern made of parameters, got " +
+                 std::string(has_layers ? "the layers of" : "the recording") + " \"" + name + "\""};
 }
 
 const Pattern* pattern_named(const PatternSet& set, const std::string& name) {

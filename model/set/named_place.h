@@ -12,10 +12,10 @@ namespace tact {
 
 Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
 
-// The same of a pattern made of parameters: a recording is refused.
+// The same of a pattern made of parameters: a recording and layers are refused.
 Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string& name);
 
-// The pattern itself, or null: no vibration has that name, or it is a recording.
+// The pattern itself, or null: no vibration has that name, or it is no such pattern.
 const Pattern* pattern_named(const PatternSet& set, const std::string& name);
 
 }  // namespace tact

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "model/common/parallel.h"
+#include "model/set/layers.h"
 #include "model/set/set_waveforms.h"
+#include "model/signal/resample.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
@@ -15,9 +17,16 @@ bool Measurement::operator==(const Measurement& other) const {
            (waveform == other.waveform || *waveform == *other.waveform);
 }
 
-Waveform waveform_of(const Vibration& vibration) {
-    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) return render(*pattern);
-    return *std::get<Measurement>(vibration.source).waveform;
+Waveform waveform_of(const Vibration& vibration) { return waveform_of(vibration, kModelRateHz); }
+
+Waveform waveform_of(const Vibration& vibration, double rate_hz) {
+    if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
+        return render(*pattern, rate_hz);
+    }
+    if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        return render(*layered, rate_hz);
+    }
+    return resampled(*std::get<Measurement>(vibration.source).waveform, rate_hz);
 }
 
 std::vector<Waveform> model_waveforms(const PatternSet& set) { return model_waveforms(set, 1); }
@@ -36,6 +45,9 @@ namespace {
 std::size_t samples_of(const Vibration& vibration) {
     if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
         return sample_count(pattern->duration_s, kModelRateHz);
+    }
+    if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        return sample_count(duration_s(*layered), kModelRateHz);
     }
     return std::get<Measurement>(vibration.source).waveform->samples_g.size();
 }

@@ -1,4 +1,5 @@
-// A set of named vibrations, parametric or measured, with what belongs to it: the document.
+// A set of named vibrations, parametric, measured or of layers, with what belongs to it: the
+// document.
 //
 // Left out  where it is stored and how (model/io).
 #pragma once
@@ -41,9 +42,30 @@ struct EffectOrigin {
     bool operator==(const EffectOrigin&) const = default;
 };
 
+// One of the vibrations that a layered pattern is the sum of.
+struct Layer {
+    std::string name;
+    std::variant<Pattern, Measurement> source;
+    double gain = 1.0;      // factor of its amplitude
+    double offset_s = 0.0;  // from 0 s of the whole to 0 s of its own
+    bool mute = false;
+    bool solo = false;  // where any is, those alone sound
+
+    bool operator==(const Layer&) const = default;
+};
+
+// One to four vibrations at once (model/set/layers.h).
+struct LayeredPattern {
+    std::vector<Layer> layers;
+
+    bool operator==(const LayeredPattern&) const = default;
+};
+
+using VibrationSource = std::variant<Pattern, Measurement, LayeredPattern>;
+
 struct Vibration {
     std::string name;  // unique in its set
-    std::variant<Pattern, Measurement> source;
+    VibrationSource source;
     bool locked = false;  // not to be edited; picked in every subset
     std::string colour;   // "#RRGGBB"; empty: not given yet
     std::string note;
@@ -108,8 +130,9 @@ struct PatternSet {
     bool operator==(const PatternSet&) const = default;
 };
 
-// The samples of one vibration at the model's rate, unpadded.
+// The samples of one vibration at the model's rate, unpadded; and at any other rate.
 Waveform waveform_of(const Vibration& vibration);
+Waveform waveform_of(const Vibration& vibration, double rate_hz);
 
 // The samples of all, zero-padded at the end to the longest: what the model compares.
 std::vector<Waveform> model_waveforms(const PatternSet& set);

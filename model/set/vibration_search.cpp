@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -26,6 +27,16 @@ void add_tags(const std::string& note, std::vector<std::string>& words) {
     for (std::string word; stream >> word;) words.push_back(word);
 }
 
+void add_numbers(const Pattern& pattern, std::vector<std::string>& words) {
+    words.push_back(with_unit(pattern.amplitude_g, "g"));
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, pattern.carriers.size()); ++k) {
+        words.push_back(with_unit(pattern.carriers[k].frequency_hz, "hz"));
+    }
+    words.push_back(with_unit(pattern.modulation.frequency_hz, "hz"));
+    words.push_back(with_unit(pattern.duration_s, "s"));
+    words.push_back(pattern.rhythm.text.empty() ? "steady" : lower_case(pattern.rhythm.text));
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(const Vibration& vibration) {
@@ -33,18 +44,12 @@ std::vector<std::string> words_of(const Vibration& vibration) {
     if (vibration.locked) words.emplace_back("locked");
     if (vibration.dropped) words.emplace_back("dropped");
     add_tags(vibration.note, words);
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    if (pattern == nullptr) {
-        words.emplace_back("measured");
-        return words;
+    if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        words.emplace_back("layers");
+        for (const Layer& layer : layered->layers) words.push_back(lower_case(layer.name));
     }
-    words.push_back(with_unit(pattern->amplitude_g, "g"));
-    for (std::size_t k = 0; k < std::min<std::size_t>(2, pattern->carriers.size()); ++k) {
-        words.push_back(with_unit(pattern->carriers[k].frequency_hz, "hz"));
-    }
-    words.push_back(with_unit(pattern->modulation.frequency_hz, "hz"));
-    words.push_back(with_unit(pattern->duration_s, "s"));
-    words.push_back(pattern->rhythm.text.empty() ? "steady" : lower_case(pattern->rhythm.text));
+    if (!recordings_in(vibration).empty()) words.emplace_back("measured");
+    for (const Pattern* pattern : patterns_in(vibration)) add_numbers(*pattern, words);
     return words;
 }
 

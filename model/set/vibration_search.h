@@ -1,5 +1,5 @@
 // What a list is narrowed to by a few typed words: a part of a name, or whole words of what the
-// pattern is: "0.4g", "60 Hz", "8Hz", "x--x", "steady", "locked",
+// pattern is: "0.4g", "60 Hz", "8Hz", "x--x", "steady", "locked", "layers",
 // and what its note has behind "Tags:".
 //
 // Valid     any text; upper and lower case are one, a unit may stand apart from its number

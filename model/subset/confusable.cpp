@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "model/common/quantile.h"
+#include "model/set/layers.h"
 
 namespace tact {
 
@@ -41,14 +43,80 @@ double threshold_at(const Dissimilarity& dissimilarity, double share) {
     return quantile(sorted_values(dissimilarity), share);
 }
 
-bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b) {
-    const auto& first = set.vibrations[a].source;
-    const auto& second = set.vibrations[b].source;
+namespace {
+
+bool same_recording(const Measurement& one, const Measurement& other) {
+    return one.waveform == other.waveform || *one.waveform == *other.waveform;
+}
+
+Pattern with_gain(Pattern pattern, double gain) {
+    pattern.amplitude_g *= gain;
+    for (Transient& transient : pattern.transients) transient.amplitude_g *= gain;
+    return pattern;
+}
+
+// The layers that sound, in order.
+std::vector<const Layer*> sounding(const LayeredPattern& layered) {
+    std::vector<const Layer*> all;
+    for (std::size_t k = 0; k < layered.layers.size(); ++k) {
+        if (sounds(layered, k)) all.push_back(&layered.layers[k]);
+    }
+    return all;
+}
+
+// The largest difference of any layer; nothing where they are not the same kind of layers.
+std::optional<FeltDifference> layers_difference(const FeltSteps& steps, const LayeredPattern& a,
+                                                const LayeredPattern& b) {
+    const std::vector<const Layer*> one = sounding(a);
+    const std::vector<const Layer*> other = sounding(b);
+    if (one.size() != other.size()) return std::nullopt;
+    FeltDifference largest{0.0, true};
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        if (one[k]->offset_s != other[k]->offset_s) return std::nullopt;
+        const auto* first = std::get_if<Pattern>(&one[k]->source);
+        const auto* second = std::get_if<Pattern>(&other[k]->source);
+        if (first != nullptr && second != nullptr) {
+            const FeltDifference own = felt_difference(steps, with_gain(*first, one[k]->gain),
+                                                       with_gain(*second, other[k]->gain));
+            largest.steps = std::max(largest.steps, own.steps);
+            largest.same_shape = largest.same_shape && own.same_shape;
+        } else if (first != nullptr || second != nullptr || one[k]->gain != other[k]->gain ||
+                   !same_recording(std::get<Measurement>(one[k]->source),
+                                   std::get<Measurement>(other[k]->source))) {
+            return std::nullopt;
+        }
+    }
+    return largest;
+}
+
+// Nothing where felt steps do not measure it: one is a recording, or they have other layers.
+std::optional<FeltDifference> difference(const FeltSteps& steps, const VibrationSource& first,
+                                         const VibrationSource& second) {
     const auto* one = std::get_if<Pattern>(&first);
     const auto* other = std::get_if<Pattern>(&second);
+    if (one != nullptr && other != nullptr) return felt_difference(steps, *one, *other);
+    const auto* layers = std::get_if<LayeredPattern>(&first);
+    const auto* other_layers = std::get_if<LayeredPattern>(&second);
+    if (layers == nullptr || other_layers == nullptr) return std::nullopt;
+    return layers_difference(steps, *layers, *other_layers);
+}
+
+}  // namespace
+
+bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b) {
+    const VibrationSource& first = set.vibrations[a].source;
+    const VibrationSource& second = set.vibrations[b].source;
+    const auto* one = std::get_if<Pattern>(&first);
+    const auto* other = std::get_if<Pattern>(&second);
+    // Most pairs are patterns, and told by one number.
     if (one != nullptr && other != nullptr) return within_a_step(set.felt_steps, *one, *other);
-    if (one != nullptr || other != nullptr) return false;
-    return *std::get<Measurement>(first).waveform == *std::get<Measurement>(second).waveform;
+    const auto* recording = std::get_if<Measurement>(&first);
+    const auto* other_recording = std::get_if<Measurement>(&second);
+    if (recording != nullptr && other_recording != nullptr) {
+        return same_recording(*recording, *other_recording);
+    }
+    const auto felt = difference(set.felt_steps, first, second);
+    return felt && felt->same_shape && felt->steps < 1.0;
 }
 
 std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
@@ -65,12 +133,11 @@ std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
 
 PairVerdict pair_verdict(const PatternSet& set, std::size_t a, std::size_t b) {
     if (within_a_step(set, a, b)) return PairVerdict::same;
-    const auto* one = std::get_if<Pattern>(&set.vibrations[a].source);
-    const auto* other = std::get_if<Pattern>(&set.vibrations[b].source);
-    if (one == nullptr || other == nullptr) return PairVerdict::shape;
-    const FeltDifference difference = felt_difference(set.felt_steps, *one, *other);
-    if (difference.steps >= kClearSteps) return PairVerdict::clear;
-    return difference.same_shape ? PairVerdict::close : PairVerdict::shape;
+    const auto felt =
+        difference(set.felt_steps, set.vibrations[a].source, set.vibrations[b].source);
+    if (!felt) return PairVerdict::shape;
+    if (felt->steps >= kClearSteps) return PairVerdict::clear;
+    return felt->same_shape ? PairVerdict::close : PairVerdict::shape;
 }
 
 const char* words_of(PairVerdict verdict) {
@@ -96,8 +163,9 @@ const char* sentence_of(PairVerdict verdict) {
         case PairVerdict::clear:
             return "A number differs by two felt steps or more.";
         case PairVerdict::shape:
-            return "They differ in what felt steps do not measure: rhythm, curves, transients, or "
-                   "one is a recording.";
+            return "They differ in what felt steps do not measure: rhythm, curves, transients, "
+                   "layers, "
+                   "or one is a recording.";
     }
     return "";
 }

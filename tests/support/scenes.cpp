@@ -135,6 +135,32 @@ void add_textbook(std::vector<Scene>& all) {
                    }});
 }
 
+// A beat under a bed, late ticks that are open, and a layer that is mute.
+void draw_layers(Program& p) {
+    draw_in_strip(p, StripTool::ticks);
+    Vibration& vibration = p.app.work.document.edit().vibrations[0];
+    Pattern beat = std::get<Pattern>(vibration.source);
+    beat.transients.clear();
+    Pattern bed;
+    bed.amplitude_g = 0.3;
+    bed.attack_s = 0.3 * beat.duration_s;
+    bed.duration_s = beat.duration_s;
+    Pattern ticks;
+    ticks.amplitude_g = 0.0;
+    ticks.duration_s = 0.7 * beat.duration_s;
+    ticks.transients = {{0.1 * beat.duration_s, 1.2, 180.0, 0.01},
+                        {0.5 * beat.duration_s, 0.9, 180.0, 0.01}};
+    LayeredPattern layered{{{"bed", bed}, {"beat", beat, 0.6}, {"ticks", ticks}, {"hum", bed}}};
+    layered.layers[2].offset_s = 0.2 * beat.duration_s;
+    layered.layers[3].mute = true;
+    vibration.source = layered;
+    choose_layer(p.app.work, 2);
+    p.app.pattern_panes.layers.is_folded = false;
+    document_changed(p.app.work);
+    wait_until(p, [&p] { return map_state(p.app.work, p.app.shown_map) == MapState::exact; });
+    p.settle();
+}
+
 void add_arrangements(std::vector<Scene>& all) {
     all.push_back({"design", [](Program&) {}});
     all.push_back({"editor, notes", [](Program& p) { draw_in_strip(p, StripTool::notes); }});
@@ -142,6 +168,12 @@ void add_arrangements(std::vector<Scene>& all) {
                        draw_in_strip(p, StripTool::notes);
                        p.press('n', false);
                        p.press('a', true);
+                   }});
+    all.push_back({"editor, layers", [](Program& p) { draw_layers(p); }});
+    all.push_back({"editor, layers as there is room", [](Program& p) {
+                       draw_layers(p);
+                       p.app.pattern_panes.layers.is_folded.reset();
+                       p.settle();
                    }});
     all.push_back({"editor, over a recording", [](Program& p) {
                        draw_in_strip(p, StripTool::curves);

@@ -8,6 +8,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/text_table.h"
 #include "app/rendering/labels.h"
+#include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"
 
@@ -49,13 +50,27 @@ std::string rhythm_words(const Pattern& pattern) {
            six_digits(pattern.rhythm.unit_s) + " s a step";
 }
 
+// "2 layers", "recording": of what is no pattern made of parameters.
+std::string kind_words(const Vibration& vibration) {
+    const auto* layered = std::get_if<LayeredPattern>(&vibration.source);
+    if (layered == nullptr) return "recording";
+    const std::size_t count = layered->layers.size();
+    return std::to_string(count) + (count == 1 ? " layer" : " layers");
+}
+
 std::string text_of(const std::vector<const Vibration*>& all) {
     std::vector<TextRow> rows{{"pattern", "s", "points", "ticks", "rhythm"}};
     for (const Vibration* vibration : all) {
-        const Pattern& pattern = std::get<Pattern>(vibration->source);
-        const std::size_t points = pattern.amplitude_curve.size() + pattern.frequency_curve.size();
-        rows.push_back({vibration->name, six_digits(pattern.duration_s), std::to_string(points),
-                        std::to_string(pattern.transients.size()), rhythm_words(pattern)});
+        const auto* pattern = std::get_if<Pattern>(&vibration->source);
+        if (pattern == nullptr) {
+            rows.push_back({vibration->name, six_digits(own_duration_s(*vibration)), "", "",
+                            kind_words(*vibration)});
+            continue;
+        }
+        const std::size_t points =
+            pattern->amplitude_curve.size() + pattern->frequency_curve.size();
+        rows.push_back({vibration->name, six_digits(pattern->duration_s), std::to_string(points),
+                        std::to_string(pattern->transients.size()), rhythm_words(*pattern)});
     }
     return aligned(rows);
 }
@@ -63,15 +78,23 @@ std::string text_of(const std::vector<const Vibration*>& all) {
 nlohmann::json json_of(const std::vector<const Vibration*>& all) {
     nlohmann::json list = nlohmann::json::array();
     for (const Vibration* vibration : all) {
-        const Pattern& pattern = std::get<Pattern>(vibration->source);
+        const auto* pattern = std::get_if<Pattern>(&vibration->source);
+        if (pattern == nullptr) {
+            const auto* layered = std::get_if<LayeredPattern>(&vibration->source);
+            list.push_back({{"pattern", vibration->name},
+                            {"duration_s", own_duration_s(*vibration)},
+                            {"layers", layered == nullptr ? 0 : layered->layers.size()},
+                            {"recording", layered == nullptr}});
+            continue;
+        }
         list.push_back({{"pattern", vibration->name},
-                        {"duration_s", pattern.duration_s},
-                        {"amplitude_g", pattern.amplitude_g},
-                        {"amplitude_points", pattern.amplitude_curve.size()},
-                        {"frequency_points", pattern.frequency_curve.size()},
-                        {"transients", pattern.transients.size()},
-                        {"rhythm", pattern.rhythm.text},
-                        {"rhythm_unit_s", pattern.rhythm.unit_s}});
+                        {"duration_s", pattern->duration_s},
+                        {"amplitude_g", pattern->amplitude_g},
+                        {"amplitude_points", pattern->amplitude_curve.size()},
+                        {"frequency_points", pattern->frequency_curve.size()},
+                        {"transients", pattern->transients.size()},
+                        {"rhythm", pattern->rhythm.text},
+                        {"rhythm_unit_s", pattern->rhythm.unit_s}});
     }
     return list;
 }
@@ -82,8 +105,10 @@ Expected<Done> run(const EditCommand& command) {
     if (const auto writable = writable_result(command.out); !writable) return writable;
     const Expected<PatternSet> set = load_as_meant(command.common);
     if (!set) return set.error();
-    const Expected<PatternSet> result = edited_set(command, *set);
+    Expected<PatternSet> result = edited_set(command, *set);
     if (!result) return result.error();
+    const Expected<Done> stored = store_measurements(*result, command.out, {});
+    if (!stored) return stored;
     const Expected<Done> written = write_set_file(command.out, *result);
     if (!written) return written;
     const std::vector<const Vibration*> all = changed(*set, *result);

@@ -1,13 +1,16 @@
 #include "model/io/set/loaded.h"
 
+#include "model/set/layers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
 
 std::size_t recorded_samples(const Vibration& vibration) {
-    const auto* measurement = std::get_if<Measurement>(&vibration.source);
-    const bool is_there = measurement != nullptr && measurement->waveform != nullptr;
-    return is_there ? measurement->waveform->samples_g.size() : 0;
+    std::size_t samples = 0;
+    for (const Measurement* one : recordings_in(vibration)) {
+        if (one->waveform != nullptr) samples += one->waveform->samples_g.size();
+    }
+    return samples;
 }
 
 std::size_t recorded_samples(const PatternSet& set) {

@@ -2,6 +2,7 @@
 
 #include "model/io/recordings/recording.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/set/layers.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 
@@ -52,12 +53,13 @@ Expected<Done> store_measurements(PatternSet& set, const fs::path& set_file,
     const fs::path folder = fs::absolute(set_file).parent_path() / "measured";
     remove_abandoned_files(folder);
     for (Vibration& vibration : stored.vibrations) {
-        auto* measurement = std::get_if<Measurement>(&vibration.source);
-        if (measurement == nullptr || !lies_in(until_now, measurement->path)) continue;
-        const auto file = store_waveform(*measurement->waveform, vibration.name, folder);
-        if (!file) return file.error();
-        measurement->path = file->string();
-        measurement->scale_g = 1.0;
+        for (Measurement* measurement : recordings_in(vibration)) {
+            if (!lies_in(until_now, measurement->path)) continue;
+            const auto file = store_waveform(*measurement->waveform, vibration.name, folder);
+            if (!file) return file.error();
+            measurement->path = file->string();
+            measurement->scale_g = 1.0;
+        }
     }
     set = std::move(stored);
     return Done{};

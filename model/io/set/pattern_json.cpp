@@ -10,6 +10,7 @@ namespace tact {
 namespace {
 
 constexpr std::array<const char*, 2> kTransientShapes{"sine", "square"};
+constexpr std::array<const char*, 2> kAccents{"joined", "added"};
 
 Carrier carrier_of(JsonObject& object) {
     Carrier carrier;
@@ -107,6 +108,9 @@ void put_drawn(Json& fields, const Pattern& pattern) {
              {"duration_s", one.duration_s},
              {"shape", kTransientShapes[static_cast<std::size_t>(one.shape)]}});
     }
+    if (pattern.accents != Accents::joined) {
+        fields["accents"] = kAccents[static_cast<std::size_t>(pattern.accents)];
+    }
 }
 
 }  // namespace
@@ -126,6 +130,7 @@ Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown) {
     pattern.frequency_curve = curve_of<FrequencyPoint>(object, "frequency_curve", "frequency_hz",
                                                        limits::kCarrierHz, unknown);
     pattern.transients = transients_of(object, unknown);
+    pattern.accents = static_cast<Accents>(choice_field(object, "accents", 0, kAccents));
     // Numbers have been looked at one by one; what is left are times and their order.
     if (const auto fault = drawn_fault(pattern)) {
         refuse(*object.reading, object.place + "/" + fault->place, fault->expected, fault->got);

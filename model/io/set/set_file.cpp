@@ -5,6 +5,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_json.h"
 #include "model/io/set/waveform_folder.h"
+#include "model/set/layers.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/json_fields.h"
@@ -52,27 +53,37 @@ bool is_reached_by(const FileAccess& access, const fs::path& file) {
 
 // Reads the waveform of a recording that a document names; what is wrong, or empty. `access`: to
 // the one before.
-std::string load_recording(Vibration& vibration, const fs::path& folder, FileAccess& access,
+std::string load_recording(Measurement& measurement, const std::string& name,
+                           const fs::path& folder, FileAccess& access,
                            std::vector<std::string>& remarks) {
-    auto* measurement = std::get_if<Measurement>(&vibration.source);
-    if (measurement == nullptr) return {};
-    const fs::path path = resolved(folder, measurement->path);
+    const fs::path path = resolved(folder, measurement.path);
     RecordingOptions options;
-    if (measurement->scale_g > 0.0) options.scale_g = measurement->scale_g;
+    if (measurement.scale_g > 0.0) options.scale_g = measurement.scale_g;
     if (!is_reached_by(access, path)) access = access_to(path);
     Expected<Recording> recording = recording_in(access, path, options);
     if (!recording) return told(recording.error(), path, folder);
     for (const std::string& remark : recording->remarks) {
-        remarks.push_back(in_quotes(vibration.name) + ": " + remark);
+        remarks.push_back(in_quotes(name) + ": " + remark);
     }
-    measurement->path = path.string();
-    measurement->scale_g = recording->scale_g;
-    measurement->waveform = std::make_shared<const Waveform>(std::move(recording->waveform));
+    measurement.path = path.string();
+    measurement.scale_g = recording->scale_g;
+    measurement.waveform = std::make_shared<const Waveform>(std::move(recording->waveform));
+    return {};
+}
+
+std::string load_recordings(Vibration& vibration, const fs::path& folder, FileAccess& access,
+                            std::vector<std::string>& remarks) {
+    for (Measurement* measurement : recordings_in(vibration)) {
+        std::string fault = load_recording(*measurement, vibration.name, folder, access, remarks);
+        if (!fault.empty()) return fault;
+    }
     return {};
 }
 
 std::string recording_place(const std::string& file, std::size_t k, const Vibration& vibration) {
-    return file + ": /patterns/" + std::to_string(k) + "/waveform of " + in_quotes(vibration.name);
+    const bool has_layers = std::holds_alternative<LayeredPattern>(vibration.source);
+    return file + ": /patterns/" + std::to_string(k) + (has_layers ? "/layers" : "/waveform") +
+           " of " + in_quotes(vibration.name);
 }
 
 Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
@@ -87,9 +98,11 @@ Expected<Loaded> loaded_from(std::string_view text, const std::string& name,
     FileAccess access = files_on_disk();
     for (std::size_t k = 0; k < loaded.set.vibrations.size(); ++k) {
         Vibration& vibration = loaded.set.vibrations[k];
-        std::string fault = load_recording(vibration, folder, access, loaded.remarks);
+        std::string fault = load_recordings(vibration, folder, access, loaded.remarks);
         samples += recorded_samples(vibration);
         if (fault.empty()) fault = samples_fault(samples);
+        const auto* layered = std::get_if<LayeredPattern>(&vibration.source);
+        if (fault.empty() && layered != nullptr) fault = fault_of(*layered);
         if (!fault.empty()) return Error{recording_place(name, k, vibration) + ": " + fault};
     }
     for (const auto& [actuator, count] : actuators_of(loaded.set)) {
@@ -137,6 +150,12 @@ Expected<Done> write_set_file(const fs::path& path, const PatternSet& set) {
     if (!reading.fault.empty()) return Error{reading.fault};
     if (const auto fault = samples_fault(recorded_samples(set)); !fault.empty()) {
         return Error{name + ": " + fault};
+    }
+    for (const Vibration& vibration : set.vibrations) {
+        const auto* layered = std::get_if<LayeredPattern>(&vibration.source);
+        const std::string layers_fault = layered == nullptr ? "" : fault_of(*layered);
+        if (layers_fault.empty()) continue;
+        return Error{name + ": " + in_quotes(vibration.name) + ": " + layers_fault};
     }
     remove_abandoned_files(folder);
     return write_atomically(path, text);

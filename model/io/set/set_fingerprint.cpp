@@ -24,7 +24,7 @@ std::uint64_t vibrations_fingerprint(const PatternSet& set) {
         if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
             kept.source = *pattern;
         } else {
-            const Waveform& waveform = *std::get<Measurement>(vibration.source).waveform;
+            const Waveform waveform = waveform_of(vibration);
             number = mixed(number, std::uint64_t{bare.vibrations.size()});
             number = mixed(number, std::span<const double>(waveform.samples_g));
         }

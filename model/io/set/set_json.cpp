@@ -1,11 +1,14 @@
 #include "model/io/set/set_json.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
+#include "model/set/layers.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/percent_code.h"
@@ -78,11 +81,32 @@ EffectOrigin effect_of(JsonObject& object, Json& unknown) {
     return effect;
 }
 
+bool has_key(const JsonObject& object, const char* key) {
+    return object.value != nullptr && object.value->contains(key);
+}
+
+Layer layer_of(JsonObject& object, double set_duration_s, Json& unknown) {
+    Layer layer;
+    layer.name = name_field(object, "name", "");
+    if (has_key(object, "waveform")) {
+        layer.source = measurement_of(object);
+    } else {
+        layer.source = pattern_of(object, set_duration_s, unknown);
+    }
+    layer.gain = number_field(object, "gain", layer.gain, limits::kLayerGain);
+    layer.offset_s = number_field(object, "offset_s", layer.offset_s, limits::kLayerOffsetS);
+    layer.mute = yes_no_field(object, "mute", false);
+    layer.solo = yes_no_field(object, "solo", false);
+    return layer;
+}
+
 Vibration vibration_of(JsonObject& object, double set_duration_s) {
     Vibration vibration;
     Json unknown = Json::object();
     vibration.name = name_field(object, "name", "");
-    if (object.value != nullptr && object.value->contains("waveform")) {
+    if (has_key(object, "layers")) {
+        vibration.source = layered_of(object, set_duration_s, unknown);
+    } else if (has_key(object, "waveform")) {
         vibration.source = measurement_of(object);
     } else {
         vibration.source = pattern_of(object, set_duration_s, unknown);
@@ -237,22 +261,55 @@ Json json_of(const Measurement& measurement, const fs::path& folder) {
     return fields;
 }
 
-// What was noted of points by position has nowhere to go once a curve is gone.
+Json json_of(const std::variant<Pattern, Measurement>& source, double set_duration_s,
+             const fs::path& folder) {
+    if (const auto* pattern = std::get_if<Pattern>(&source)) {
+        return json_of(*pattern, set_duration_s);
+    }
+    return json_of(std::get<Measurement>(source), folder);
+}
+
+Json json_of(const VibrationSource& source, double set_duration_s, const fs::path& folder) {
+    if (const auto* pattern = std::get_if<Pattern>(&source)) {
+        return json_of(*pattern, set_duration_s);
+    }
+    if (const auto* layered = std::get_if<LayeredPattern>(&source)) {
+        return json_of(*layered, set_duration_s, folder);
+    }
+    return json_of(std::get<Measurement>(source), folder);
+}
+
+// What was noted of parts has nowhere to go once they are gone: points of a curve, or all that a
+// pattern had before it became layers.
 void restore_unknown_of(Json& fields, const Vibration& vibration) {
     Json unknown = kept_json(vibration.unknown_json);
     if (!unknown.is_object()) return;
-    for (const char* key : kDrawnKeys) {
-        const bool is_gone = !fields.contains(key);
-        if (is_gone && std::holds_alternative<Pattern>(vibration.source)) unknown.erase(key);
+    constexpr std::array kDrawn{"amplitude_curve", "frequency_curve", "transients"};
+    constexpr std::array kOfPatterns{"carriers", "modulation", "rhythm"};
+    const auto erase_gone = [](const Json& from, Json& notes, const auto& keys) {
+        for (const char* key : keys) {
+            if (!from.contains(key)) notes.erase(key);
+        }
+    };
+    if (!std::holds_alternative<Measurement>(vibration.source)) {
+        erase_gone(fields, unknown, kDrawn);
+        erase_gone(fields, unknown, std::array{"layers"});
+    }
+    if (std::holds_alternative<LayeredPattern>(vibration.source)) {
+        erase_gone(fields, unknown, kOfPatterns);
+    }
+    if (unknown.contains("layers")) {
+        for (std::size_t k = 0; k < fields["layers"].size(); ++k) {
+            const auto notes = unknown["layers"].find(std::to_string(k));
+            if (notes != unknown["layers"].end()) erase_gone(fields["layers"][k], *notes, kDrawn);
+        }
     }
     restore_unknown(fields, unknown);
 }
 
 Json json_of(const Vibration& vibration, double set_duration_s, const fs::path& folder) {
     Json fields = {{"name", vibration.name}};
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    fields.update(pattern != nullptr ? json_of(*pattern, set_duration_s)
-                                     : json_of(std::get<Measurement>(vibration.source), folder));
+    fields.update(json_of(vibration.source, set_duration_s, folder));
     if (vibration.locked) fields["locked"] = true;
     if (vibration.dropped) fields["dropped"] = true;
     if (!vibration.colour.empty()) fields["colour"] = vibration.colour;
@@ -302,6 +359,42 @@ Json json_of(const MapPlaces& places) {
 
 }  // namespace
 
+LayeredPattern layered_of(JsonObject& object, double set_duration_s, Json& unknown) {
+    LayeredPattern layered;
+    read_objects(object, "layers", 1, limits::kMaxLayers, unknown,
+                 [&](JsonObject& one, Json& of_one) {
+                     layered.layers.push_back(layer_of(one, set_duration_s, of_one));
+                 });
+    return layered;
+}
+
+namespace {
+
+std::size_t count_of_accented(const PatternSet& set) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(set.vibrations, [](const Vibration& vibration) {
+            return std::ranges::any_of(patterns_in(vibration), [](const Pattern* pattern) {
+                return pattern->accents == Accents::joined && has_accents(*pattern);
+            });
+        }));
+}
+
+// Sets of before the key may have been made where transients were added: that is said until the set
+// is saved.
+void tell_accents(JsonObject& object, const PatternSet& set, std::vector<std::string>& remarks) {
+    constexpr std::array kWords{"joined"};
+    const bool is_known = field(object, "accents") != nullptr;
+    choice_field(object, "accents", 0, kWords);
+    const std::size_t count = is_known ? 0 : count_of_accented(set);
+    if (count == 0) return;
+    remarks.push_back(object.reading->file + ": " + counted(count, "pattern has", "patterns have") +
+                      " transients over a vibration; they are joined to it, so that their energies "
+                      "add. \"accents\": \"added\" in a pattern adds them sample by sample, as "
+                      "before November 2026");
+}
+
+}  // namespace
+
 PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::string>& remarks) {
     PatternSet set;
     JsonObject object = object_at(reading, document, "");
@@ -324,6 +417,7 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     set.study = study_design_of(study, of_study);
     note_unknown(unknown, "study", of_study);
     set.map_places = map_places_field(object);
+    tell_accents(object, set, remarks);
     Json of_steps = Json::object();
     JsonObject steps = object_field(object, "felt_steps");
     set.felt_steps = felt_steps_of(steps, of_steps);
@@ -341,6 +435,7 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
 
 Json json_of(const PatternSet& set, const fs::path& folder) {
     Json document = {{"tactspace", kSetFormat}, {"name", set.name}, {"duration_s", set.duration_s}};
+    if (count_of_accented(set) > 0) document["accents"] = "joined";
     document["patterns"] = Json::array();
     for (const Vibration& vibration : set.vibrations) {
         document["patterns"].push_back(json_of(vibration, set.duration_s, folder));
@@ -359,6 +454,21 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
     if (set.generator) document["generator"] = json_of(*set.generator, set.duration_s);
     restore_text(document, set.unknown_json);
     return document;
+}
+
+Json json_of(const LayeredPattern& layered, double set_duration_s, const fs::path& folder) {
+    Json layers = Json::array();
+    for (const Layer& layer : layered.layers) {
+        Json fields = Json::object();
+        if (!layer.name.empty()) fields["name"] = layer.name;
+        if (layer.gain != 1.0) fields["gain"] = layer.gain;
+        if (layer.offset_s != 0.0) fields["offset_s"] = layer.offset_s;
+        if (layer.mute) fields["mute"] = true;
+        if (layer.solo) fields["solo"] = true;
+        fields.update(json_of(layer.source, set_duration_s, folder));
+        layers.push_back(std::move(fields));
+    }
+    return {{"layers", std::move(layers)}};
 }
 
 }  // namespace tact

@@ -25,10 +25,13 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
 // become relative to `folder`, unless that is empty.
 Json json_of(const PatternSet& set, const std::filesystem::path& folder);
 
-inline constexpr const char* kDrawnKeys[] = {"amplitude_curve", "frequency_curve", "transients"};
-
 // The same of a pattern alone (pattern_json.cpp). What is drawn is written only where there is any.
 Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown);
 Json json_of(const Pattern& pattern, double set_duration_s);
+
+// {"layers": [...]}. Recordings of layers have no waveform yet, as those of a set.
+LayeredPattern layered_of(JsonObject& object, double set_duration_s, Json& unknown);
+Json json_of(const LayeredPattern& layered, double set_duration_s,
+             const std::filesystem::path& folder);
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
+#include "app/document/files.h"
 #include "app/library/library_follow.h"
 #include "app/window/dialogs.h"
 #include "model/io/set/set_file.h"

@@ -145,7 +145,7 @@ TEST_CASE("manual: parameters and calibrations of the examples say something") {
     CHECK((parse_model(text("params.json"), "x")->model != PerceptualModelParams{}));
     CHECK(parse_calibration(text("coil.json"), "x")->points.size() == 3);
     CHECK(parse_study(text("S01.jsonl"), "x")->answers.size() == 3);
-    CHECK((parse_set(text("set.json"), "x", {})->vibrations.size() == 2));
+    CHECK((parse_set(text("set.json"), "x", {})->vibrations.size() == 3));
 }
 
 TEST_CASE(

@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> recorded(const Program& program, const Tempor
     return files;
 }
 
-void wait_until(Program& program, const std::function<bool()>& done) {
+void wait_for_it(Program& program, const std::function<bool()>& done) {
     for (int k = 0; k < 2000 && !done(); ++k) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         follow_import(program.app.ui, program.app.work, program.app.importing);
@@ -64,12 +64,12 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
     CHECK(app.ui.dialog == Dialog::import_recordings);
     CHECK(app.importing.patterns[1] == app.work.document.set.vibrations[1].name);
-    wait_until(program, [&] { return app.importing.answer != nullptr; });
+    wait_for_it(program, [&] { return app.importing.answer != nullptr; });
     REQUIRE(app.importing.answer->files[0].twin);
     CHECK(app.importing.answer->files[0].twin->alignment.lag == 100);
     CHECK(count(program) == 4);  // so far it is only looked at
     take_recordings(app.ui, app.work, app.importing);
-    wait_until(program, [&] { return !is_taking(app.importing); });
+    wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 6);
     CHECK(measures_another(app.work.document.set.vibrations[1]));
     undo(app.ui, app.work);
@@ -88,13 +88,13 @@ TEST_CASE(
         text += shortest_digits(1e-4 * n) + "," + (n % 2 == 0 ? "1" : "-1") + "\n";
     }
     import_recordings(app.ui, app.work, app.importing, {folder.write("p1.csv", text)});
-    wait_until(program, [&] { return app.importing.answer != nullptr; });
+    wait_for_it(program, [&] { return app.importing.answer != nullptr; });
     CHECK(contains(app.importing.answer->files[0].fault, "sensitivity in V/g"));
     program.settle();
     REQUIRE(program.shows("import:sensitivity"));
     app.importing.fields.options.sensitivity_v_per_g = 0.1;
     look_at_recordings(app.ui, app.work, app.importing);
-    wait_until(program, [&] { return app.importing.answer->files[0].fault.empty(); });
+    wait_for_it(program, [&] { return app.importing.answer->files[0].fault.empty(); });
     CHECK(app.importing.answer->files[0].twin);
     stop_import(app.importing);
 }
@@ -114,7 +114,7 @@ TEST_CASE("import: of work that fails the sentence is told, and the next one beg
                                              throw std::runtime_error("the disk is gone");
                                          });
     app.importing.import_takes.job.ask(app.importing.import_takes.waiting.front());
-    wait_until(program, [&] { return !is_taking(app.importing); });
+    wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(contains(app.ui.status.text, "Not imported: the work failed: the disk is gone"));
     CHECK(count(program) == 4);
     stop_import(app.importing);
@@ -126,10 +126,10 @@ TEST_CASE("import: saved, the waveforms lie beside the set and the set reads aga
     App& app = program.app;
     app.work.session.folder = folder.path / "state";
     simulate_measurement_dialog(app.ui, app.work, app.importing);
-    wait_until(program, [&] { return app.importing.simulated != nullptr; });
+    wait_for_it(program, [&] { return app.importing.simulated != nullptr; });
     CHECK(app.importing.simulated->twins.size() == 1);  // of the current pattern, to look at
     take_simulation(app.ui, app.work, app.importing);
-    wait_until(program, [&] { return !is_taking(app.importing); });
+    wait_for_it(program, [&] { return !is_taking(app.importing); });
     REQUIRE(count(program) == 8);
     CHECK(file_count(folder.path / "state" / "measured") == 4);
     save_as(app.ui, app.work, folder.path / "saved.tactspace.json");
@@ -184,7 +184,7 @@ TEST_CASE("import: what was asked for comes, though the dialog is opened again b
     take_simulation(app.ui, app.work, app.importing);
     look_at_simulation(app.ui, app.work, app.importing);
     CHECK(is_taking(app.importing));
-    wait_until(program, [&] { return !is_taking(app.importing); });
+    wait_for_it(program, [&] { return !is_taking(app.importing); });
     const auto twins_of = [&app](const std::string& name) {
         return std::ranges::count_if(
             app.work.document.set.vibrations, [&](const Vibration& vibration) {
@@ -210,7 +210,7 @@ TEST_CASE("import: twins of one document do not go into another one with equal n
     simulate_measurement_dialog(app.ui, app.work, app.importing);
     take_simulation(app.ui, app.work, app.importing);
     open_paths(app.ui, app.work, app.opening, {other});
-    wait_until(program, [&] { return !is_taking(app.importing); });
+    wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 4);
     CHECK(contains(app.ui.status.text, "the set it was for is not open any more"));
     CHECK(app.ui.status.is_error);

@@ -49,7 +49,7 @@ PatternSet set_of(const Pattern& pattern) {
 }
 
 // What comes back, over time; of samples the largest within half a period.
-double level_g(const std::variant<Pattern, Measurement>& back, double t_s) {
+double level_g(const VibrationSource& back, double t_s) {
     if (const auto* pattern = std::get_if<Pattern>(&back)) {
         return pattern->amplitude_g * amplitude_factor(*pattern, t_s);
     }
@@ -70,7 +70,7 @@ struct Kept {
 };
 
 // Notes as loud beside the first one as they were, within 1 %; gaps within 1 % of silence.
-Kept kept_of(const std::variant<Pattern, Measurement>& back, int notes) {
+Kept kept_of(const VibrationSource& back, int notes) {
     Kept kept;
     const double first_g = level_g(back, 0.5 * kNoteS);
     for (int note = 0; note < notes; ++note) {

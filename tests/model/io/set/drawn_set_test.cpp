@@ -1,8 +1,12 @@
 #include <doctest/doctest.h>
 
+#include <filesystem>
+
 #include "model/io/set/set_file.h"
 #include "model/io/set/set_fingerprint.h"
+#include "model/pattern/same_vibration.h"
 #include "tests/support/set_texts.h"
+#include "tests/support/temporary_folder.h"
 
 namespace drawn_set_test {
 
@@ -82,6 +86,54 @@ TEST_CASE("drawn sets: what is unknown of a point stays with it, and goes with i
     const std::string cleared = print_set(*set);
     CHECK(cleared.find("amplitude_curve") == std::string::npos);
     CHECK(parse_set(cleared, "s.json", {}));
+}
+
+TEST_CASE("drawn sets: transients over a vibration are joined, which an older set says once") {
+    const auto remarks = [](const std::string& fields) {
+        TemporaryFolder folder;
+        const std::filesystem::path file = folder.write("s.tactspace.json", with_pattern(fields));
+        auto loaded = read_set_file(file);
+        REQUIRE(loaded);
+        const std::vector<std::string> told = loaded->remarks;
+        REQUIRE(write_set_file(file, loaded->set));
+        const auto again = read_set_file(file);
+        REQUIRE(again);
+        CHECK(again->set == loaded->set);
+        CHECK(again->remarks.empty());  // it is said until the set is saved
+        return told;
+    };
+    const std::string over = R"(, "transients": [{"time_s": 0.5}])";
+    REQUIRE(remarks(over).size() == 1);
+    CHECK(remarks(over)[0].find("1 pattern has transients over a vibration; they are joined") !=
+          std::string::npos);
+    CHECK(remarks(over + R"(, "accents": "added")").empty());
+    CHECK(remarks(over + R"(, "amplitude_g": 0)").empty());
+    CHECK(remarks(over + R"(, "rhythm": {"text": "x-", "unit_s": 0.5})").empty());
+    CHECK(set_fault(with_pattern(over + R"(, "accents": "on top")"))
+              .starts_with("s.json: /patterns/0/accents: expected \"joined\" or \"added\""));
+}
+
+TEST_CASE("drawn sets: added transients are the samples of both, in any phase") {
+    Pattern pattern;
+    pattern.duration_s = 0.3;
+    pattern.carriers = {{100.0, 1.0, 0.0}};
+    pattern.transients = {{0.1034, 0.7, 210.0, 0.02}};
+    pattern.accents = Accents::added;
+    Pattern ticks = pattern;
+    ticks.amplitude_g = 0.0;
+    Pattern bed = pattern;
+    bed.transients.clear();
+    const std::vector<double> sum = render(pattern).samples_g;
+    const std::vector<double> under = render(bed).samples_g;
+    const std::vector<double> over = render(ticks).samples_g;
+    for (std::size_t n = 0; n < sum.size(); ++n) REQUIRE(sum[n] == under[n] + over[n]);
+    Pattern joined = pattern;
+    joined.accents = Accents::joined;
+    CHECK(render(joined).samples_g != sum);
+    CHECK(essence(joined) != essence(pattern));
+    CHECK(std::get<Pattern>(
+              parse_set(print_set(set_with(pattern)), "s.json", {})->vibrations[0].source) ==
+          pattern);
 }
 
 TEST_CASE("drawn sets: each number of what is drawn makes another fingerprint") {

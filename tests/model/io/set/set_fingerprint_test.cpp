@@ -12,7 +12,7 @@ using namespace tact;
 
 namespace {
 
-Vibration vibration(const char* name, std::variant<Pattern, Measurement> source) {
+Vibration vibration(const char* name, VibrationSource source) {
     Vibration result;
     result.name = name;
     result.source = std::move(source);
