@@ -8,6 +8,7 @@
 #include "app/document/shown_side.h"
 #include "app/map/map_turn.h"
 #include "app/map/unshifted_map.h"
+#include "model/set/likeness.h"
 
 namespace tact {
 
@@ -46,14 +47,14 @@ bool are_known(const MapPlaces* places, const MapTransition& map) {
 }
 
 // As large as the map, in its first two dimensions.
-Eigen::MatrixXd ring_for(const Eigen::MatrixXd& map) {
+Eigen::MatrixXd ring_for(const Eigen::MatrixXd& map, const WaitingRing& waiting) {
     Eigen::MatrixXd ring = Eigen::MatrixXd::Zero(map.rows(), map.cols());
     const double radius = map.rowwise().norm().maxCoeff();
     for (Eigen::Index k = 0; k < map.rows() && map.cols() > 1; ++k) {
-        const double turn =
-            2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(map.rows());
-        ring(k, 0) = radius * std::cos(turn);
-        ring(k, 1) = radius * std::sin(turn);
+        const RingDirection to = ring_direction(waiting, static_cast<std::size_t>(k),
+                                                static_cast<std::size_t>(map.rows()));
+        ring(k, 0) = radius * to.right;
+        ring(k, 1) = radius * to.up;
     }
     return ring;
 }
@@ -68,6 +69,22 @@ Eigen::MatrixXd places_of(const LiveMap& map, const ShownMap& shown_map) {
 
 }  // namespace
 
+void follow_ring(const Workspace& work, ShownMap& shown_map) {
+    WaitingRing& ring = shown_map.ring;
+    if (ring.document == work.document_number && ring.revision == work.revision) return;
+    const std::vector<std::size_t> order = order_by_likeness(work.document.set);
+    ring = {work.document_number, work.revision, std::vector<std::size_t>(order.size())};
+    for (std::size_t k = 0; k < order.size(); ++k) ring.position[order[k]] = k;
+}
+
+RingDirection ring_direction(const WaitingRing& ring, std::size_t place, std::size_t count) {
+    const bool is_known = ring.position.size() == count && place < count;
+    const auto position = static_cast<double>(is_known ? ring.position[place] : place);
+    const double turn =
+        2.0 * std::numbers::pi * position / static_cast<double>(std::max<std::size_t>(count, 1));
+    return {std::cos(turn), std::sin(turn)};
+}
+
 void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> map) {
     MapTransition next;
     next.since_s = ui.time_s;
@@ -77,7 +94,7 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
     const auto waited = ui.ages.find(kWaitingRing);
     const bool is_first = shown_map.transition.shown == nullptr;
     if (is_first && waited != ui.ages.end() && ui.time_s - waited->second.since_s > kSeenS) {
-        next.from = ring_for(next.to);
+        next.from = ring_for(next.to, shown_map.ring);
     }
     if (shown_map.transition.shown && shown_map.transition.to.cols() == next.to.cols()) {
         const Common common = common_rows(*map, *shown_map.transition.shown);

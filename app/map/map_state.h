@@ -113,6 +113,13 @@ struct ShownUnfelt {
     std::uint64_t revision = 0;
 };
 
+// The patterns in a ring until the first map is there, each beside what is most like it.
+struct WaitingRing {
+    std::uint64_t document = 0;
+    std::uint64_t revision = 0;
+    std::vector<std::size_t> position;  // in the ring, of each pattern of the set
+};
+
 struct ShownMap {
     Query<LiveMapRequest, LiveMap> preview_job;
     Query<LiveMapRequest, LiveMap> full_job;
@@ -137,6 +144,7 @@ struct ShownMap {
     std::shared_ptr<const LiveMap> places_noted_of;  // whose places the document has
     std::uint64_t of_document = 0;                   // number of the one that the map is of
     ShownUnfelt unfelt;
+    WaitingRing ring;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
     bool has_headline = false;  // stress stands there, in the frame before: not in the title, too

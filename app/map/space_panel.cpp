@@ -129,8 +129,10 @@ float draw_waiting(Ui& ui, Workspace& work, ShownMap& shown_map) {
     return ImGui::GetCursorPosY() - top + ui.theme.gap_px;
 }
 
-// The patterns are there at once, in a ring in their order, from which they drift to their places.
-void draw_waiting(Ui& ui, const Workspace& work, const Rect& area) {
+// The patterns are there at once, in a ring, each beside what is most like it, from which they
+// drift to their places.
+void draw_waiting(Ui& ui, const Workspace& work, ShownMap& shown_map, const Rect& area) {
+    follow_ring(work, shown_map);
     const std::size_t count = work.document.set.vibrations.size();
     ui.ages.try_emplace(kWaitingRing, ShownAge{nullptr, false, ui.time_s});
     const float radius = 0.36F * std::min(area.width(), area.height());
@@ -139,8 +141,9 @@ void draw_waiting(Ui& ui, const Workspace& work, const Rect& area) {
     const float dot_px = std::clamp(0.4F * apart_px, 1.0F, 7.0F * ui.theme.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (std::size_t k = 0; k < count; ++k) {
-        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(k) / many;
-        const ImVec2 at = area.centre() + ImVec2{radius * std::cos(turn), -radius * std::sin(turn)};
+        const RingDirection to = ring_direction(shown_map.ring, k, count);
+        const ImVec2 at = area.centre() + ImVec2{radius * static_cast<float>(to.right),
+                                                 -radius * static_cast<float>(to.up)};
         draw_disc(list, ui.theme, at, dot_px, faded(look_of(ui, work, k).colour, 0.55F));
     }
     const float half = 0.62F * radius;
@@ -176,7 +179,7 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                    "Add patterns on the left: their distance here is how different they feel.");
         return;
     }
-    draw_waiting(ui, work, area);
+    draw_waiting(ui, work, shown_map, area);
 }
 
 // At the top: the foot has the axes and what the mouse can do.
