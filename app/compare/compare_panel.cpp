@@ -169,7 +169,7 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
     const bool few = work.document.set.vibrations.size() < 2;
     if (!few && comparison_waits(work, comparing) && !shown.is_computing && shown.is_stale) {
         ImGui::TextWrapped("Thirteen metrics of every pair and their maps: this may take a while.");
-        if (primary_button(ui.theme, "Compare metrics")) ask_for_comparison(work, comparing);
+        if (primary_button(ui, "Compare metrics")) ask_for_comparison(work, comparing);
         note_item(ui.rects, "button:compare metrics");
     }
     draw_comparing(ui, work, comparing);

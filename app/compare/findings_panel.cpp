@@ -69,7 +69,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         return;
     }
     ImGui::BeginDisabled(busy);
-    check(primary_button(ui.theme, kCheck));
+    check(primary_button(ui, kCheck));
     note_item(ui.rects, "button:check findings");
     ImGui::EndDisabled();
     if (busy || comparing.findings) {

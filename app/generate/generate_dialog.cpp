@@ -172,7 +172,7 @@ void draw_buttons(Ui& ui, Workspace& work, GenerateState& generating, const Gene
     const bool usable = plan != nullptr && plan->fault.empty();
     ImGui::BeginDisabled(!usable || plan->add.fresh.empty());
     const bool add =
-        primary_button(ui.theme, usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
+        primary_button(ui, usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
     ImGui::EndDisabled();
     note_item(ui.rects, "button:add candidates");
     bool replace = false;

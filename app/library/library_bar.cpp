@@ -110,7 +110,7 @@ bool is_outdated(const PatternSet& set, const AlikeRequest& request) {
 void draw_library_folder(Ui& ui, const Workspace& work, LibraryState& state) {
     constexpr const char* kOpen = "Open library\u2026";
     const bool is_first = state.folder.empty();
-    if (is_first ? primary_button(ui.theme, kOpen) : ImGui::Button(kOpen)) {
+    if (is_first ? primary_button(ui, kOpen) : ImGui::Button(kOpen)) {
         ui.waiting.emplace_back([&ui, &work] { open_library_dialog(ui, work); });
     }
     note_item(ui.rects, "library:open");

@@ -235,7 +235,7 @@ void draw_foot(Ui& ui, const Workspace& work, LibraryState& state) {
     const std::string add =
         entries.size() < 2 ? "Add to the set" : "Add " + grouped_digits(entries.size());
     ImGui::BeginDisabled(entries.empty());
-    if (primary_button(ui.theme, (add + "###add").c_str())) add_entries(ui, work, state, entries);
+    if (primary_button(ui, (add + "###add").c_str())) add_entries(ui, work, state, entries);
     ImGui::EndDisabled();
     note_item(ui.rects, "library:add", add);
     flow_on(button_width("More like it"), ui.theme.gap_px);

@@ -167,7 +167,7 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                    patterns_text(count) + "." + (one ? " " + one->words : ""));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
-        if (primary_button(ui.theme, "Compute anyway")) {
+        if (primary_button(ui, "Compute anyway")) {
             compute_exact(work, shown_map);
         }
         note_item(ui.rects, "button:compute anyway");

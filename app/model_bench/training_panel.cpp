@@ -130,7 +130,7 @@ void draw_search(Ui& ui, ModelBench& model_bench) {
 void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     const TrainingRequest request = training_request(work, model_bench);
     ImGui::BeginDisabled(request.sets.empty());
-    if (primary_button(ui.theme, "Train")) begin_training(work, model_bench);
+    if (primary_button(ui, "Train")) begin_training(work, model_bench);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
     std::string text = "No ratings to train on.";

@@ -77,7 +77,7 @@ void draw_actions(Ui& ui, Workspace& work, ModelBench& model_bench, const FoundT
                   bool stale) {
     const bool in_use = work.document.set.model == found.training.model;
     ImGui::BeginDisabled(stale || in_use);
-    if (primary_button(ui.theme, "Use these parameters")) use_trained(ui, work, model_bench);
+    if (primary_button(ui, "Use these parameters")) use_trained(ui, work, model_bench);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:use trained", stale ? "stale" : in_use ? "in use" : "enabled");
     draw_tooltip(ui, "For this set, as one step that undo takes back; kept for other sets too.");

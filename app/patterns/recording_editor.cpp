@@ -232,7 +232,7 @@ void draw_trace_fields(Ui& ui, Workspace& work, RecordingEditor& editor,
     constexpr const char* kMake = "Make parametric";
     draw_label(ui, "", button_width(kMake));
     ImGui::BeginDisabled(answer == nullptr);
-    const bool pressed = primary_button(ui.theme, kMake);
+    const bool pressed = primary_button(ui, kMake);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:make parametric");
     draw_tooltip(ui,

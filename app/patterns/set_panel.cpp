@@ -116,7 +116,7 @@ ToolbarParts toolbar_parts(const Ui& ui, const Workspace& work) {
 
 void draw_toolbar(Ui& ui, Workspace& work) {
     const ToolbarParts parts = toolbar_parts(ui, work);
-    if (primary_button(ui.theme, "New")) add_pattern(ui, work);
+    if (primary_button(ui, "New")) add_pattern(ui, work);
     note_item(ui.rects, "button:new");
     draw_tooltip(ui, "Add a pattern (Ctrl+N)");
     flow_on(button_width("Duplicate"), ui.theme.gap_px);
@@ -360,7 +360,8 @@ void draw_no_rows(Ui& ui, Workspace& work) {
         return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No patterns yet",
                           "Press New, or drop a folder of effects or recordings here.");
     }
-    if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all")) {
+    if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all",
+                        false)) {  // New is primary
         work.selection.search.clear();
         work.selection.only_picked = false;
     }

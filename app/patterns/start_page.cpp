@@ -131,7 +131,7 @@ std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& p
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float cards_px = draw_cards(ui, work, page);
     ImGui::SetCursorScreenPos({corner.x, corner.y + cards_px + 2.0F * theme.gap_px});
-    if (primary_button(theme, "New pattern")) {
+    if (primary_button(ui, "New pattern")) {
         ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
     }
     note_item(ui.rects, "button:new pattern");

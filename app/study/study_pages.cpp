@@ -247,7 +247,7 @@ PageWords words_of(const StudyState& studying) {
 void draw_asking_buttons(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                          std::span<const KeyPress> pressed) {
     const ImVec2 size = go_on_size(ui.theme);
-    const bool stays = primary_button(ui.theme, "Go on", size) || was_pressed(pressed, key::kEnter);
+    const bool stays = primary_button(ui, "Go on", size) || was_pressed(pressed, key::kEnter);
     note_item(ui.rects, "button:stay");
     ImGui::SameLine(0.0F, ui.theme.padding_px);
     const bool leaves = ImGui::Button("Leave the study", size) || was_typed(pressed, U'q');

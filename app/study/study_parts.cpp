@@ -69,7 +69,7 @@ void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState
     ImGui::SetCursorScreenPos(area.min);
     const bool may = studying.run && may_go_on(*studying.run, ui.time_s);
     ImGui::BeginDisabled(!may);
-    const bool pressed = primary_button(ui.theme, label, go_on_size(ui.theme));
+    const bool pressed = primary_button(ui, label, go_on_size(ui.theme));
     ImGui::EndDisabled();
     note_item(ui.rects, "study:go on", may ? "ready" : "waiting");
     if (pressed) act(ui, work, play, studying, {StudyEvent::What::go_on, 0, 0.0, {}, {}});

@@ -31,7 +31,7 @@ void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
     // What cannot be says why, in the place of its help.
     const std::string nobody = participant_obstacle(work, play, studying);
     ImGui::BeginDisabled(!nobody.empty());
-    if (primary_button(ui.theme, "Run a participant..."))
+    if (primary_button(ui, "Run a participant..."))
         begin_participant(ui, work, timeline, play, studying);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:run participant", nobody);

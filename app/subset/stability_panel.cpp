@@ -46,7 +46,7 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool is_preview = pick != nullptr && is_of_preview(pick->request);
     const bool possible = may_ask(shown_map, picking);
     ImGui::BeginDisabled(busy || !possible);
-    const bool pressed = primary_button(ui.theme, kTestVariants);
+    const bool pressed = primary_button(ui, kTestVariants);
     ImGui::EndDisabled();
     take_ask(ui, picking, pressed);
     if (busy) {

@@ -185,7 +185,7 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
     const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeypadEnter)) &&
                        !ui.rects.tab_order.is_on_button;
     ImGui::BeginDisabled(!enabled);
-    const bool go = primary_button(ui.theme, action) || (enabled && enter);
+    const bool go = primary_button(ui, action) || (enabled && enter);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:choose");
     ImGui::SameLine();

@@ -265,8 +265,7 @@ Chosen draw_choose(Ui& ui) {
     FileChooser& chooser = ui.chooser;
     const std::string lack = lack_of_name(chooser);
     ImGui::BeginDisabled(!lack.empty());
-    const bool pressed =
-        primary_button(ui.theme, chooser.use == ChooserUse::open ? "Open" : "Save");
+    const bool pressed = primary_button(ui, chooser.use == ChooserUse::open ? "Open" : "Save");
     ImGui::EndDisabled();
     note_item(ui.rects, "button:choose", lack);
     if (!lack.empty()) draw_tooltip(ui, lack.c_str());

@@ -35,7 +35,7 @@ std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
         const bool is_marked = k == question.marked;
         if (k > 0) ImGui::SameLine();
         const bool pressed =
-            is_marked ? primary_button(ui.theme, label.c_str()) : ImGui::Button(label.c_str());
+            is_marked ? primary_button(ui, label.c_str()) : ImGui::Button(label.c_str());
         if (pressed) chosen = k;
         note_item(ui.rects, "answer:" + label, is_marked ? "marked" : "");
     }

@@ -242,7 +242,8 @@ void draw_tooltip(const Ui& ui, const char* text) {
     ImGui::PopStyleVar();
 }
 
-bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
+bool primary_button(Ui& ui, const char* label, ImVec2 size) {
+    const Theme& theme = ui.theme;
     // What cannot be pressed does not call for it.
     const ImGuiItemFlags flags = ImGui::GetCurrentContext()->CurrentItemFlags;
     if ((flags & ImGuiItemFlags_Disabled) != 0) return ImGui::Button(label, size);
@@ -252,6 +253,7 @@ bool primary_button(const Theme& theme, const char* label, ImVec2 size) {
     ImGui::PushStyleColor(ImGuiCol_Text, readable_on(theme.accent));
     const bool pressed = ImGui::Button(label, size);
     ImGui::PopStyleColor(4);
+    note_item(ui.rects, std::string("primary:") + label);
     return pressed;
 }
 
@@ -337,8 +339,8 @@ void wrapped_text(const std::string& text) {
     ImGui::TextUnformatted(lines.c_str());
 }
 
-bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
-                     const char* button) {
+bool draw_empty_with(Ui& ui, const Rect& area, const char* title, const std::string& reason,
+                     const char* button, bool is_primary) {
     const Theme& theme = ui.theme;
     const float below = ImGui::GetFrameHeight() + 1.5F * theme.gap_px;
     const Rect words{area.min, {area.max.x, std::max(area.min.y + 1.0F, area.max.y - below)}};
@@ -347,7 +349,7 @@ bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const st
     const float words_px = static_cast<float>(lines) * text_size(theme.fonts.small, "0").y;
     ImGui::SetCursorScreenPos({words.centre().x - 0.5F * button_width(button),
                                words.centre().y + words_px + 1.5F * theme.gap_px});
-    return primary_button(theme, button);
+    return is_primary ? primary_button(ui, button) : ImGui::Button(button);
 }
 
 void coloured_text(ImU32 colour, const std::string& text) {

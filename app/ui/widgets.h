@@ -140,7 +140,7 @@ void draw_splitter(Ui& ui, const Splitter& splitter, float& share);
 void draw_hint(Ui& ui, const char* id, const char* text);
 
 // What a dialog or a pane is there for; there is one of them. Disabled it looks as any other.
-bool primary_button(const Theme& theme, const char* label, ImVec2 size = {0.0F, 0.0F});
+bool primary_button(Ui& ui, const char* label, ImVec2 size = {0.0F, 0.0F});
 
 // For a popup that is begun next: below the last item, and not over it.
 void open_below_last_item(const Theme& theme);
@@ -176,8 +176,8 @@ float chip_width(const Ui& ui, const char* text);
 bool draw_switch(const Ui& ui, const char* id, const char* text, bool on);
 
 // What a pane says while it has nothing to show, and below that what helps. True when pressed.
-bool draw_empty_with(const Ui& ui, const Rect& area, const char* title, const std::string& reason,
-                     const char* button);
+bool draw_empty_with(Ui& ui, const Rect& area, const char* title, const std::string& reason,
+                     const char* button, bool is_primary = true);
 
 // These show what steers a text as its number (model/text/shown_text.h).
 //

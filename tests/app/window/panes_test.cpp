@@ -3,6 +3,7 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,38 @@ TEST_CASE("panes: at any size of text nothing in a pane is out of reach" *
             }
         }
     }
+}
+
+// Two of them would be none.
+TEST_CASE("panes: each has one primary button at most, and a dialog over them one" *
+          doctest::test_suite("long")) {
+    SceneWindow window;
+    window.resize({1600.0F, 1000.0F}, 1.0F);
+    std::size_t primaries = 0;
+    for (const Scene& scene : scenes()) {
+        if (scene.is_costly) continue;
+        CAPTURE(scene.name);
+        window.show(scene);
+        window.settle();
+        const auto named = [&](const char* begin) {
+            std::vector<Place> all;
+            for (const auto& [name, place] : window.places) {
+                if (name.starts_with(begin)) all.push_back(place);
+            }
+            return all;
+        };
+        const std::vector<Place> buttons = named("primary:");
+        primaries += buttons.size();
+        const bool is_dialog = scene.name.starts_with("dialog, ");
+        const auto within = [&](const Place& area) {
+            return std::ranges::count_if(buttons, [&](const Place& button) {
+                return area.min.x <= button.min.x && button.max.x <= area.max.x &&
+                       area.min.y <= button.min.y && button.max.y <= area.max.y;
+            });
+        };
+        for (const Place& pane : named("pane:")) CHECK(within(pane) <= (is_dialog ? 2 : 1));
+    }
+    CHECK(primaries > 20);
 }
 
 // The level of all that is felt, what stops it, and what chooses where it goes.
