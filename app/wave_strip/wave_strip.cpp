@@ -375,6 +375,8 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time
     const auto under =
         hovered ? grip_at(pattern, scale, ImGui::GetIO().MousePos, kReachPx * ui.theme.scale)
                 : std::nullopt;
+    note_rect(ui.rects, "strip:under", area.min, area.max,
+              under ? name_of(under->kind) : "nothing");
     follow_wheel(strip, hovered);
     if (hovered && !strip.is_scrolled_past) {
         ImGui::SetItemUsingMouseWheel();
