@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <string_view>
@@ -19,6 +18,7 @@
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
 #include "model/set/set_study.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -128,21 +128,30 @@ void draw_chance(Ui& ui, const StudyDesign& design) {
                  "for itself.");
 }
 
+// "20 min"; of more than three hours "337 h".
+std::string minutes_text(double minutes) {
+    constexpr double kInHours = 180.0;
+    return minutes <= kInHours
+               ? significant_digits(minutes, 3) + " min"
+               : grouped_digits(static_cast<std::size_t>(std::llround(minutes / 60.0))) + " h";
+}
+
 // The line that an experimenter plans by.
 void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) {
     const StudyDesign& design = work.document.set.study;
     const std::size_t patterns = study_names(work).size();
-    char text[120];
+    std::string text;
     if (studying.kind == StudyKind::sorting) {
         const std::size_t rounds = design.groups.empty()
                                        ? sorting_rounds(patterns, patterns / 2).size()
                                        : design.groups.size();
-        std::snprintf(text, sizeof text, "%zu %s, about %.0f min", rounds,
-                      rounds == 1 ? "round" : "rounds", 3.0 * static_cast<double>(rounds));
+        text = counted(rounds, "round", "rounds") + ", about " +
+               minutes_text(3.0 * static_cast<double>(rounds));
     } else {
-        std::snprintf(text, sizeof text, "%zu trials, about %.0f min",
-                      trial_count(design, patterns),
-                      std::ceil(predicted_minutes(design, patterns, study_duration_s(work))));
+        const double minutes =
+            std::ceil(predicted_minutes(design, patterns, study_duration_s(work)));
+        text = counted(trial_count(design, patterns), "trial", "trials") + ", about " +
+               minutes_text(minutes);
     }
     ImGui::PushFont(ui.theme.fonts.large);
     wrapped_text(text);

@@ -43,13 +43,16 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
     draw_tooltip(ui,
                  ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
-    // What only a member has is its number, which is the key that plays it.
+    // What only a member has is its number, which is the key that plays it, as far as keys go.
     const PatternDeed deed = draw_row_menu(ui, work, *place, key.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PatternLook look = look_of(ui, work, *place);
     const float middle = corner.y + 0.5F * height;
     const float text_y = middle - 0.5F * ImGui::GetTextLineHeight();
-    draw_text(list, ui.theme.fonts.regular, {corner.x + 2.0F * s, text_y}, ui.theme.dim_text, key);
+    const ImFont* font = has_key ? ui.theme.fonts.regular : ui.theme.fonts.small;
+    const std::string shown = std::to_string(number);
+    draw_text(list, font, {corner.x + 2.0F * s, middle - 0.5F * text_size(font, shown).y},
+              ui.theme.dim_text, shown);
     draw_pattern_mark(list, ui.theme, {corner.x + 23.0F * s, middle}, 5.0F * s, look,
                       ui.theme.pane);
     float right = corner.x + width;
