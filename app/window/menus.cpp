@@ -195,6 +195,8 @@ constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "Quit",
                                                           "New pattern",
                                                           "Steps between...",
+                                                          "Add a layer",
+                                                          "Tap a rhythm...",
                                                           "Rename",
                                                           "Copy",
                                                           "Save workspace as...",
@@ -308,9 +310,11 @@ void draw_workspace_tabs(App& app) {
     }
 }
 
-// Long groups of View are menus within it, by the command that they begin with.
+// Long groups are menus within their menu, by the command that they begin with.
 const char* submenu_of(const Command& command) {
     constexpr auto kSubmenus = std::to_array<std::pair<std::string_view, const char*>>({
+        {"Add a layer", "Layers"},
+        {"Tap a rhythm...", "Draw"},
         {kMaximise, "Pane size"},
         {"Stages in the middle", "Stages"},
         {"Reset view of the space", "Map"},
@@ -380,7 +384,9 @@ void draw_rows(App& app, std::string_view menu) {
         if (begins_group(command)) {
             leave();
             if (const char* name = submenu_of(command)) {
-                if (std::string_view(name) == "Stages") draw_divider(app.ui.theme);
+                const bool first =
+                    std::string_view(name) == "Stages" || std::string_view(name) == "Layers";
+                if (first) draw_divider(app.ui.theme);
                 within = true;
                 open = ImGui::BeginMenu(name);
                 note_item(app.ui.rects, std::string("menu:") + name);
