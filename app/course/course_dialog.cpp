@@ -61,7 +61,7 @@ std::optional<std::size_t> draw_lessons(Ui& ui, const CourseState& state) {
         const std::string name = std::to_string(k + 1) + "  " +
                                  (lesson.lesson ? lesson.lesson->name : state.course->lessons[k]);
         if (lesson.lesson) {
-            if (link(ui, "lesson", name)) begun = k;
+            if (name_link(ui, "lesson", name)) begun = k;
         } else {
             dim_text(ui, name);
             draw_tooltip(ui, lesson.fault.c_str());

@@ -90,7 +90,8 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     const float least = 48.0F * ui.theme.scale;
     const std::string words = shortened(small, words_of(verdict), std::max(0.0F, free - least));
     const float room = free - text_size(small, words).x;
-    if (link(ui, "closest name", shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
+    if (name_link(ui, "closest name",
+                  shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
         select_only(work, pair.place);
     note_item(ui.rects, "neighbour:name", name);
     if (ImGui::IsItemHovered()) work.selection.hovered_pair = {work.selection.current, pair.place};

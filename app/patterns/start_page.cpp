@@ -103,7 +103,7 @@ std::optional<StartAction> draw_recent(Ui& ui, const StartPage& page) {
             dim_text(ui, "Opened lately");
         }
         const std::string name = file.path.filename().string();
-        if (link(ui, file.path.c_str(), name))
+        if (name_link(ui, file.path.c_str(), name))
             done = StartAction{StartAction::Way::recent, file.path};
         note_item(ui.rects, "start:recent " + name);
     }

@@ -166,7 +166,7 @@ void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
     }
     const std::string shown =
         shortened(ui.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
-    if (link(ui, "weakest pair", shown)) open_pair(work, picking, a, b);
+    if (name_link(ui, "weakest pair", shown)) open_pair(work, picking, a, b);
     note_item(ui.rects, "link:weakest pair", a + "|" + b);
     draw_tooltip(ui, (names + ": shows the two in every pane.").c_str());
     const auto first = place_named(work.document.set, a);

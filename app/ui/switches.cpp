@@ -65,17 +65,30 @@ bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float 
     return pressed;
 }
 
-// With so much room above and below the words.
-bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px) {
+enum class LinkTo { deed, name };
+
+// With so much room above and below the words. A deed is a quiet button: its ground reaches a
+// little beyond the words, so that these stand where others do.
+bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px,
+               LinkTo to = LinkTo::deed) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos() + ImVec2{0.0F, pad_px};
     const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const bool is_name = to == LinkTo::name;
     // GetColorU32 fades what is disabled.
-    const ImU32 ink = ImGui::GetColorU32(is_item_disabled() ? ui.theme.dim_text : ui.theme.accent);
+    const ImU32 ink = ImGui::GetColorU32(is_item_disabled() ? ui.theme.dim_text
+                                         : is_name          ? ui.theme.accent
+                                                            : ui.theme.text);
+    if (!is_name) {
+        const ImVec2 beyond{3.0F * ui.theme.scale, ui.theme.scale};
+        const ImU32 ground = lit ? ui.theme.hover : faded(ui.theme.text, 0.07F);
+        ImGui::GetWindowDrawList()->AddRectFilled(corner - beyond, corner + size + beyond,
+                                                  ImGui::GetColorU32(ground), ui.theme.rounding_px);
+    }
     ImGui::GetWindowDrawList()->AddText(corner, ink, text.c_str());
-    if (lit) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (lit && is_name) {
         const float thick = whole_px(ui.theme.hairline_px);
         draw_level_line(*ImGui::GetWindowDrawList(), corner.y + size.y + 0.5F * thick, corner.x,
                         corner.x + size.x, thick, ink);
@@ -189,6 +202,10 @@ bool draw_switch(const Ui& ui, const char* id, const char* text, bool on) {
 
 bool link(const Ui& ui, const char* id, const std::string& text) {
     return draw_link(ui, id, text, 0.0F);
+}
+
+bool name_link(const Ui& ui, const char* id, const std::string& text) {
+    return draw_link(ui, id, text, 0.0F, LinkTo::name);
 }
 
 bool row_link(const Ui& ui, const char* id, const std::string& text) {

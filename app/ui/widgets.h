@@ -197,10 +197,13 @@ void coloured_text(ImU32 colour, const std::string& text);
 // The "i" in a circle.
 void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit);
 
-// Clickable text in the accent colour.
+// A quiet button, for deeds within a text or a row of small things.
 bool link(const Ui& ui, const char* id, const std::string& text);
 
-// The same in a line of fields: as high as they are, its words on theirs.
+// The name of something, in the accent colour: a press leads to it.
+bool name_link(const Ui& ui, const char* id, const std::string& text);
+
+// A quiet button in a line of fields: as high as they are, its words on theirs.
 bool row_link(const Ui& ui, const char* id, const std::string& text);
 
 // A name as ImGui's own widgets take one, which hide what follows "##".
