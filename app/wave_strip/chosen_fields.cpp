@@ -227,7 +227,8 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
 }
 
 int columns_in(const Ui& ui, float width_px) {
-    constexpr float kFieldPx = 252.0F;
+    constexpr float kFieldPx =
+        274.0F;  // label, slider and entry on one line, and the cell's padding
     return std::clamp(static_cast<int>(width_px / (kFieldPx * ui.theme.scale)), 1, 3);
 }
 
