@@ -103,6 +103,13 @@ is_reached() {
     soon is_at pointer "$place" && is_at "$1" "$place"
 }
 is_at() { [ "$(middle "$1")" = "$2" ]; }
+# What appears with an answer may move what stands below it.
+rests() { # NAME: it stands where it stood a moment before
+    local place
+    place=$(grep -m 1 "^$1	" "$TACTSPACE_WIDGET_RECTS") || return
+    sleep 0.3
+    [ "$place" = "$(grep -m 1 "^$1	" "$TACTSPACE_WIDGET_RECTS")" ]
+}
 click() { point_at "$1" && xdotool click 1; }
 key() { xdotool key "$@"; }
 type_text() { xdotool type --delay 20 -- "$1"; }
