@@ -19,6 +19,7 @@
 #include "app/pictures/copying.h"
 #include "app/sounds/sounds_follow.h"
 #include "app/subset/subset_export.h"
+#include "app/tables/table_look.h"
 #include "app/transform/transform_follow.h"
 #include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/wave_strip.h"

@@ -17,6 +17,7 @@
 #include "app/study/study_follow.h"
 #include "app/ui/folder_listing.h"
 #include "app/ui/widgets.h"
+#include "app/window/command_actions.h"
 #include "app/window/commands.h"
 #include "model/lesson/lesson_languages.h"
 #include "viz/drawing/icons.h"
