@@ -232,8 +232,8 @@ PYBIND11_MODULE(tactspace, module) {
     const py::tuple nobody;
     module.doc() = help::kModule;
     module.attr("__version__") = TACT_VERSION;
-    // NumPy is found here: in the first call of a daemon thread, the interpreter's end would end that
-    // thread within pybind11's search for it, and so the process.
+    // NumPy is found here: in the first call of a daemon thread, the interpreter's end would end
+    // that thread within pybind11's search for it, and so the process.
     const py::array_t<double> numpy_is_here(0);
     py::module_::import("atexit").attr("register")(py::cpp_function(end_beside_python));
     py::list metrics;

@@ -22,8 +22,8 @@
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/pattern/pattern.h"
 #include "model/perceptual_model/perceptual_model_params.h"
-#include "model/signal/waveform.h"
 #include "model/set/pattern_set.h"
+#include "model/signal/waveform.h"
 #include "model/study/ratings.h"
 #include "model/text/json_fields.h"
 
