@@ -22,7 +22,6 @@ void take_maps(const Ui& ui, ShownMap& shown_map);
 // there again after undo.
 void note_map_places(Workspace& work, ShownMap& shown_map);
 
-// Since when the patterns have stood in a ring and waited for their first map, in Ui::ages.
 // The ring of the open document, once for each state of it; and which way from its middle a pattern
 // lies there, up being positive.
 void follow_ring(const Workspace& work, ShownMap& shown_map);
@@ -31,6 +30,7 @@ struct RingDirection {
 };
 RingDirection ring_direction(const WaitingRing& ring, std::size_t place, std::size_t count);
 
+// Since when the patterns have stood in a ring and waited for their first map, in Ui::ages.
 inline constexpr const char* kWaitingRing = "the ring before the first map";
 
 // Puts a map on the screen, aligned to the one before it; the first comes out of that ring.

@@ -184,9 +184,9 @@ edits    in their order, each a text or a tuple of one with what it needs: "reve
          ("transpose", times), ("thin", %)
 model    as in predict(), for the thresholds that "felt" goes by
 
-Returns a dict for render(); what cannot be mixed into one pattern, as layers. A rhythm stays a rhythm where its notes lie on the grid of the result;
-elsewhere they are drawn as an amplitude curve. What cannot be is a ValueError that begins with the
-edit.)";
+Returns a dict for render(); what cannot be mixed into one pattern, as layers. A rhythm stays a
+rhythm where its notes lie on the grid of the result; elsewhere they are drawn as an amplitude
+curve. What cannot be is a ValueError that begins with the edit.)";
 
 inline constexpr const char* kReadSet =
     R"(read_set(path)

@@ -222,7 +222,12 @@ py::object edit_pattern(const py::dict& pattern, const py::sequence& edits,
     if (const auto* layered = std::get_if<LayeredPattern>(&after)) {
         return python_of(json_of(*layered, usual_s, {}));
     }
-    return python_of(json_of(std::get<Pattern>(after), usual_s));
+    const auto* made = std::get_if<Pattern>(&after);
+    if (made == nullptr) {
+        throw py::value_error(
+            "edits: expected what stays a pattern, a join with layers is samples");
+    }
+    return python_of(json_of(*made, usual_s));
 }
 
 PYBIND11_MODULE(tactspace, module) {

@@ -30,8 +30,6 @@ Waveform trimmed_samples(Waveform waveform) {
     return waveform;
 }
 
-// The gain at a sample so long after a fade began: of its middle, so that neither end is counted
-// twice.
 Expected<Waveform> faded_samples(Waveform waveform, double in_s, double out_s) {
     const double length_s = duration_s(waveform);
     const double longest_s = std::max(in_s, out_s);

@@ -11,6 +11,7 @@
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -54,8 +55,7 @@ std::string rhythm_words(const Pattern& pattern) {
 std::string kind_words(const Vibration& vibration) {
     const auto* layered = std::get_if<LayeredPattern>(&vibration.source);
     if (layered == nullptr) return "recording";
-    const std::size_t count = layered->layers.size();
-    return std::to_string(count) + (count == 1 ? " layer" : " layers");
+    return counted(layered->layers.size(), "layer", "layers");
 }
 
 std::string text_of(const std::vector<const Vibration*>& all) {
