@@ -52,10 +52,20 @@ void follow_strength_drag(Workspace& work, NoteDrag& drag, float up_px, float ni
     const int by = static_cast<int>(std::lround(up_px / ninth_px));
     if ((by == 0 && !drag.moved) || !starts_note(drag.before[drag.from])) return;
     drag.moved = true;
-    std::string text = drag.before;
-    const double ninths = 9.0 * velocity_of(text[drag.from]) + by;
-    text[drag.from] = note_mark(std::clamp(ninths / 9.0, 1.0 / 9.0, 1.0));
-    edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
+    const Pattern* pattern = shown_pattern(work);
+    if (pattern == nullptr) return;
+    Rhythm rhythm = pattern->rhythm;
+    rhythm.text = drag.before;
+    const NoteKind kind = kind_of(rhythm, drag.before[drag.from]);
+    const double ninths = std::clamp(std::round(9.0 * kind.velocity) + by, 1.0, 9.0);
+    rhythm.text[drag.from] = 'x';  // its letter is free where no other note has it
+    const auto mark = mark_for(rhythm, {ninths / 9.0, kind.pitch});
+    if (!mark) return;
+    rhythm.text[drag.from] = *mark;
+    edit_patterns(work, [&rhythm](Pattern& p) {
+        p.rhythm.text = rhythm.text;
+        p.rhythm.kinds = rhythm.kinds;
+    });
 }
 
 // A step as a button: a click changes its mark, a drag draws a note over the steps it passes.
@@ -108,7 +118,7 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     for (std::size_t k = 0; k < steps; ++k) {
         const char mark = rhythm.text[k];
         if (mark == '-') height = 1.0F;
-        if (starts_note(mark)) height = static_cast<float>(velocity_of(mark));
+        if (starts_note(mark)) height = static_cast<float>(kind_of(rhythm, mark).velocity);
         const ImVec2 min{corner.x + static_cast<float>(k) * cell, corner.y};
         const float gap = 1.5F * theme.scale;
         // A held step joins the one before it.
@@ -203,6 +213,96 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
+void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
+    const Range& unit = traits(PatternParameter::rhythm_unit).range;
+    const int beat = rhythm.meter.steps_a_beat;
+    const std::string tempo_help = "Beats a minute where " + std::to_string(beat) +
+                                   (beat == 1 ? " step is" : " steps are") +
+                                   " a beat: the length of a step once more.";
+    edit_number(
+        ui, work,
+        {.id = "tempo_bpm",
+         .label = "Tempo",
+         .format = "%.4g BPM",
+         .slider = {30.0, 300.0},
+         .typed = {tempo_bpm(unit.high, beat), tempo_bpm(unit.low, beat)},
+         .step = 1.0,
+         .snap = 1.0,
+         .help = tempo_help.c_str()},
+        "tempo",
+        [](const Pattern& p) { return tempo_bpm(p.rhythm.unit_s, p.rhythm.meter.steps_a_beat); },
+        [](Pattern& p, double value) {
+            p.rhythm.unit_s = unit_at_tempo(value, p.rhythm.meter.steps_a_beat);
+        });
+    edit_number(
+        ui, work,
+        {.id = "steps_a_beat",
+         .label = "Beat",
+         .format = "%.0f steps",
+         .slider = {1.0, 8.0},
+         .typed = limits::kStepsABeat,
+         .step = 1.0,
+         .snap = 1.0,
+         .help = "How many steps are a beat; no step gets longer or shorter by it."},
+        "beat", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.steps_a_beat); },
+        [](Pattern& p, double value) {
+            p.rhythm.meter.steps_a_beat = static_cast<int>(std::lround(value));
+        });
+    edit_number(
+        ui, work,
+        {.id = "beats_a_bar",
+         .label = "Bar",
+         .format = "%.0f beats",
+         .slider = {0.0, 8.0},
+         .typed = limits::kBeatsABar,
+         .step = 1.0,
+         .snap = 1.0,
+         .help = "How many beats are a bar: lines in the strip. 0: no bars."},
+        "bar", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.beats_a_bar); },
+        [](Pattern& p, double value) {
+            p.rhythm.meter.beats_a_bar = static_cast<int>(std::lround(value));
+        });
+}
+
+// Strength and pitch of every letter that the text uses.
+void draw_kinds(Ui& ui, Workspace& work, const Rhythm& rhythm) {
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+        if (rhythm.text.find(letter) == std::string::npos) continue;
+        const std::string name = std::string("Note ") + letter;
+        const std::string strength_id = std::string("kind_strength_") + letter;
+        const std::string pitch_id = std::string("kind_pitch_") + letter;
+        edit_number(
+            ui, work,
+            {.id = strength_id.c_str(),
+             .label = name.c_str(),
+             .format = "%.3g %%",
+             .slider = {0.0, 100.0},
+             .typed = {0.0, 100.0},
+             .step = 5.0,
+             .snap = 1.0,
+             .help = "How strong the notes of this letter are, as a share of the amplitude."},
+            "strength of " + name,
+            [letter](const Pattern& p) { return 100.0 * kind_of(p.rhythm, letter).velocity; },
+            [letter](Pattern& p, double percent) {
+                p.rhythm.kinds[letter].velocity = percent / 100.0;
+            });
+        edit_number(
+            ui, work,
+            {.id = pitch_id.c_str(),
+             .label = "pitch",
+             .format = "%.4g x",
+             .slider = {0.25, 4.0},
+             .typed = limits::kPitch,
+             .step = 0.1,
+             .snap = 0.05,
+             .logarithmic = true,
+             .help = "What the carriers' frequencies are multiplied by for its notes."},
+            "pitch of " + name,
+            [letter](const Pattern& p) { return kind_of(p.rhythm, letter).pitch; },
+            [letter](Pattern& p, double pitch) { p.rhythm.kinds[letter].pitch = pitch; });
+    }
+}
+
 // Says how many steps lie behind the pattern's end, and lengthens the pattern at a press.
 void draw_overrun(Ui& ui, Workspace& work, const Pattern& pattern) {
     const double whole_s = length_s(pattern.rhythm);
@@ -240,8 +340,8 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
     draw_tooltip(ui,
-                 "x note, 1 to 9 a weaker one, = hold, - rest; the text repeats. Empty: one note "
-                 "throughout.");
+                 "x note, 1 to 9 a weaker one, A to Z one of a strength and pitch of its own, = "
+                 "hold, - rest; the text repeats. Empty: one note throughout.");
     note_item(ui.rects, "rhythm", pattern.rhythm.text);
     const bool is_typing = ImGui::IsItemActive();
     state.rhythm_typed_for = is_typing ? name : std::string();
@@ -283,19 +383,8 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
          .help = "Length of one x, = or -. The text repeats to fill the duration."},
         "rhythm step", [](const Pattern& p) { return 1000.0 * p.rhythm.unit_s; },
         [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
-    const Range& unit = traits(PatternParameter::rhythm_unit).range;
-    edit_number(
-        ui, work,
-        {.id = "tempo_bpm",
-         .label = "Tempo",
-         .format = "%.4g BPM",
-         .slider = {30.0, 300.0},
-         .typed = {tempo_bpm(unit.high), tempo_bpm(unit.low)},
-         .step = 1.0,
-         .snap = 1.0,
-         .help = "Beats a minute where four steps are a beat: the length of a step once more."},
-        "tempo", [](const Pattern& p) { return tempo_bpm(p.rhythm.unit_s); },
-        [](Pattern& p, double value) { p.rhythm.unit_s = unit_at_tempo(value); });
+    draw_tempo(ui, work, pattern.rhythm);
+    draw_kinds(ui, work, pattern.rhythm);
 }
 
 }  // namespace tact

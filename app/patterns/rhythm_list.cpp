@@ -195,7 +195,7 @@ void draw_rhythm_cells(const Theme& theme, const Rect& area, const std::string& 
     for (std::size_t k = 0; k < text.size(); ++k) {
         if (text[k] == '-') height = area.height();
         if (starts_note(text[k])) {
-            height = static_cast<float>(velocity_of(text[k])) * area.height();
+            height = static_cast<float>(kind_of({}, text[k]).velocity) * area.height();
         }
         const float left = area.min.x + static_cast<float>(k) * cell;
         list.AddRectFilled({text[k] == '=' ? left - gap : left + gap, area.max.y - height},

@@ -164,6 +164,7 @@ Samples of a parametric vibration.
 
 pattern  dict with the keys of a pattern in a set file, such as {"amplitude_g": 1, "carriers":
          [{"frequency_hz": 150}], "rhythm": {"text": "x-x-", "unit_s": 0.125}, "duration_s": 1};
+         letters in the text are notes of "notes": {"A": {"velocity": 0.4, "pitch": 1.5}};
          what is missing takes its default, what is unknown is a ValueError; or {"layers": [...]},
          one to four such dicts with name, gain, offset_s, mute and solo
 rate_hz  100 to 1e7 Hz
@@ -181,7 +182,7 @@ edits    in their order, each a text or a tuple of one with what it needs: "reve
          ("stretch", times), ("stretch-notes", times), ("stretch-curves", times), ("repeat", n),
          ("join", pattern), ("mix", pattern), ("fade-in", s), ("fade-out", s), ("normalise", g),
          ("felt", dB above threshold), ("quantise", s), ("quantise-bpm", BPM),
-         ("transpose", times), ("thin", %)
+         ("transpose", times), ("thin", %), "find-notes"
 model    as in predict(), for the thresholds that "felt" goes by
 
 Returns a dict for render(); what cannot be mixed into one pattern, as layers. A rhythm stays a

@@ -72,6 +72,11 @@ std::string parameters_html(const Pattern& pattern) {
             (unit.empty() ? "" : " " + unit));
     }
     if (!pattern.rhythm.text.empty()) add("rhythm " + pattern.rhythm.text);
+    for (const auto& [letter, kind] : pattern.rhythm.kinds) {
+        if (pattern.rhythm.text.find(letter) == std::string::npos) continue;
+        add(std::string(1, letter) + " " + significant_digits(100.0 * kind.velocity, 3) + " % at " +
+            significant_digits(kind.pitch, 4) + " x");
+    }
     if (is_drawn(pattern)) add(drawn_words(pattern));
     add(significant_digits(pattern.duration_s, 3) + " s");
     return html;

@@ -193,21 +193,34 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                          return with_notes_held(p, strip.notes, static_cast<std::size_t>(steps));
                      });
     const std::string& text = pattern.rhythm.text;
-    const double ninths = 9.0 * velocity_of(text[first.first % text.size()]);
+    const NoteKind kind = kind_of(pattern.rhythm, text[first.first % text.size()]);
     constexpr double kNinth = 100.0 / 9.0;
     draw_note_number(ui, work, strip,
                      {.id = "chosen_strength",
                       .label = "Strength",
                       .format = "%.3g %%",
                       .slider = {kNinth, 100.0},
-                      .typed = {kNinth, 100.0},
+                      .typed = {0.0, 100.0},
                       .step = kNinth,
                       .snap = kNinth,
-                      .help = "How strong the first of the chosen notes is, in ninths of the "
+                      .help = "How strong the first of the chosen notes is, as a share of the "
                               "amplitude; the others keep their differences to it."},
-                     kNinth * ninths, [&](const Pattern& p, double to) {
-                         return with_notes_stronger(
-                             p, strip.notes, static_cast<int>(std::lround(to / kNinth - ninths)));
+                     100.0 * kind.velocity, [&](const Pattern& p, double to) {
+                         return with_notes_changed(p, strip.notes, to / 100.0 - kind.velocity, 1.0);
+                     });
+    draw_note_number(ui, work, strip,
+                     {.id = "chosen_pitch",
+                      .label = "Pitch",
+                      .format = "%.4g x",
+                      .slider = {0.25, 4.0},
+                      .typed = limits::kPitch,
+                      .step = 0.1,
+                      .snap = 0.05,
+                      .logarithmic = true,
+                      .help = "What the carriers' frequencies are multiplied by while the first of "
+                              "the chosen notes sounds; the others keep their ratios to it."},
+                     kind.pitch, [&](const Pattern& p, double to) {
+                         return with_notes_changed(p, strip.notes, 0.0, to / kind.pitch);
                      });
     ImGui::TableNextColumn();
     const std::size_t count = strip.notes.onsets.size();
@@ -233,7 +246,7 @@ int columns_in(const Ui& ui, float width_px) {
 }
 
 int count_of(GripKind kind) {
-    if (is_note(kind)) return 4;
+    if (is_note(kind)) return 5;
     return kind == GripKind::transient ? 5 : 2;
 }
 

@@ -35,8 +35,9 @@ double line_g(const Pattern& pattern, double t_s) {
 Axis frequency_axis(const Pattern& pattern) {
     double low = pattern.carriers[0].frequency_hz;
     double high = low;
-    if (!pattern.frequency_curve.empty()) low = high = pattern.frequency_curve[0].frequency_hz;
-    for (const FrequencyPoint& point : pattern.frequency_curve) {
+    const FrequencyCurve curve = sounding_frequency(pattern);
+    if (!curve.empty()) low = high = curve[0].frequency_hz;
+    for (const FrequencyPoint& point : curve) {
         low = std::min(low, point.frequency_hz);
         high = std::max(high, point.frequency_hz);
     }

@@ -77,7 +77,7 @@ bool drag_chosen_notes(Ui& ui, Workspace& work, StripState& strip, const GripDra
                                     steps_moved(before.rhythm, own, by_s, snap));
         }
         const std::string& text = before.rhythm.text;
-        const double was = velocity_of(text[own % text.size()]);
+        const double was = kind_of(before.rhythm, text[own % text.size()]).velocity;
         const double by = strength_at(held.scale, drag.to) - was;
         return with_notes_stronger(before, held.notes, static_cast<int>(std::lround(9.0 * by)));
     }();

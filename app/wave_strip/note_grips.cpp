@@ -89,7 +89,8 @@ std::ptrdiff_t steps_moved(const Rhythm& rhythm, std::size_t from, double by_s, 
     const double steps = by_s / rhythm.unit_s;
     if (snap != NoteSnap::beat) return std::llround(steps);
     const auto at = static_cast<std::ptrdiff_t>(from);
-    return std::llround((static_cast<double>(from) + steps) / kStepsABeat) * kStepsABeat - at;
+    const int beat = rhythm.meter.steps_a_beat;
+    return std::llround((static_cast<double>(from) + steps) / beat) * beat - at;
 }
 
 Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, NoteSnap snap) {
@@ -104,8 +105,12 @@ Rhythm with_note_dragged(const Rhythm& rhythm, const Grip& grip, double by_s, No
     if (grip.kind == GripKind::note_end) part = NotePart::end;
     const std::size_t from = part == NotePart::end ? all[k].last + 1 : all[k].first;
     const std::ptrdiff_t steps = steps_moved(grid, from, by_s, snap);
-    const Rhythm moved{with_note_moved(grid.text, k, part, steps), grid.unit_s};
-    return free ? coarsened(moved, kQuarters) : moved;
+    Rhythm moved = grid;
+    moved.text = with_note_moved(grid.text, k, part, steps);
+    if (!free) return moved;
+    moved = coarsened(moved, kQuarters);
+    moved.meter = with_step(rhythm.meter, rhythm.unit_s, moved.unit_s);
+    return moved;
 }
 
 std::optional<Rhythm> with_note_added(const Pattern& pattern, const StripScale& scale,
@@ -113,14 +118,16 @@ std::optional<Rhythm> with_note_added(const Pattern& pattern, const StripScale& 
     constexpr std::size_t kSteps = 16;
     Rhythm rhythm = pattern.rhythm;
     if (rhythm.text.empty() && scale.tool == StripTool::notes) {
-        rhythm = {std::string(kSteps, '-'), pattern.duration_s / kSteps};
+        rhythm.text = std::string(kSteps, '-');
+        rhythm.unit_s = pattern.duration_s / kSteps;
     }
     const double t_s = to_value(scale.amplitude.x, mouse.x);
     const bool is_within = t_s >= 0.0 && t_s < pattern.duration_s;
     if (rhythm.text.empty() || !is_in_row(scale, mouse) || !is_within) return std::nullopt;
     const std::size_t step = static_cast<std::size_t>(t_s / rhythm.unit_s) % rhythm.text.size();
     if (rhythm.text[step] != '-') return std::nullopt;
-    return Rhythm{with_note(rhythm.text, step, step), rhythm.unit_s};
+    rhythm.text = with_note(rhythm.text, step, step);
+    return rhythm;
 }
 
 std::optional<Grip> end_of_note_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse) {
@@ -137,14 +144,21 @@ Rhythm with_note_strength(const Rhythm& rhythm, const Grip& grip, double strengt
     const std::vector<NoteSteps> all = note_steps(rhythm.text);
     if (all.empty()) return rhythm;
     Rhythm changed = rhythm;
-    changed.text[all[grip.index % all.size()].first] = note_mark(strength);
+    char& mark = changed.text[all[grip.index % all.size()].first];
+    const double pitch = kind_of(rhythm, mark).pitch;
+    mark = 'x';  // its letter is free where no other note has it
+    const auto changed_mark = mark_for(changed, {std::round(9.0 * strength) / 9.0, pitch});
+    if (!changed_mark) return rhythm;
+    mark = *changed_mark;
     return changed;
 }
 
 Rhythm with_note_removed(const Rhythm& rhythm, const Grip& grip) {
     const std::size_t count = note_steps(rhythm.text).size();
     if (count == 0) return rhythm;
-    return {without_note(rhythm.text, grip.index % count), rhythm.unit_s};
+    Rhythm changed = rhythm;
+    changed.text = without_note(rhythm.text, grip.index % count);
+    return changed;
 }
 
 }  // namespace tact

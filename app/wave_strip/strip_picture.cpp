@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/wave_strip/note_grips.h"
+#include "model/pattern/rhythm_edit.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -54,6 +55,24 @@ void draw_ghost_words(ImDrawList& list, const Theme& theme, const StripScene& sc
     const float halo_px = 2.0F * theme.scale;
     if (at.y + line_px + halo_px > list.GetClipRectMax().y) return;  // half of them says nothing
     draw_text_halo(list, font, at, theme.dim_text, theme.pane, halo_px, words);
+}
+
+// A line at the beginning of each bar, where they are not too close to be told apart.
+void draw_bars(ImDrawList& list, const Theme& theme, const StripScene& scene) {
+    const Rhythm& rhythm = scene.pattern.rhythm;
+    const double bar_s = rhythm.unit_s * static_cast<double>(steps_a_bar(rhythm.meter));
+    if (rhythm.text.empty() || bar_s <= 0.0) return;
+    constexpr float kLeastPx = 12.0F;
+    const Plot& lane = scene.scale.amplitude;
+    const float bar_px = to_pixel(lane.x, bar_s) - to_pixel(lane.x, 0.0);
+    if (bar_px < kLeastPx * theme.scale) return;
+    const double first = std::max(1.0, std::ceil(to_value(lane.x, lane.area.min.x) / bar_s));
+    for (double k = first; k * bar_s < scene.pattern.duration_s; k += 1.0) {
+        const float x = to_pixel(lane.x, k * bar_s);
+        if (x > lane.area.max.x) break;
+        draw_upright_line(list, x, lane.area.min.y, lane.area.max.y, theme.hairline_px,
+                          faded(theme.dim_text, 0.6F));
+    }
 }
 
 // A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
@@ -160,11 +179,13 @@ void draw_lines(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     // On a logarithmic axis what is straight in Hz bends.
     points.clear();
     const Plot& below = scene.scale.frequency;
+    const FrequencyCurve curve = sounding_frequency(pattern);
+    const double steady_hz = pattern.carriers.front().frequency_hz;
     const float left = std::max(to_pixel(below.x, 0.0), below.area.min.x);
     const float right = std::min(to_pixel(below.x, pattern.duration_s), below.area.max.x);
     for (float x = left; x < right + 1.0F; x += 1.0F) {
         const float at = std::min(x, right);
-        const double hz = first_carrier_hz(pattern, to_value(below.x, at));
+        const double hz = frequency_at(curve, to_value(below.x, at)).value_or(steady_hz);
         points.push_back({at, to_pixel(below.y, hz)});
     }
     draw(below, GripKind::frequency, points);
@@ -235,9 +256,12 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
         case GripKind::note_top: {
             const Note note = notes(pattern.rhythm, pattern.duration_s)[grip.index];
             const std::string times = at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
-            return note.velocity < 1.0
-                       ? times + ", strength " + significant(100.0 * note.velocity) + " %"
-                       : times;
+            std::string words = times;
+            if (note.velocity < 1.0) {
+                words += ", strength " + significant(100.0 * note.velocity) + " %";
+            }
+            if (note.pitch != 1.0) words += ", pitch " + significant(note.pitch) + " x";
+            return words;
         }
         case GripKind::end:
             return significant(pattern.duration_s) + " s";
@@ -288,9 +312,9 @@ void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane, std:
 
 // From the lowest frequency of the first carrier to its highest.
 std::vector<double> shown_hz(const Pattern& pattern) {
-    if (pattern.frequency_curve.empty()) return {pattern.carriers[0].frequency_hz};
-    const auto [low, high] =
-        std::ranges::minmax(pattern.frequency_curve, {}, &FrequencyPoint::frequency_hz);
+    const FrequencyCurve curve = sounding_frequency(pattern);
+    if (curve.empty()) return {pattern.carriers[0].frequency_hz};
+    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
     return {low.frequency_hz, high.frequency_hz};
 }
 
@@ -304,6 +328,7 @@ void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
     draw_axes(list, theme, scene.scale.frequency, {"s", "", false});
     draw_ghost(list, theme, scene);
     draw_body(list, theme, scene);
+    draw_bars(list, theme, scene);
     draw_span(list, theme, scene);
     draw_notes(list, theme, scene);
     draw_lines(list, theme, scene);

@@ -31,7 +31,8 @@ constexpr std::array<EditTraits, kEditKindCount> kEdits{{
     {"quantise", "Quantise", "s", number, {0.001, 10.0}, 0.125, "starts and ends of notes, and ticks, to the nearest step of this grid; a note keeps one step"},
     {"quantise-bpm", "Quantise to a beat", "BPM", number, {1.0, 600.0}, 120.0, "the same to sixteenths of this tempo: four steps a beat"},
     {"transpose", "Transpose", "times", number, {0.01, 100.0}, 2.0, "frequencies of carriers, of the frequency curve and of ticks times this"},
-    {"thin", "Thin the curves", "%", number, {0.0, 100.0}, 1.0, "as few points as keep amplitudes within this share of full scale, and frequencies within this share of the highest"}}};
+    {"thin", "Thin the curves", "%", number, {0.0, 100.0}, 1.0, "as few points as keep amplitudes within this share of full scale, and frequencies within this share of the highest"},
+    {"find-notes", "Find the notes", "", nothing, {}, 0.0, "curves that are flat between jumps as notes of a rhythm, each with its strength and pitch"}}};
 // clang-format on
 
 Expected<Pattern> with_other(Expected<Pattern> (*both)(Pattern, Pattern), Pattern pattern,
@@ -70,11 +71,14 @@ Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTab
         case EditKind::quantise:
             return quantised(std::move(pattern), edit.number);
         case EditKind::quantise_bpm:
-            return quantised(std::move(pattern), unit_at_tempo(edit.number));
+            return quantised(std::move(pattern),
+                             unit_at_tempo(edit.number, pattern.rhythm.meter.steps_a_beat));
         case EditKind::transpose:
             return transposed(std::move(pattern), edit.number);
         case EditKind::thin:
             return thinned_curves(std::move(pattern), edit.number);
+        case EditKind::find_notes:
+            return notes_found(pattern);
     }
     return Error{"expected an edit"};
 }

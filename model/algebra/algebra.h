@@ -45,10 +45,11 @@ enum class EditKind {
     quantise,
     quantise_bpm,
     transpose,
-    thin
+    thin,
+    find_notes
 };
 
-inline constexpr std::size_t kEditKindCount = 16;
+inline constexpr std::size_t kEditKindCount = 17;
 
 enum class EditNeeds { nothing, number, whole_number, pattern };
 

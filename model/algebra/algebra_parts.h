@@ -22,5 +22,6 @@ Expected<Pattern> felt_at(Pattern pattern, double above_threshold_db,
 Expected<Pattern> quantised(Pattern pattern, double grid_s);
 Expected<Pattern> transposed(Pattern pattern, double factor);
 Expected<Pattern> thinned_curves(Pattern pattern, double percent);
+Expected<Pattern> notes_found(const Pattern& pattern);
 
 }  // namespace tact

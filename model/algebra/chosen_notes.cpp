@@ -57,7 +57,36 @@ NotesEdit with_text(const Pattern& pattern, std::string text, ChosenNotes chosen
     return edit;
 }
 
-int ninths_of(char mark) { return mark == 'x' ? 9 : mark - '0'; }
+// The chosen notes with what `change` makes of their kinds.
+template <class Change>
+Expected<NotesEdit> with_kinds(const Pattern& pattern, const ChosenNotes& chosen, Change change) {
+    if (chosen.empty()) return NotesEdit{pattern, chosen};
+    Expected<std::string> text = with_room(pattern, chosen.onsets.back() + 1);
+    if (!text) return text.error();
+    std::vector<NoteKind> kinds;
+    for (const std::size_t onset : chosen.onsets) {
+        char& mark = (*text)[onset];
+        kinds.push_back(change(kind_of(pattern.rhythm, mark)));
+        mark = 'x';  // its letter is free where no other note has it
+    }
+    NotesEdit edit = with_text(pattern, *text, chosen);
+    Rhythm& rhythm = edit.pattern.rhythm;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const auto mark = mark_for(rhythm, kinds[k]);
+        if (!mark) return Error{"A rhythm has at most 26 kinds of notes, A to Z."};
+        rhythm.text[chosen.onsets[k]] = *mark;
+    }
+    std::erase_if(rhythm.kinds, [&rhythm](const auto& kind) {
+        return rhythm.text.find(kind.first) == std::string::npos;
+    });
+    return edit;
+}
+
+// The strength, as a whole number of ninths where it is one but for rounding.
+double in_ninths(double velocity) {
+    const double ninths = std::round(9.0 * velocity);
+    return std::abs(9.0 * velocity - ninths) < 1e-9 ? ninths / 9.0 : velocity;
+}
 
 }  // namespace
 
@@ -169,14 +198,23 @@ Expected<NotesEdit> with_notes_moved(const Pattern& pattern, const ChosenNotes& 
 
 Expected<NotesEdit> with_notes_stronger(const Pattern& pattern, const ChosenNotes& chosen,
                                         int ninths) {
-    if (chosen.empty()) return NotesEdit{pattern, chosen};
-    Expected<std::string> text = with_room(pattern, chosen.onsets.back() + 1);
-    if (!text) return text.error();
-    for (const std::size_t onset : chosen.onsets) {
-        const int changed = std::clamp(ninths_of((*text)[onset]) + ninths, 1, 9);
-        (*text)[onset] = note_mark(changed / 9.0);
-    }
-    return with_text(pattern, *text, chosen);
+    if (ninths == 0) return NotesEdit{pattern, chosen};
+    return with_kinds(pattern, chosen, [ninths](NoteKind kind) {
+        kind.velocity = in_ninths(std::clamp(kind.velocity + ninths / 9.0, 1.0 / 9.0, 1.0));
+        return kind;
+    });
+}
+
+Expected<NotesEdit> with_notes_changed(const Pattern& pattern, const ChosenNotes& chosen,
+                                       double by_velocity, double by_pitch) {
+    return with_kinds(pattern, chosen, [&](NoteKind kind) {
+        const auto within = [](Range range, double value) {
+            return std::clamp(value, range.low, range.high);
+        };
+        kind.velocity = in_ninths(within(limits::kVelocity, kind.velocity + by_velocity));
+        kind.pitch = within(limits::kPitch, kind.pitch * by_pitch);
+        return kind;
+    });
 }
 
 Expected<NotesEdit> with_notes_held(const Pattern& pattern, const ChosenNotes& chosen,
@@ -213,7 +251,10 @@ Expected<NotesEdit> with_notes_pasted(const Pattern& pattern, std::size_t at,
     constexpr std::size_t kSteps = 16;
     NotesEdit edit{pattern, {}};
     Rhythm& rhythm = edit.pattern.rhythm;
-    if (rhythm.text.empty()) rhythm = {std::string(kSteps, '-'), pattern.duration_s / kSteps};
+    if (rhythm.text.empty()) {
+        rhythm.text = std::string(kSteps, '-');
+        rhythm.unit_s = pattern.duration_s / kSteps;
+    }
     const std::size_t end = at + text.size();
     const double needed_s = static_cast<double>(end) * rhythm.unit_s;
     if (needed_s > limits::kDurationS.high * (1.0 + kSameStep)) {

@@ -1,7 +1,8 @@
 // Notes of a rhythm that are chosen together: moved, strengthened, copied, pasted and repeated.
 //
 // A choice counts the steps from the pattern's start on, repetitions of the text included. An edit
-// of one repetition alone first writes the text out to the pattern's end.
+// of one repetition alone first writes the text out to the pattern's end. A copy is a text: where
+// it is pasted, its letters are notes of the kinds that they are there.
 //
 // Source    ours
 // Input     a pattern without fault, a choice that it has: kept_choice()
@@ -56,6 +57,10 @@ Expected<NotesEdit> with_notes_moved(const Pattern& pattern, const ChosenNotes& 
 // Each note's strength changed by a number of ninths, within one to nine.
 Expected<NotesEdit> with_notes_stronger(const Pattern& pattern, const ChosenNotes& chosen,
                                         int ninths);
+
+// Each note's strength changed by a difference, and its pitch by a factor.
+Expected<NotesEdit> with_notes_changed(const Pattern& pattern, const ChosenNotes& chosen,
+                                       double by_velocity, double by_pitch);
 
 // Each note held for a number of steps, or up to the next note.
 Expected<NotesEdit> with_notes_held(const Pattern& pattern, const ChosenNotes& chosen,

@@ -111,9 +111,11 @@ bool is_steady(const Pattern& pattern) {
 
 Pattern with_drawn_notes(Pattern pattern) {
     if (is_steady(pattern)) return pattern;
+    pattern = with_drawn_pitches(std::move(pattern));
     pattern.amplitude_curve =
         product(gate_of(pattern), pattern.amplitude_curve, pattern.duration_s);
     pattern.rhythm.text.clear();
+    pattern.rhythm.kinds.clear();
     pattern.attack_s = 0.0;
     pattern.release_s = 0.0;
     return pattern;

@@ -23,7 +23,7 @@ AmplitudeCurve part_of_curve(const AmplitudeCurve& curve, double from_s, double 
 // Whether one note without ramps sounds throughout, so that nothing is to be drawn.
 bool is_steady(const Pattern& pattern);
 
-// The pattern with its rhythm and ramps in its amplitude curve.
+// The pattern with its rhythm and ramps in its amplitude curve, and pitches in that of frequency.
 Pattern with_drawn_notes(Pattern pattern);
 
 }  // namespace tact

@@ -6,7 +6,7 @@
 #include "model/algebra/drawn_notes.h"
 #include "model/common/portable.h"
 #include "model/design_space/spectral_lines.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -38,7 +38,10 @@ std::string on_grid(const Pattern& pattern, double grid_s) {
         const std::size_t first = std::min(nearest(note.onset_s), steps - 1);
         const std::size_t end = std::clamp(nearest(note.onset_s + note.length_s), first + 1, steps);
         text = with_note(std::move(text), first, end - 1);
-        text[first] = note_mark(note.velocity);
+        text[first] =
+            pattern.rhythm
+                .text[static_cast<std::size_t>(std::llround(note.onset_s / pattern.rhythm.unit_s)) %
+                      pattern.rhythm.text.size()];
     }
     return text;
 }
@@ -84,8 +87,10 @@ Expected<Pattern> normalised(Pattern pattern, double peak_g) {
 
 Expected<Pattern> felt_at(Pattern pattern, double above_threshold_db,
                           const PhysiologyTables& tables) {
-    if (!pattern.frequency_curve.empty()) {
-        return Error{"expected carriers of one frequency each, and no frequency curve"};
+    if (!pattern.frequency_curve.empty() || has_pitches(pattern.rhythm)) {
+        return Error{
+            "expected carriers of one frequency each, without a frequency curve and pitches of "
+            "notes"};
     }
     // Lines are those of what is not drawn: where the curve is highest.
     Pattern strongest = pattern;
@@ -114,7 +119,8 @@ Expected<Pattern> quantised(Pattern pattern, double grid_s) {
                 shortest_digits(pattern.duration_s / static_cast<double>(kMaxRhythmSteps)) +
                 " s, as a rhythm has at most " + grouped_digits(kMaxRhythmSteps) + " steps"};
         }
-        pattern.rhythm = {std::move(text), grid_s};
+        pattern.rhythm.text = std::move(text);
+        pattern.rhythm.unit_s = grid_s;
     }
     for (Transient& one : pattern.transients) {
         const double last_s = std::floor(pattern.duration_s / grid_s) * grid_s;
@@ -128,6 +134,11 @@ Expected<Pattern> transposed(Pattern pattern, double factor) {
     for (FrequencyPoint& point : pattern.frequency_curve) point.frequency_hz *= factor;
     for (Transient& one : pattern.transients) one.frequency_hz *= factor;
     return pattern;
+}
+
+Expected<Pattern> notes_found(const Pattern& pattern) {
+    if (auto found = with_found_notes(pattern)) return *std::move(found);
+    return Error{"expected curves that are flat between jumps, on one grid of 1 ms or more"};
 }
 
 Expected<Pattern> thinned_curves(Pattern pattern, double percent) {

@@ -5,7 +5,7 @@
 
 #include "model/algebra/algebra_parts.h"
 #include "model/algebra/drawn_notes.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -123,10 +123,13 @@ bool join_rhythms(Pattern& first, const Pattern& second) {
     const auto steps = steps_of(first);
     if (!steps) return false;
     const std::string& text = first.rhythm.text;
-    if (text == second.rhythm.text && *steps % text.size() == 0) return true;
+    const bool same = text == second.rhythm.text && first.rhythm.kinds == second.rhythm.kinds;
+    if (same && *steps % text.size() == 0) return true;
     const auto more = static_cast<std::size_t>(std::ceil(second.duration_s / unit_s - 1e-9));
     if (*steps + more > kMaxRhythmSteps) return false;
-    first.rhythm.text = repeated_text(text, *steps) + repeated_text(second.rhythm.text, more);
+    const auto behind = text_with_kinds_of(first.rhythm, second.rhythm);
+    if (!behind) return false;
+    first.rhythm.text = repeated_text(text, *steps) + repeated_text(*behind, more);
     return true;
 }
 

@@ -172,6 +172,7 @@ Expected<LayeredPattern> edited_layers(const LayeredPattern& layered, const Edit
         case EditKind::stretch_curves:
         case EditKind::transpose:
         case EditKind::thin:
+        case EditKind::find_notes:
             return with_each(layered, edit, tables);
         case EditKind::normalise:
             return normalised_layers(layered, edit.number);

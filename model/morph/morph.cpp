@@ -12,6 +12,10 @@ std::optional<std::vector<WarpedNote>> notes_on_the_way(const Pattern& from, con
                         notes(to.rhythm, to.duration_s), to.duration_s);
 }
 
+bool has_same_rhythm(const Pattern& from, const Pattern& to) {
+    return from.rhythm.text == to.rhythm.text && from.rhythm.kinds == to.rhythm.kinds;
+}
+
 void set_tone(Pattern& pattern, const Pattern& from, const Pattern& to, double share) {
     const Pattern& near = share < 0.5 ? from : to;
     const MorphedTone tone =
@@ -22,12 +26,16 @@ void set_tone(Pattern& pattern, const Pattern& from, const Pattern& to, double s
 
 }  // namespace
 
-Morph::Morph(const Pattern& from, const Pattern& to) : from_(from), to_(to) {
-    if (from.rhythm.text != to.rhythm.text) notes_ = notes_on_the_way(from, to);
+Morph::Morph(const Pattern& from, const Pattern& to)
+    : ends_{from, to}, from_(from), to_(to), same_rhythm_(has_same_rhythm(from, to)) {
+    if (same_rhythm_) return;
+    from_ = with_drawn_pitches(from);
+    to_ = with_drawn_pitches(to);
+    notes_ = notes_on_the_way(from, to);
 }
 
 void Morph::set_rhythm(Pattern& pattern, double share) const {
-    if (from_.rhythm.text == to_.rhythm.text) {
+    if (same_rhythm_) {
         pattern.rhythm = from_.rhythm;
         pattern.rhythm.unit_s =
             between(from_.rhythm.unit_s, to_.rhythm.unit_s, share, BlendBy::ratio);
@@ -51,8 +59,8 @@ void Morph::set_rhythm(Pattern& pattern, double share) const {
 }
 
 Pattern Morph::at(double share) const {
-    if (share <= 0.0) return from_;
-    if (share >= 1.0) return to_;
+    if (share <= 0.0) return ends_[0];
+    if (share >= 1.0) return ends_[1];
     Pattern pattern;
     pattern.amplitude_g = between(from_.amplitude_g, to_.amplitude_g, share, BlendBy::ratio);
     pattern.duration_s = between(from_.duration_s, to_.duration_s, share, BlendBy::difference);
@@ -70,7 +78,7 @@ Pattern morphed(const Pattern& from, const Pattern& to, double share) {
 std::vector<std::string> morph_jumps(const Pattern& from, const Pattern& to) {
     std::vector<std::string> jumps;
     if (!tone_between(from, to, 0.5)) jumps.emplace_back("the modulation");
-    if (from.rhythm.text != to.rhythm.text && !notes_on_the_way(from, to)) {
+    if (!has_same_rhythm(from, to) && !notes_on_the_way(from, to)) {
         jumps.emplace_back("the rhythm");
     }
     return jumps;

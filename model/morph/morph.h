@@ -12,6 +12,7 @@
 // Left out  what morph_jumps() names, which changes at half of the way.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +31,10 @@ class Morph {
   private:
     void set_rhythm(Pattern& pattern, double share) const;
 
-    Pattern from_;
+    std::array<Pattern, 2> ends_;
+    Pattern from_;  // with pitches in its frequency curve where the rhythms differ
     Pattern to_;
+    bool same_rhythm_;
     // The notes of both rhythms, where these differ; none where there are too many.
     std::optional<std::vector<WarpedNote>> notes_;
 };

@@ -3,7 +3,7 @@
 
 #include "model/morph/blend.h"
 #include "model/morph/morph_parts.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 
 namespace tact {
 

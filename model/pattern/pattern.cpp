@@ -108,7 +108,65 @@ void clamp_drawn(Pattern& pattern) {
     }
 }
 
+// Points of a curve over time, at most two at one time: of three the first and the last stay.
+void append_frequency(FrequencyCurve& curve, double time_s, double hz) {
+    const FrequencyPoint point{time_s, clamp_to(limits::kCarrierHz, hz)};
+    const std::size_t n = curve.size();
+    if (n > 1 && curve[n - 2].time_s == time_s) {
+        curve.back() = point;
+    } else if (n == 0 || curve.back() != point) {
+        curve.push_back(point);
+    }
+}
+
+// A pitch from a time on.
+struct PitchChange {
+    double time_s;
+    double pitch;
+};
+
+std::vector<PitchChange> pitch_changes(const Pattern& pattern) {
+    std::vector<PitchChange> changes;
+    for (const Note& note : notes(pattern.rhythm, pattern.duration_s)) {
+        if (changes.empty()) {
+            changes.push_back({0.0, note.pitch});
+        } else if (note.pitch != changes.back().pitch) {
+            changes.push_back({note.onset_s, note.pitch});
+        }
+    }
+    return changes;
+}
+
 }  // namespace
+
+FrequencyCurve sounding_frequency(const Pattern& pattern) {
+    const FrequencyCurve& own = pattern.frequency_curve;
+    if (!has_pitches(pattern.rhythm) || pattern.carriers.empty()) return own;
+    const double first_hz = pattern.carriers.front().frequency_hz;
+    const auto behind_hz = [&](double t_s) { return frequency_at(own, t_s).value_or(first_hz); };
+    FrequencyCurve curve;
+    const std::vector<PitchChange> changes = pitch_changes(pattern);
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        const auto [from_s, pitch] = changes[k];
+        const bool is_last = k + 1 == changes.size();
+        const double to_s = is_last ? pattern.duration_s : changes[k + 1].time_s;
+        append_frequency(curve, from_s, pitch * behind_hz(from_s));
+        auto point = std::ranges::upper_bound(own, from_s, {}, &FrequencyPoint::time_s);
+        for (; point != own.end() && point->time_s < to_s; ++point) {
+            append_frequency(curve, point->time_s, pitch * point->frequency_hz);
+        }
+        // Where a jump is, its first point.
+        const bool has_point = point != own.end() && point->time_s == to_s;
+        append_frequency(curve, to_s, pitch * (has_point ? point->frequency_hz : behind_hz(to_s)));
+    }
+    return curve;
+}
+
+Pattern with_drawn_pitches(Pattern pattern) {
+    pattern.frequency_curve = sounding_frequency(pattern);
+    for (auto& [mark, kind] : pattern.rhythm.kinds) kind.pitch = 1.0;
+    return pattern;
+}
 
 Pattern clamped(Pattern pattern) {
     pattern.amplitude_g = clamp_to(limits::kAmplitudeG, pattern.amplitude_g);
@@ -125,6 +183,9 @@ Pattern clamped(Pattern pattern) {
         clamp_to(limits::kModulationHz, pattern.modulation.frequency_hz);
     pattern.modulation.depth = clamp_to(limits::kDepth, pattern.modulation.depth);
     pattern.rhythm.unit_s = clamp_to(limits::kRhythmUnitS, pattern.rhythm.unit_s);
+    for (auto& [mark, kind] : pattern.rhythm.kinds) {
+        kind = {clamp_to(limits::kVelocity, kind.velocity), clamp_to(limits::kPitch, kind.pitch)};
+    }
     pattern.attack_s = clamp_to(limits::kRampS, pattern.attack_s);
     pattern.release_s = clamp_to(limits::kRampS, pattern.release_s);
     clamp_drawn(pattern);
@@ -161,7 +222,9 @@ double amplitude_factor(const Pattern& pattern, double t_s) {
 
 double first_carrier_hz(const Pattern& pattern, double t_s) {
     const double own_hz = pattern.carriers.empty() ? 0.0 : pattern.carriers.front().frequency_hz;
-    return frequency_at(pattern.frequency_curve, t_s).value_or(own_hz);
+    const double hz = frequency_at(pattern.frequency_curve, t_s).value_or(own_hz);
+    if (!has_pitches(pattern.rhythm)) return hz;
+    return clamp_to(limits::kCarrierHz, hz * pitch_at(pattern.rhythm, t_s));
 }
 
 double envelope_g(const Pattern& pattern, double t_s) {
@@ -186,7 +249,7 @@ Waveform render(const Pattern& pattern, double rate_hz) {
 Waveform render_carriers(const Pattern& pattern, double rate_hz) {
     Waveform waveform{rate_hz,
                       rhythm_gate(pattern, rate_hz, sample_count(pattern.duration_s, rate_hz))};
-    const Sweep sweep = sweep_of(pattern.frequency_curve);
+    const Sweep sweep = sweep_of(sounding_frequency(pattern));
     const bool swept = !sweep.curve.empty() && !pattern.carriers.empty();
     for (std::size_t n = 0; n < waveform.samples_g.size(); ++n) {
         const double t_s = static_cast<double>(n) / rate_hz;

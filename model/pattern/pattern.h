@@ -5,7 +5,8 @@
 // Carriers as the frequency curve drives them, times modulation e(t), rhythm gate with linear ramps
 // r(t) and amplitude curve a(t), plus transients b_k in the phase of model/pattern/accents.h, or
 // each at phase 0 where the pattern says that they are added. F(t) is the integral of the frequency
-// curve, which is the first carrier's; f_1 t without one. Read literally, Eq. 7's e(t) = sin(2 pi
+// curve, which is the first carrier's, times the pitch of the last note that began; f_1 t without
+// curve and pitches. Read literally, Eq. 7's e(t) = sin(2 pi
 // f_e t) is silent for f_e = 0; there the factor is 1.
 //
 // Source    Lim & Park 2023, Eq. 7, generalised.
@@ -13,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "model/common/range.h"
@@ -99,6 +101,19 @@ bool is_drawn(const Pattern& pattern);
 double amplitude_factor(const Pattern& pattern, double t_s);
 double first_carrier_hz(const Pattern& pattern, double t_s);
 double envelope_g(const Pattern& pattern, double t_s);
+
+// The first carrier's frequency over time: the frequency curve times the pitches of the notes, each
+// point within the limits of a carrier. Empty where neither is there.
+FrequencyCurve sounding_frequency(const Pattern& pattern);
+
+// The same vibration with its pitches in the frequency curve.
+Pattern with_drawn_pitches(Pattern pattern);
+
+// The same vibration with its curves as notes: where they are flat between jumps that lie on one
+// grid of 1 ms or more. None elsewhere, where there are notes already, for one note throughout, and
+// for more kinds of notes than there are letters. Where the frequency goes between two notes, what
+// sounds next begins at another phase.
+std::optional<Pattern> with_found_notes(const Pattern& pattern);
 
 // Samples x[n] = x(n / rate_hz), n = 0 .. round(duration_s rate_hz) - 1. A carrier that its ratio
 // to the first one takes above half the rate is silent there.

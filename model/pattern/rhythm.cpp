@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "model/common/portable.h"
 #include "model/text/numbers.h"
@@ -15,6 +16,54 @@ char note_mark(double velocity) {
     return ninths >= 9.0 ? 'x' : static_cast<char>('0' + static_cast<int>(std::max(ninths, 1.0)));
 }
 
+NoteKind kind_of(const Rhythm& rhythm, char mark) {
+    if (mark >= '1' && mark <= '9') return {(mark - '0') / 9.0, 1.0};
+    const auto own = rhythm.kinds.find(mark);
+    return own == rhythm.kinds.end() ? NoteKind{} : own->second;
+}
+
+std::optional<char> mark_for(Rhythm& rhythm, const NoteKind& kind) {
+    for (const char mark : std::string_view("x12345678")) {
+        if (kind_of(rhythm, mark) == kind) return mark;
+    }
+    for (const auto& [mark, own] : rhythm.kinds) {
+        if (own == kind) return mark;
+    }
+    for (char mark = 'A'; mark <= 'Z'; ++mark) {
+        if (rhythm.text.find(mark) != std::string::npos) continue;
+        rhythm.kinds[mark] = kind;
+        return mark;
+    }
+    return std::nullopt;
+}
+
+bool has_pitches(const Rhythm& rhythm) {
+    return std::ranges::any_of(rhythm.kinds, [&rhythm](const auto& kind) {
+        return kind.second.pitch != 1.0 && rhythm.text.find(kind.first) != std::string::npos;
+    });
+}
+
+std::optional<std::string> text_with_kinds_of(Rhythm& rhythm, const Rhythm& other) {
+    std::string text;
+    std::map<char, char> here;  // by the other's letter
+    Rhythm both = rhythm;
+    for (const char mark : other.text) {
+        if (!is_letter(mark)) {
+            text += mark;
+            continue;
+        }
+        if (!here.contains(mark)) {
+            const auto own = mark_for(both, kind_of(other, mark));
+            if (!own) return std::nullopt;
+            both.text += *own;  // in use from now on
+            here[mark] = *own;
+        }
+        text += here[mark];
+    }
+    rhythm.kinds = std::move(both.kinds);
+    return text;
+}
+
 std::string rhythm_fault(std::string_view text) {
     if (text.size() > kMaxRhythmSteps) {
         return "it has " + grouped_digits(text.size()) + " steps, expected at most " +
@@ -24,7 +73,7 @@ std::string rhythm_fault(std::string_view text) {
         const char mark = text[step];
         const auto where = [step] { return "step " + std::to_string(step + 1); };
         if (!starts_note(mark) && mark != '=' && mark != '-') {
-            return where() + " is not one of x, 1 to 9, = and -";
+            return where() + " is not one of x, 1 to 9, A to Z, = and -";
         }
         const bool holds_a_note = step > 0 && text[step - 1] != '-';
         if (mark == '=' && !holds_a_note) return where() + " is =, which must follow x or =";
@@ -46,7 +95,10 @@ std::vector<Note> notes(const Rhythm& rhythm, double duration_s) {
         if (onset_s >= duration_s) break;
         const char mark = rhythm.text[step % rhythm.text.size()];
         if (mark == '-') continue;
-        if (mark != '=') result.push_back({onset_s, 0.0, velocity_of(mark)});
+        if (mark != '=') {
+            const NoteKind kind = kind_of(rhythm, mark);
+            result.push_back({onset_s, 0.0, kind.velocity, kind.pitch});
+        }
         const double end_s = static_cast<double>(step + 1) * rhythm.unit_s;
         result.back().length_s = std::min(end_s, duration_s) - result.back().onset_s;
     }
@@ -69,8 +121,21 @@ std::optional<Note> note_at(const Rhythm& rhythm, double duration_s, double t_s)
     while (mark(first) == '=') --first;  // no text begins with =
     std::size_t end = step + 1;
     while (mark(end) == '=') ++end;
-    return Note{start_s(first), std::min(start_s(end), duration_s) - start_s(first),
-                velocity_of(mark(first))};
+    const NoteKind kind = kind_of(rhythm, mark(first));
+    return Note{start_s(first), std::min(start_s(end), duration_s) - start_s(first), kind.velocity,
+                kind.pitch};
+}
+
+double pitch_at(const Rhythm& rhythm, double t_s) {
+    const std::string& text = rhythm.text;
+    const auto first = std::ranges::find_if(text, starts_note);
+    if (first == text.end()) return 1.0;
+    constexpr double kRounding = 1e-9;  // of a step: an onset is the product of two numbers
+    auto step = static_cast<std::size_t>(std::max(0.0, t_s / rhythm.unit_s + kRounding));
+    const auto before_any = static_cast<std::size_t>(first - text.begin());
+    step = std::max(step, before_any);
+    while (!starts_note(text[step % text.size()])) --step;
+    return kind_of(rhythm, text[step % text.size()]).pitch;
 }
 
 std::vector<std::size_t> onsets(std::string_view text) {

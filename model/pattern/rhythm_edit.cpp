@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "model/pattern/pattern.h"
 
@@ -44,9 +45,24 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
     return text;
 }
 
-double tempo_bpm(double unit_s) { return 60.0 / (kStepsABeat * unit_s); }
+double tempo_bpm(double unit_s, int steps_a_beat) { return 60.0 / (steps_a_beat * unit_s); }
 
-double unit_at_tempo(double bpm) { return 60.0 / (kStepsABeat * bpm); }
+double unit_at_tempo(double bpm, int steps_a_beat) { return 60.0 / (steps_a_beat * bpm); }
+
+std::size_t steps_a_bar(const Meter& meter) {
+    return static_cast<std::size_t>(meter.steps_a_beat) *
+           static_cast<std::size_t>(meter.beats_a_bar);
+}
+
+Meter with_step(Meter meter, double from_s, double to_s) {
+    const double steps = meter.steps_a_beat * from_s / to_s;
+    const double nearest = std::round(steps);
+    const bool is_whole = std::abs(steps - nearest) <= 1e-9 * nearest;
+    if (is_whole && limits::kStepsABeat.contains(nearest)) {
+        meter.steps_a_beat = static_cast<int>(nearest);
+    }
+    return meter;
+}
 
 double length_s(const Rhythm& rhythm) {
     return static_cast<double>(rhythm.text.size()) * rhythm.unit_s;
@@ -58,7 +74,7 @@ Rhythm refined(const Rhythm& rhythm, std::size_t by) {
     if (rhythm.text.size() * by > kMaxRhythmSteps || unit_s < limits::kRhythmUnitS.low) {
         return rhythm;
     }
-    Rhythm fine{{}, unit_s};
+    Rhythm fine{{}, unit_s, rhythm.kinds, rhythm.meter};
     for (const char mark : rhythm.text) {
         fine.text += mark;
         fine.text.append(by - 1, mark == '-' ? '-' : '=');
@@ -68,7 +84,7 @@ Rhythm refined(const Rhythm& rhythm, std::size_t by) {
 
 Rhythm coarsened(const Rhythm& rhythm, std::size_t by) {
     for (; by > 1; --by) {
-        Rhythm coarse{{}, rhythm.unit_s * static_cast<double>(by)};
+        Rhythm coarse{{}, rhythm.unit_s * static_cast<double>(by), rhythm.kinds, rhythm.meter};
         for (std::size_t step = 0; step < rhythm.text.size(); step += by) {
             coarse.text += rhythm.text[step];
         }

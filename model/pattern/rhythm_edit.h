@@ -34,11 +34,15 @@ std::string with_note_moved(std::string text, std::size_t k, NotePart part, std:
 // The text with rests for its k-th note. Asserts that there is such a note.
 std::string without_note(std::string text, std::size_t k);
 
-inline constexpr int kStepsABeat = 4;
+// Beats a minute; and the step at a tempo.
+double tempo_bpm(double unit_s, int steps_a_beat);
+double unit_at_tempo(double bpm, int steps_a_beat);
 
-// Quarter notes a minute where a step is a sixteenth; and the step at a tempo.
-double tempo_bpm(double unit_s);
-double unit_at_tempo(double bpm);
+// Steps of a bar; 0: it has none.
+std::size_t steps_a_bar(const Meter& meter);
+
+// The meter for steps of another length: a beat lasts as long where that is a whole number of them.
+Meter with_step(Meter meter, double from_s, double to_s);
 
 // How long the text lasts once; 0 s where it is empty.
 double length_s(const Rhythm& rhythm);

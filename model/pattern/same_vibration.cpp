@@ -147,7 +147,7 @@ std::uint64_t digest_of(std::span<const double> numbers) {
 std::vector<double> essence(const Pattern& pattern) {
     std::vector<double> numbers{
         static_cast<double>(sample_count(pattern.duration_s, kModelRateHz))};
-    add_carriers(numbers, plainly(pattern));
+    add_carriers(numbers, plainly(with_drawn_pitches(pattern)));
     add_transients(numbers, pattern);
     return numbers;
 }

@@ -169,6 +169,18 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.press('n', false);
                        p.press('a', true);
                    }});
+    all.push_back({"editor, pitches and bars", [](Program& p) {
+                       draw_in_strip(p, StripTool::notes);
+                       edit_patterns(p.app.work, [](Pattern& pattern) {
+                           pattern.rhythm = {"A=B-C==-",
+                                             pattern.duration_s / 16.0,
+                                             {{'A', {0.6, 0.6}}, {'C', {0.85, 1.5}}},
+                                             {2, 4}};
+                       });
+                       commit_step(p.app.ui, p.app.work, "rhythm");
+                       p.settle();
+                       p.press('n', false);
+                   }});
     all.push_back({"editor, layers", [](Program& p) { draw_layers(p); }});
     all.push_back({"editor, layers as there is room", [](Program& p) {
                        draw_layers(p);

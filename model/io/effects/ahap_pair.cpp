@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 
 namespace tact {
 

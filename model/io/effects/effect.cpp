@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {

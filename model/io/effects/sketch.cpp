@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/io/effects/voices.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/pattern/drawn_fault.h"
 #include "model/text/numbers.h"
 

@@ -18,7 +18,7 @@
 #include "model/io/effects_out/knots.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/io/effects/sketch.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -6,7 +6,7 @@
 #include "model/common/portable.h"
 #include "model/io/effects/effect.h"
 #include "model/io/effects_out/felt_error.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 
 namespace tact {

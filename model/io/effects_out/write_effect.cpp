@@ -46,8 +46,8 @@ bool is_sampled(TargetFormat format) {
     return format == TargetFormat::wav || format == TargetFormat::csv;
 }
 
-WrittenEffect write_effect(TargetFormat format, const Pattern& pattern,
-                           const EffectTarget& target) {
+WrittenEffect write_effect(TargetFormat format, const Pattern& own, const EffectTarget& target) {
+    const Pattern pattern = with_drawn_pitches(own);
     switch (format) {
         case TargetFormat::haptic:
             return write_haptic(pattern, target);

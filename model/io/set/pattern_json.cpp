@@ -1,9 +1,13 @@
 #include <array>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/set_json.h"
 #include "model/pattern/drawn_fault.h"
+#include "model/pattern/rhythm_edit.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -11,6 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 2> kTransientShapes{"sine", "square"};
 constexpr std::array<const char*, 2> kAccents{"joined", "added"};
+constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 Carrier carrier_of(JsonObject& object) {
     Carrier carrier;
@@ -39,6 +44,47 @@ Modulation modulation_of(JsonObject& object, Json& unknown) {
     return modulation;
 }
 
+// The kinds of notes by their letters: {"A": {"velocity": 0.37, "pitch": 1.5}}.
+std::map<char, NoteKind> kinds_of(JsonObject& rhythm, Json& unknown) {
+    JsonObject fields = object_field(rhythm, "notes");
+    std::map<char, NoteKind> kinds;
+    Json of_kinds = Json::object();
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+        const std::string key(1, letter);
+        if (fields.value == nullptr || !fields.value->contains(key)) continue;
+        JsonObject one = object_field(fields, kLetters.substr(letter - 'A', 1));
+        NoteKind& kind = kinds[letter];
+        kind.velocity = number_field(one, "velocity", kind.velocity, limits::kVelocity);
+        kind.pitch = number_field(one, "pitch", kind.pitch, limits::kPitch);
+        note_unknown(of_kinds, key, unknown_fields(one));
+    }
+    of_kinds.update(unknown_fields(fields));
+    note_unknown(unknown, "notes", of_kinds);
+    return kinds;
+}
+
+// The length of a step, or of a beat by its tempo; of both, the first where they agree.
+void read_tempo(JsonObject& fields, Rhythm& rhythm) {
+    Meter& meter = rhythm.meter;
+    meter.steps_a_beat =
+        whole_field(fields, "steps_a_beat", meter.steps_a_beat, limits::kStepsABeat);
+    meter.beats_a_bar = whole_field(fields, "beats_a_bar", meter.beats_a_bar, limits::kBeatsABar);
+    const bool has_unit = field(fields, "unit_s") != nullptr;
+    rhythm.unit_s = number_field(fields, "unit_s", rhythm.unit_s, limits::kRhythmUnitS);
+    if (field(fields, "bpm") == nullptr) return;
+    const auto tempo = [&meter](double unit_s) { return tempo_bpm(unit_s, meter.steps_a_beat); };
+    const double own_bpm = tempo(rhythm.unit_s);
+    const Range allowed{tempo(limits::kRhythmUnitS.high), tempo(limits::kRhythmUnitS.low)};
+    const double bpm = number_field(fields, "bpm", own_bpm, allowed);
+    if (!has_unit) {
+        rhythm.unit_s = unit_at_tempo(bpm, meter.steps_a_beat);
+    } else if (std::abs(bpm - own_bpm) > 1e-9 * own_bpm) {
+        refuse(*fields.reading, place_of(fields, "bpm"),
+               "either unit_s or bpm, or the " + shortest_digits(own_bpm) + " that unit_s makes",
+               bpm);
+    }
+}
+
 Rhythm rhythm_of(JsonObject& object, Json& unknown) {
     JsonObject fields = object_field(object, "rhythm");
     Rhythm rhythm;
@@ -47,8 +93,11 @@ Rhythm rhythm_of(JsonObject& object, Json& unknown) {
         refuse(*object.reading, place_of(fields, "text"), "a rhythm (" + fault + ")", rhythm.text);
         rhythm.text.clear();
     }
-    rhythm.unit_s = number_field(fields, "unit_s", rhythm.unit_s, limits::kRhythmUnitS);
-    note_unknown(unknown, "rhythm", unknown_fields(fields));
+    Json of_rhythm = Json::object();
+    rhythm.kinds = kinds_of(fields, of_rhythm);
+    read_tempo(fields, rhythm);
+    of_rhythm.update(unknown_fields(fields));
+    note_unknown(unknown, "rhythm", of_rhythm);
     return rhythm;
 }
 
@@ -113,6 +162,22 @@ void put_drawn(Json& fields, const Pattern& pattern) {
     }
 }
 
+Json json_of(const Rhythm& rhythm) {
+    Json fields{{"text", rhythm.text}, {"unit_s", rhythm.unit_s}};
+    const Meter defaults;
+    if (rhythm.meter.steps_a_beat != defaults.steps_a_beat) {
+        fields["steps_a_beat"] = rhythm.meter.steps_a_beat;
+    }
+    if (rhythm.meter.beats_a_bar != 0) fields["beats_a_bar"] = rhythm.meter.beats_a_bar;
+    for (const auto& [letter, kind] : rhythm.kinds) {
+        Json& one = fields["notes"][std::string(1, letter)];
+        one = Json::object();
+        if (kind.velocity != 1.0) one["velocity"] = kind.velocity;
+        if (kind.pitch != 1.0) one["pitch"] = kind.pitch;
+    }
+    return fields;
+}
+
 }  // namespace
 
 Pattern pattern_of(JsonObject& object, double set_duration_s, Json& unknown) {
@@ -155,7 +220,7 @@ Json json_of(const Pattern& pattern, double set_duration_s) {
         if (pattern.modulation.depth != 1.0) modulation["depth"] = pattern.modulation.depth;
     }
     if (pattern.rhythm != defaults.rhythm) {
-        fields["rhythm"] = {{"text", pattern.rhythm.text}, {"unit_s", pattern.rhythm.unit_s}};
+        fields["rhythm"] = json_of(pattern.rhythm);
     }
     if (pattern.attack_s != 0.0) fields["attack_s"] = pattern.attack_s;
     if (pattern.release_s != 0.0) fields["release_s"] = pattern.release_s;

@@ -44,6 +44,31 @@ TEST_CASE("rhythm: steps behind the end are told, and one press lengthens the pa
     stop_jobs(program.app);
 }
 
+TEST_CASE("rhythm: a letter has its strength and pitch below, and beats and bars are numbers") {
+    Program program(short_patterns(2));
+    program.resize({1600.0F, 1600.0F}, 1.0F);
+    give_rhythm(program, "A-x-", 0.125);
+    const auto type = [&](const char* entry, const char* text) {
+        program.click(std::string("entry:") + entry);
+        program.type(text);
+        program.press_key(key::kEnter);
+        program.settle();
+    };
+    type("kind_strength_A", "40");
+    type("kind_pitch_A", "2");
+    CHECK(kind_of(shown(program).rhythm, 'A') == NoteKind{0.4, 2.0});
+    CHECK(!program.shows("entry:kind_pitch_B"));
+    type("steps_a_beat", "2");
+    type("beats_a_bar", "3");
+    CHECK(shown(program).rhythm.meter == Meter{2, 3});
+    CHECK(shown(program).rhythm.unit_s == 0.125);  // counted otherwise, no longer
+    type("tempo_bpm", "120");
+    CHECK(shown(program).rhythm.unit_s == 0.25);
+    undo(program.app.ui, program.app.work);
+    CHECK(shown(program).rhythm.unit_s == 0.125);
+    stop_jobs(program.app);
+}
+
 TEST_CASE("rhythm: dragged up or down, a step's note is weaker or as strong as it can be") {
     Program program(short_patterns(2));
     give_rhythm(program, "x-x=x---", 0.125);

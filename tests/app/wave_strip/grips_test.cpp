@@ -166,8 +166,8 @@ TEST_CASE("grips: a note of a repetition moves those of all, and Alt frees it to
             .rhythm;
     };
     CHECK(after(0.99, false) == Rhythm{"x=", 0.25});
-    CHECK(after(0.875, true) == Rhythm{"x==-", 0.125});
-    CHECK(after(0.82, true) == Rhythm{"x====---", 0.0625});
+    CHECK(after(0.875, true) == Rhythm{"x==-", 0.125, {}, {8, 0}});
+    CHECK(after(0.82, true) == Rhythm{"x====---", 0.0625, {}, {16, 0}});
     CHECK(after(0.76, true) == Rhythm{"x-", 0.25});
 }
 

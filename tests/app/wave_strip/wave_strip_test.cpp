@@ -405,6 +405,19 @@ TEST_CASE("wave strip: notes are chosen by keys, and one more by Shift and a cli
     strip.type("130");
     strip.press_key(key::kEnter);
     CHECK(strip.rhythm() == "x=--x=--");
+    // A strength between two ninths, and a pitch, are a kind of its own.
+    strip.click("entry:chosen_strength");
+    strip.type("37");
+    strip.press_key(key::kEnter);
+    CHECK(strip.rhythm() == "x=--A=--");
+    strip.click("entry:chosen_pitch");
+    strip.type("1.5");
+    strip.press_key(key::kEnter);
+    CHECK(strip.rhythm() == "x=--A=--");
+    const Pattern& pattern = *shown_pattern(strip.app.work);
+    CHECK(kind_of(pattern.rhythm, 'A').velocity == doctest::Approx(0.37));
+    CHECK(kind_of(pattern.rhythm, 'A').pitch == doctest::Approx(1.5));
+    CHECK(pattern.rhythm.kinds.size() == 1);
 }
 
 TEST_CASE("wave strip: its time is the one of all views, moved, fitted and begun again") {

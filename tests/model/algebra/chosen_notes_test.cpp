@@ -37,6 +37,31 @@ TEST_CASE("chosen notes: a box has the notes that sound in it, and a copy has it
     CHECK(with_toggled(bar, chosen, 0).span == NoteSteps{4, 4});
 }
 
+TEST_CASE(
+    "chosen notes: strength by a difference, pitch by a factor, and a kind follows its note") {
+    const Pattern bar = of_steps("x=--5-x-", 8);
+    const ChosenNotes two = with_toggled(bar, with_toggled(bar, {}, 0), 4);
+    const auto high = with_notes_changed(bar, two, 0.0, 1.5);
+    REQUIRE(high);
+    CHECK(text_of(high) == "A=--B-x-");
+    CHECK(kind_of(high->pattern.rhythm, 'A') == NoteKind{1.0, 1.5});
+    CHECK(kind_of(high->pattern.rhythm, 'B') == NoteKind{5.0 / 9.0, 1.5});
+    const auto back = with_notes_changed(high->pattern, high->chosen, 0.0, 1.0 / 1.5);
+    CHECK(back->pattern == bar);
+    const auto weak = with_notes_changed(bar, two, -0.1, 1.0);
+    CHECK(kind_of(weak->pattern.rhythm, text_of(weak)[0]).velocity == doctest::Approx(0.9));
+    // By ninths, a note keeps its pitch.
+    const auto weaker = with_notes_stronger(high->pattern, two, -2);
+    CHECK(kind_of(weaker->pattern.rhythm, text_of(weaker)[0]) == NoteKind{7.0 / 9.0, 1.5});
+    const auto moved = with_notes_moved(high->pattern, high->chosen, 1);
+    CHECK(text_of(moved) == "-A=--Bx-");
+    // Again and again, as a slider does, it takes no more letters than it needs.
+    NotesEdit edit = *high;
+    for (int k = 0; k < 100; ++k)
+        edit = *with_notes_changed(edit.pattern, edit.chosen, -0.001, 1.0);
+    CHECK(edit.pattern.rhythm.kinds.size() == 2);
+}
+
 TEST_CASE("chosen notes: a bar four times is four bars long, each as the first") {
     const Pattern bar = of_steps("x=--5---", 8);
     const auto four = with_notes_repeated(bar, notes_within(bar, {0, 7}), 4);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "model/export/exported_set.h"
 #include "model/io/set/set_file.h"
+#include "model/pattern/rhythm_edit.h"
 
 namespace notes_kept_test {
 
@@ -113,6 +115,58 @@ TEST_CASE("notes: every note and every gap is in each file that can hold it" *
             CHECK(is_whole != says_thinned(made));
             if (!is_limited(target.format) || notes < 126) CHECK(is_whole);
             if (is_limited(target.format) && notes == 2000) CHECK_FALSE(is_whole);
+        }
+    }
+}
+
+TEST_CASE(
+    "notes: AHAP and HJIF give back the notes of random rhythms, with strengths and pitches") {
+    std::mt19937 random(11);
+    for (int round = 0; round < 60; ++round) {
+        Pattern pattern;
+        pattern.amplitude_g = 0.4;
+        pattern.carriers.front().frequency_hz = 120.0;
+        pattern.rhythm.unit_s = 0.005 * static_cast<double>(2 + random() % 20);
+        pattern.rhythm.kinds = {{'A', {0.5, 1.0}}, {'B', {1.0, 1.5}}, {'C', {0.8, 0.75}}};
+        std::string& text = pattern.rhythm.text;
+        text = "x";
+        while (text.size() < 24) {
+            const char mark = "x5ABC-=="[random() % 8];
+            text += mark == '=' && text.back() == '-' ? '-' : mark;
+        }
+        text.back() = '-';
+        pattern.duration_s = length_s(pattern.rhythm);
+        const std::vector<Note> meant = notes(pattern.rhythm, pattern.duration_s);
+        for (const TargetFormat format : {TargetFormat::ahap, TargetFormat::hjif}) {
+            CAPTURE(text);
+            CAPTURE(std::string(traits(format).key));
+            const ExportedPattern made = exported(pattern, "rhythm", own_target(format));
+            const auto found = with_found_notes(std::get<Pattern>(made.back));
+            REQUIRE(found);
+            std::vector<Note> got = notes(found->rhythm, found->duration_s);
+            // Neighbours of one strength and pitch are one note there.
+            std::vector<Note> joined;
+            for (const Note& note : meant) {
+                const bool touches =
+                    !joined.empty() && joined.back().velocity == note.velocity &&
+                    joined.back().pitch == note.pitch &&
+                    std::abs(joined.back().onset_s + joined.back().length_s - note.onset_s) < 1e-9;
+                if (touches) {
+                    joined.back().length_s += note.length_s;
+                } else {
+                    joined.push_back(note);
+                }
+            }
+            REQUIRE(got.size() == joined.size());
+            for (std::size_t k = 0; k < got.size(); ++k) {
+                CHECK(std::abs(got[k].onset_s - joined[k].onset_s) < 1e-9);
+                CHECK(std::abs(got[k].length_s - joined[k].length_s) < 1e-9);
+                CHECK(std::abs(got[k].velocity * found->amplitude_g -
+                               joined[k].velocity * pattern.amplitude_g) <
+                      0.01 * joined[k].velocity * pattern.amplitude_g);
+                CHECK(std::abs(got[k].pitch * found->carriers[0].frequency_hz -
+                               joined[k].pitch * 120.0) < 0.01 * joined[k].pitch * 120.0);
+            }
         }
     }
 }

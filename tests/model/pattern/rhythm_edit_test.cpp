@@ -37,8 +37,16 @@ TEST_CASE("rhythm edit: a note stops at its neighbours and at the ends, and keep
 }
 
 TEST_CASE("rhythm edit: a note that is taken away leaves rests") {
-    CHECK(tempo_bpm(0.125) == 120.0);
-    CHECK(unit_at_tempo(120.0) == 0.125);
+    CHECK(tempo_bpm(0.125, 4) == 120.0);
+    CHECK(unit_at_tempo(120.0, 4) == 0.125);
+    CHECK(tempo_bpm(0.125, 2) == 240.0);
+    CHECK(steps_a_bar({3, 4}) == 12);
+    CHECK(steps_a_bar({}) == 0);
+    CHECK(with_step({4, 3}, 0.125, 0.0625) == Meter{8, 3});
+    CHECK(with_step({4, 0}, 0.125, 0.25) == Meter{2, 0});
+    CHECK(with_step({4, 0}, 0.125, 0.1) == Meter{5, 0});
+    CHECK(with_step({4, 0}, 0.125, 0.11) == Meter{4, 0});         // no whole number of steps
+    CHECK(with_step({8, 0}, 0.125, 0.125 / 4.0) == Meter{8, 0});  // more than a beat may have
     // A note keeps its strength wherever it goes.
     CHECK(with_note_moved("-4=-x---", 0, NotePart::whole, 1) == "--4=x---");
     CHECK(with_note_moved("-4=-x---", 0, NotePart::start, -1) == "4==-x---");

@@ -1,6 +1,7 @@
 #include "model/pattern/rhythm.h"
 
 #include "model/pattern/pattern.h"
+#include "model/pattern/same_vibration.h"
 #include "tests/support/golden.h"
 
 namespace rhythm_test {
@@ -26,7 +27,7 @@ TEST_CASE("rhythm: all rests are no notes") { CHECK(notes({"----", 0.1}, 1.0).em
 TEST_CASE("rhythm: text that is none is named with the step at fault") {
     CHECK(rhythm_fault("x=x---x-").empty());
     CHECK(rhythm_fault("").empty());
-    CHECK(rhythm_fault("xqx") == "step 2 is not one of x, 1 to 9, = and -");
+    CHECK(rhythm_fault("xqx") == "step 2 is not one of x, 1 to 9, A to Z, = and -");
     CHECK(rhythm_fault("=x") == "step 1 is =, which must follow x or =");
     CHECK(rhythm_fault("x-=") == "step 3 is =, which must follow x or =");
     CHECK(rhythm_fault(std::string(20'000, 'x')).empty());
@@ -39,13 +40,15 @@ TEST_CASE("rhythm: a digit starts a note of so many ninths, and nothing else dif
                                                             {0.4, 6 * 0.1 - 0.4, 5.0 / 9.0},
                                                             {6 * 0.1, 0.7 - 6 * 0.1, 1.0 / 9.0}});
     CHECK(rhythm_fault("5=-1").empty());
-    CHECK(rhythm_fault("x0") == "step 2 is not one of x, 1 to 9, = and -");
+    CHECK(rhythm_fault("x0") == "step 2 is not one of x, 1 to 9, A to Z, = and -");
     CHECK(note_at({"3=x", 0.1}, 0.3, 0.15)->velocity == 3.0 / 9.0);
     CHECK(onsets("3=x-9") == std::vector<std::size_t>{0, 2, 4});
     CHECK(evenness("3--9--x-") == evenness("x--x--x-"));
     CHECK(with_note("3---", 0, 2) == "3==-");
-    for (const char mark : std::string("12345678x")) CHECK(note_mark(velocity_of(mark)) == mark);
-    CHECK(note_mark(velocity_of('9')) == 'x');
+    for (const char mark : std::string("12345678x")) {
+        CHECK(note_mark(kind_of({}, mark).velocity) == mark);
+    }
+    CHECK(note_mark(kind_of({}, '9').velocity) == 'x');
     CHECK(note_mark(0.0) == '1');
     // A note is so much weaker, sample by sample, with its ramps; the whole strength is the same
     // bits.
@@ -65,12 +68,16 @@ TEST_CASE("rhythm: a digit starts a note of so many ninths, and nothing else dif
     CHECK(envelope_g(pattern, 0.1) == doctest::Approx(4.0 / 9.0));
 }
 
-TEST_CASE("rhythm: notes of several strengths are the samples of an independent rendering") {
+TEST_CASE(
+    "rhythm: notes of several strengths and pitches are the samples of an independent rendering") {
     for (const golden::Json& row : golden::read("notes.json", "notes")) {
         CAPTURE(row.at("rhythm").dump());
         Pattern pattern;
         pattern.carriers = {{150.0, 1.0, 0.0}, {220.0, 0.5, 0.0}};
         pattern.rhythm = {row.at("rhythm"), row.at("unit_s")};
+        for (const auto& [letter, kind] : row.at("kinds").items()) {
+            pattern.rhythm.kinds[letter[0]] = {kind[0], kind[1]};
+        }
         pattern.attack_s = row.at("attack_s");
         pattern.release_s = row.at("release_s");
         pattern.duration_s = row.at("duration_s");
@@ -84,6 +91,70 @@ TEST_CASE("rhythm: notes of several strengths are the samples of an independent 
             CHECK(std::abs(samples[61 * k] - expected[k]) < 1e-9);
         }
     }
+}
+
+TEST_CASE("rhythm: a letter is a note of its kind, and without one the whole note") {
+    const Rhythm rhythm{"A=B-", 0.1, {{'A', {0.37, 1.5}}}};
+    const std::vector<Note> all = notes(rhythm, 0.8);
+    REQUIRE(all.size() == 4);
+    CHECK(all[0] == Note{0.0, 0.2, 0.37, 1.5});
+    CHECK(all[1].velocity == 1.0);
+    CHECK(all[1].pitch == 1.0);
+    CHECK(all[2].pitch == 1.5);  // as the text repeats
+    CHECK(note_at(rhythm, 0.8, 0.15) == all[0]);
+    CHECK(pitch_at(rhythm, 0.15) == 1.5);
+    CHECK(pitch_at(rhythm, 0.39) == 1.0);
+    CHECK(pitch_at({"--A-", 0.1, rhythm.kinds}, 0.0) == 1.5);
+    CHECK(has_pitches(rhythm));
+    CHECK_FALSE(has_pitches({"x=5-", 0.1, rhythm.kinds}));
+}
+
+TEST_CASE("rhythm: a mark is a digit where that is exact, a known kind, or the first free letter") {
+    Rhythm rhythm{"xA--", 0.1, {{'A', {0.37, 1.0}}}};
+    CHECK(mark_for(rhythm, {4.0 / 9.0, 1.0}) == '4');
+    CHECK(mark_for(rhythm, {0.37, 1.0}) == 'A');
+    CHECK(mark_for(rhythm, {0.37, 2.0}) == 'B');
+    CHECK(kind_of(rhythm, 'B') == NoteKind{0.37, 2.0});
+    rhythm.text = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    CHECK_FALSE(mark_for(rhythm, {0.123, 1.0}));
+}
+
+TEST_CASE("rhythm: another rhythm's letters mean in this one what they mean there") {
+    Rhythm rhythm{"A-", 0.1, {{'A', {0.5, 1.0}}}};
+    const Rhythm other{"AB=A", 0.1, {{'A', {1.0, 2.0}}, {'B', {0.5, 1.0}}}};
+    const auto text = text_with_kinds_of(rhythm, other);
+    REQUIRE(text);
+    CHECK(*text == "BA=B");
+    for (std::size_t k = 0; k < text->size(); ++k) {
+        if (!starts_note((*text)[k])) continue;
+        CHECK(kind_of(rhythm, (*text)[k]) == kind_of(other, other.text[k]));
+    }
+    CHECK(kind_of(rhythm, 'A') == NoteKind{0.5, 1.0});
+}
+
+TEST_CASE("rhythm: pitches in the frequency curve are the same vibration") {
+    Pattern pattern;
+    pattern.carriers = {{120.0, 1.0, 0.3}, {200.0, 0.5, 0.0}};
+    pattern.rhythm = {"A=B-xA--", 0.07, {{'A', {0.6, 1.7}}, {'B', {1.0, 0.4}}}};
+    pattern.release_s = 0.01;
+    for (const bool drawn : {false, true}) {
+        if (drawn)
+            pattern.frequency_curve = {{0.1, 100.0}, {0.28, 240.0}, {0.28, 80.0}, {0.9, 90.0}};
+        const Pattern curve = with_drawn_pitches(pattern);
+        CHECK_FALSE(has_pitches(curve.rhythm));
+        CHECK(render(curve).samples_g == render(pattern).samples_g);
+        CHECK(essence(curve) == essence(pattern));
+        for (int ms = 0; ms < 1000; ++ms) {
+            // Half a ms from where notes begin, as those are products.
+            const double t_s = 0.001 * ms + 0.0005;
+            CHECK(first_carrier_hz(curve, t_s) ==
+                  doctest::Approx(first_carrier_hz(pattern, t_s)).epsilon(1e-9));
+        }
+    }
+    // A pitch of 1 changes no bit.
+    pattern.frequency_curve.clear();
+    pattern.rhythm.kinds = {{'A', {0.6, 1.0}}};
+    CHECK(sounding_frequency(pattern).empty());
 }
 
 TEST_CASE("rhythm: evenness is that of the Fourier transform of its onsets") {

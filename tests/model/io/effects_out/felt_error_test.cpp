@@ -11,7 +11,7 @@
 #include "model/io/effects_out/knots.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/write_effect.h"
-#include "model/pattern/drawn_curve.h"
+#include "model/pattern/curves.h"
 #include "model/physiology/mechanoreceptor.h"
 
 namespace felt_error_test {

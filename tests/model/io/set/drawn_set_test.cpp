@@ -51,6 +51,46 @@ TEST_CASE("drawn sets: what is not drawn is not written, and the format is the o
     CHECK(print_set(set_with(drawn())).find("\"tactspace\": 1") != text.npos);
 }
 
+TEST_CASE("drawn sets: kinds of notes, beats and bars survive, to the last bit") {
+    Pattern pattern;
+    pattern.rhythm = {
+        "A=B-x5--", 0.1, {{'A', {1.0 / 3.0, 1.25}}, {'B', {1.0, 0.7}}, {'Q', {}}}, {3, 4}};
+    const PatternSet set = set_with(pattern);
+    const auto again = parse_set(print_set(set), "s.json", {});
+    REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
+    CHECK(*again == set);
+    CHECK(print_set(*again) == print_set(set));
+    // Neither is written where it says nothing.
+    pattern.rhythm = {"x-x-", 0.1};
+    const std::string plain = print_set(set_with(pattern));
+    for (const char* key : {"notes", "steps_a_beat", "beats_a_bar", "bpm"}) {
+        CHECK(plain.find("\"" + std::string(key) + "\"") == plain.npos);
+    }
+}
+
+TEST_CASE("drawn sets: a tempo stands for the length of a step") {
+    const auto unit_s = [](const std::string& rhythm) {
+        const auto set = parse_set(with_pattern(", \"rhythm\": " + rhythm), "s.json", {});
+        REQUIRE_MESSAGE(set, (set ? "" : set.error().message));
+        return std::get<Pattern>(set->vibrations[0].source).rhythm.unit_s;
+    };
+    CHECK(unit_s(R"({"text": "x-", "bpm": 120})") == 0.125);
+    CHECK(unit_s(R"({"text": "x-", "bpm": 120, "steps_a_beat": 3})") == doctest::Approx(1.0 / 6.0));
+    CHECK(unit_s(R"({"text": "x-", "bpm": 120, "unit_s": 0.125})") == 0.125);
+    CHECK(refusal_of(R"(, "rhythm": {"text": "x-", "bpm": 100, "unit_s": 0.125})")
+              .find("/rhythm/bpm: expected either unit_s or bpm, or the 120 that unit_s makes, got "
+                    "100") != std::string::npos);
+    CHECK(refusal_of(R"(, "rhythm": {"text": "x-", "bpm": 0})")
+              .find("/rhythm/bpm: expected a number "
+                    "from 1.5 to 15000, got 0") != std::string::npos);
+    CHECK(refusal_of(R"(, "rhythm": {"text": "A", "notes": {"A": {"velocity": 2}}})")
+              .find("/rhythm/notes/A/velocity: expected a number from 0 to 1, got 2") !=
+          std::string::npos);
+    CHECK(refusal_of(R"(, "rhythm": {"text": "A", "notes": {"A": {"pitch": 0}}})")
+              .find("/rhythm/notes/A/pitch: expected a number from 0.1 to 10, got 0") !=
+          std::string::npos);
+}
+
 TEST_CASE("drawn sets: what is refused is told with its place") {
     CHECK(refusal_of(R"(, "amplitude_curve": [{"time_s": 0, "value": 1.5}])") ==
           "s.json: /patterns/0/amplitude_curve/0/value: expected a number from 0 to 1, got 1.5");
