@@ -121,25 +121,70 @@ std::vector<Transient> transients_of(const LayeredPattern& layered, double lengt
     return all;
 }
 
+std::vector<std::size_t> beds_of(const LayeredPattern& layered) {
+    std::vector<std::size_t> beds;
+    for (std::size_t k = 0; k < layered.layers.size(); ++k) {
+        if (sounds(layered, k) && has_bed(layered.layers[k])) beds.push_back(k);
+    }
+    return beds;
+}
+
+double energy_g2(const Layer& layer) {
+    const Waveform own = std::holds_alternative<Pattern>(layer.source)
+                             ? render_carriers(std::get<Pattern>(layer.source))
+                             : *std::get<Measurement>(layer.source).waveform;
+    double sum = 0.0;
+    for (const double g : own.samples_g) sum += g * g;
+    return layer.gain * layer.gain * sum;
+}
+
+// How much of what is merged each layer was.
+void say_shares(const LayeredPattern& layered, const std::vector<std::size_t>& beds,
+                std::vector<std::string>& remarks) {
+    double all = 0.0;
+    for (const std::size_t k : beds) all += energy_g2(layered.layers[k]);
+    if (!(all > 0.0)) return;
+    for (const std::size_t k : beds) {
+        const double percent = 100.0 * energy_g2(layered.layers[k]) / all;
+        remarks.push_back(name_of(layered, k) + ": merged with the others, " +
+                          significant_digits(percent, 2) + " % of their energy");
+    }
+}
+
 }  // namespace
 
 OnePattern as_one_pattern(const LayeredPattern& layered) {
     const double length_s = duration_s(layered);
     std::vector<const Layer*> beds;
-    for (std::size_t k = 0; k < layered.layers.size(); ++k) {
-        if (sounds(layered, k) && has_bed(layered.layers[k])) beds.push_back(&layered.layers[k]);
-    }
+    for (const std::size_t k : beds_of(layered)) beds.push_back(&layered.layers[k]);
     OnePattern one;
     if (beds.empty()) {
         one.pattern.amplitude_g = 0.0;
     } else if (beds.size() == 1 && std::holds_alternative<Pattern>(beds[0]->source)) {
         one.pattern = placed(*beds[0], length_s, one.remarks);
     } else {
+        say_shares(layered, beds_of(layered), one.remarks);
         one.pattern = traced_sum(layered, one.remarks);
     }
     one.pattern.duration_s = length_s;
     one.pattern.transients = transients_of(layered, length_s);
     return one;
+}
+
+std::vector<PlacedBed> as_placed_beds(const LayeredPattern& layered) {
+    const std::vector<std::size_t> beds = beds_of(layered);
+    if (beds.size() < 2) return {};
+    const double length_s = duration_s(layered);
+    std::vector<PlacedBed> all;
+    for (const std::size_t k : beds) {
+        const Layer& layer = layered.layers[k];
+        if (!std::holds_alternative<Pattern>(layer.source)) return {};
+        PlacedBed bed{name_of(layered, k), {}, {}};
+        bed.pattern = placed(layer, length_s, bed.remarks);
+        all.push_back(std::move(bed));
+    }
+    all.front().pattern.transients = transients_of(layered, length_s);
+    return all;
 }
 
 }  // namespace tact

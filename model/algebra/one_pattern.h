@@ -1,4 +1,5 @@
-// A layered pattern as one without layers, for formats that hold no more.
+// A layered pattern as one without layers, for formats that hold no more; or its beds as patterns
+// that begin together, for one that holds several.
 //
 // One bed, with ticks in any layer, becomes that bed at its place, which is exact but for a
 // modulation that would have to begin later. Several beds at once are traced as one carrier.
@@ -21,5 +22,15 @@ struct OnePattern {
 };
 
 OnePattern as_one_pattern(const LayeredPattern& layered);
+
+// A bed of the layered pattern, at its place, and as long as the whole.
+struct PlacedBed {
+    std::string name;  // of its layer
+    Pattern pattern;   // of the first one with the transients of all
+    std::vector<std::string> remarks;
+};
+
+// Empty where it has fewer than two beds, or one of them is a recording.
+std::vector<PlacedBed> as_placed_beds(const LayeredPattern& layered);
 
 }  // namespace tact

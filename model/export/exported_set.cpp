@@ -83,6 +83,38 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
     return result;
 }
 
+// Beds that sound at once, each with what it loses under its name.
+ExportedPattern beds_exported(const std::vector<PlacedBed>& beds, const std::string& name,
+                              const ExportTarget& target, const std::string& date) {
+    std::vector<Pattern> patterns;
+    for (const PlacedBed& bed : beds) patterns.push_back(bed.pattern);
+    WrittenEffect written = write_at_once(patterns, {name, target.map, date, {}});
+    auto back = read_back(written, name, target);
+    ExportedPattern result{std::move(written.text), {}, {}, {}, {}};
+    std::vector<std::string>& remarks = result.remarks;
+    add(remarks, std::move(written.remarks));
+    for (const PlacedBed& bed : beds) {
+        for (const std::string& remark : bed.remarks) remarks.push_back(bed.name + ": " + remark);
+    }
+    if (!back || back->layers.size() != beds.size()) {
+        result.back = back ? std::move(back->pattern) : silence_like(patterns.front());
+        remarks.push_back(back ? "its layers come back merged into one pattern"
+                               : "nothing of it comes back: " + back.error().message);
+        return result;
+    }
+    for (std::size_t k = 0; k < beds.size(); ++k) {
+        const EnvelopeError error = envelope_error(beds[k].pattern, back->layers[k]);
+        for (const std::string& words : words_of(error)) {
+            remarks.push_back(beds[k].name + ": " + words);
+        }
+        if (!result.error || error.error_db > result.error->error_db) result.error = error;
+    }
+    LayeredPattern layered = layers_of(std::move(back->layers));
+    for (std::size_t k = 0; k < beds.size(); ++k) layered.layers[k].name = beds[k].name;
+    result.back = std::move(layered);
+    return result;
+}
+
 ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget& target) {
     const EffectTarget samples{vibration.name, {}, {}, target.sampled};
     WrittenEffect written =
@@ -124,6 +156,10 @@ ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
                          const std::string& date) {
     if (is_sampled(target.format)) return samples_exported(vibration, target);
     if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
+        if (target.format == TargetFormat::hjif) {
+            const std::vector<PlacedBed> beds = as_placed_beds(*layered);
+            if (!beds.empty()) return beds_exported(beds, vibration.name, target, date);
+        }
         const OnePattern one = as_one_pattern(*layered);
         ExportedPattern result = effect_exported(one.pattern, vibration.name, target, date);
         result.remarks.insert(result.remarks.begin(), one.remarks.begin(), one.remarks.end());

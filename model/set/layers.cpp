@@ -134,6 +134,16 @@ LayeredPattern as_layers(const VibrationSource& source) {
     return {{std::move(only)}};
 }
 
+LayeredPattern layers_of(std::vector<Pattern> patterns) {
+    LayeredPattern layered;
+    for (Pattern& pattern : patterns) {
+        Layer layer;
+        layer.source = std::move(pattern);
+        layered.layers.push_back(std::move(layer));
+    }
+    return layered;
+}
+
 VibrationSource without_needless_layers(LayeredPattern layered) {
     if (layered.layers.size() != 1) return layered;
     Layer& only = layered.layers.front();

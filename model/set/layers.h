@@ -54,6 +54,9 @@ std::vector<const Pattern*> patterns_in(const Vibration& vibration);
 // A pattern or a recording as the one layer of a layered pattern; a layered one as it is.
 LayeredPattern as_layers(const VibrationSource& source);
 
+// Patterns that begin together, as layers.
+LayeredPattern layers_of(std::vector<Pattern> patterns);
+
 // A single layer that is neither changed in gain nor moved nor mute is its pattern or recording.
 VibrationSource without_needless_layers(LayeredPattern layered);
 

@@ -22,6 +22,9 @@ struct Effect {
     Pattern pattern;
     std::vector<std::string> remarks;  // what was accepted, left out or changed; without the file
     std::string project{};             // that an AHAP names: the two files of a pair name one
+    // What sounds at once of its own course, where the file gives the phases: the sum is the effect
+    // then, and `pattern` what one pattern can hold of it. Empty, or two to four.
+    std::vector<Pattern> layers{};
 
     bool operator==(const Effect&) const = default;
 };

@@ -4,7 +4,8 @@
 //           ticks of 1/timescale s, amplitudes as shares, Hz as they are, phases in radians;
 //           amplitude and frequency are interpolated apart from each other, between the keyframes
 //           that have them. Gain and mixing coefficient of a channel multiply.
-// Output    an effect a channel; vectorial waves of one envelope become carriers (sketch.h)
+// Output    an effect a channel; vectorial waves of one envelope become carriers (sketch.h), up to
+//           four groups of them that sound at once layers, as the phases are given
 // Tolerated older files ("version": "1"): negative amplitudes, keyframes without frequency; of
 //           MPEG's tools positions before 0 that lost their sign, "Other" as a perception.
 // Left out  wavelet bands, composites and perceptions that are not vibration, each with a remark.
@@ -244,6 +245,84 @@ void read_band(JsonObject& object, double gain_g, Sketch& sketch, HjifReading& h
                  [&](JsonObject& effect, Json&) { read_effect(effect, band, hjif); });
 }
 
+// Voices of one course, or of one band.
+using Bed = std::vector<Voice>;
+
+// The voices of a channel by what they can be layers of; `ends` of each band's.
+std::vector<Bed> beds_of(const std::vector<Voice>& voices, const std::vector<std::size_t>& ends) {
+    std::vector<Bed> beds;
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        const auto at = [&](std::size_t k) {
+            return voices.begin() + static_cast<std::ptrdiff_t>(k);
+        };
+        Bed band(at(begin), at(end));
+        begin = end;
+        std::erase_if(band, [](const Voice& one) { return !(one.start_s < one.end_s); });
+        if (band.empty()) continue;
+        const auto alike = std::ranges::find_if(beds, [&](const Bed& bed) {
+            Bed both = bed;
+            both.push_back(band.front());
+            return band.size() == 1 && are_carriers(both);
+        });
+        if (alike == beds.end()) {
+            beds.push_back(std::move(band));
+        } else {
+            alike->push_back(band.front());
+        }
+    }
+    return beds;
+}
+
+bool sound_at_once(const std::vector<Bed>& beds) {
+    const auto meet = [](const Bed& a, const Bed& b) {
+        return std::ranges::any_of(a, [&b](const Voice& one) {
+            return std::ranges::any_of(b, [&one](const Voice& other) {
+                return one.start_s < other.end_s && other.start_s < one.end_s;
+            });
+        });
+    };
+    for (std::size_t k = 1; k < beds.size(); ++k) {
+        for (std::size_t j = 0; j < k; ++j) {
+            if (meet(beds[j], beds[k])) return true;
+        }
+    }
+    return false;
+}
+
+// The layers of the channel, as long as the whole; the first has the transients.
+Expected<std::vector<Pattern>> layers_of(const Sketch& channel, const std::vector<Bed>& beds,
+                                         double duration_s, std::vector<std::string>& remarks) {
+    std::vector<Pattern> layers;
+    for (const Bed& bed : beds) {
+        Sketch one{bed, {}, duration_s, channel.unit_g};
+        if (layers.empty()) one.transients = channel.transients;
+        std::vector<std::string> own;
+        auto pattern = pattern_of(one, own);
+        if (!pattern) return pattern.error();
+        for (const std::string& remark : own) remark_once(remarks, remark);
+        layers.push_back(*std::move(pattern));
+    }
+    return layers;
+}
+
+// Layers in the place of a pattern that vibrations of one time are merged into.
+Expected<Done> add_layers(Effect& effect, const Sketch& sketch,
+                          const std::vector<std::size_t>& ends, const HjifReading& hjif) {
+    constexpr std::size_t kMostLayers = 4;
+    constexpr std::size_t kMostBands = 64;  // whose courses are compared with each other
+    if (ends.size() > kMostBands) return Done{};
+    const std::vector<Bed> beds = beds_of(sketch.voices, ends);
+    if (beds.size() < 2 || beds.size() > kMostLayers || !sound_at_once(beds)) return Done{};
+    std::vector<std::string> remarks = hjif.remarks;
+    auto layers = layers_of(sketch, beds, effect.pattern.duration_s, remarks);
+    if (!layers) return Error{hjif.file.path + ": " + layers.error().message};
+    remark_once(remarks, std::to_string(beds.size()) + " courses at once are layers");
+    effect.layers = *std::move(layers);
+    effect.remarks = std::move(remarks);
+    return Done{};
+}
+
 Expected<Done> read_channel(JsonObject& channel, const std::string& name, HjifReading& hjif) {
     hjif.remarks.clear();
     if (hjif.is_other) remark_once(hjif.remarks, "\"Other\" is taken as a vibration");
@@ -254,13 +333,17 @@ Expected<Done> read_channel(JsonObject& channel, const std::string& name, HjifRe
                           number_field(channel, "mixing_coefficient", 1.0, kHjifGain);
     sketch.unit_g = gain_g > 0.0 ? gain_g : hjif.file.map.full_scale_g;
     Json unknown;
-    read_objects(channel, "bands", 0, 1000, unknown,
-                 [&](JsonObject& band, Json&) { read_band(band, gain_g, sketch, hjif); });
+    std::vector<std::size_t> ends;  // of the voices of each band
+    read_objects(channel, "bands", 0, 1000, unknown, [&](JsonObject& band, Json&) {
+        read_band(band, gain_g, sketch, hjif);
+        ends.push_back(sketch.voices.size());
+    });
     if (!channel.reading->fault.empty()) return Error{channel.reading->fault};
     if (sketch.voices.empty() && sketch.transients.empty()) return Done{};
     if (!pay(hjif.file.budget.names, 1)) return Error{hjif.file.path + ": expected fewer channels"};
     auto effect = finished(hjif.file, hjif.names.unused(name), sketch, hjif.remarks);
     if (!effect) return effect.error();
+    if (const auto added = add_layers(*effect, sketch, ends, hjif); !added) return added;
     hjif.effects.push_back(*std::move(effect));
     return Done{};
 }

@@ -69,14 +69,6 @@ bool is_carrier_beside(const Voice& first, const Voice& other, const std::vector
     });
 }
 
-bool are_carriers(const std::vector<Voice>& voices) {
-    if (voices.size() < 2 || voices.size() > limits::kMaxCarriers) return false;
-    const std::vector<double> times = times_of(voices, true, true);
-    return std::ranges::all_of(voices, [&](const Voice& voice) {
-        return is_carrier_beside(voices.front(), voice, times);
-    });
-}
-
 double in_range_hz(double hz) {
     return std::clamp(hz, limits::kCarrierHz.low, limits::kCarrierHz.high);
 }
@@ -220,6 +212,14 @@ Expected<Done> check_size(const Sketch& sketch) {
 }
 
 }  // namespace
+
+bool are_carriers(const std::vector<Voice>& voices) {
+    if (voices.size() < 2 || voices.size() > limits::kMaxCarriers) return false;
+    const std::vector<double> times = times_of(voices, true, true);
+    return std::ranges::all_of(voices, [&](const Voice& voice) {
+        return is_carrier_beside(voices.front(), voice, times);
+    });
+}
 
 Sides sides_at(const AmplitudeCurve& curve, double t_s) { return sides(curve, t_s); }
 Sides sides_at(const FrequencyCurve& curve, double t_s) { return sides(curve, t_s); }

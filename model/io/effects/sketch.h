@@ -43,6 +43,10 @@ struct Sketch {
 // Without fault (model/pattern/drawn_fault.h). An Error has no file's name.
 Expected<Pattern> pattern_of(const Sketch& sketch, std::vector<std::string>& remarks);
 
+// Whether all have one course, but for strength and pitch, so that they are carriers of one
+// pattern.
+bool are_carriers(const std::vector<Voice>& voices);
+
 // What is wrong with this number of vibrations and points, or empty; readers ask while they read.
 std::string size_fault(const Sketch& sketch, std::size_t points);
 

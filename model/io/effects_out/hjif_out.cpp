@@ -2,10 +2,12 @@
 //
 // Source    the standard's reference software and files that it wrote: all of its top-level keys,
 //           avatar 0 for none, positions in whole ticks, Hz whole. A vectorial wave a carrier, each
-//           with the envelope of all as keyframes and its own phase; the transients in a band.
+//           with the envelope of its pattern as keyframes and its own phase; the transients in a
+//           band.
 // Output    amplitudes beside the loudest, which the channel's gain has; level 2 from 8 bands on
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -228,43 +230,60 @@ std::optional<CarrierWave> wave_of(const Pattern& pattern, const Carrier& carrie
     return wave;
 }
 
-}  // namespace
-
-WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target) {
-    WrittenEffect written;
-    const PlainCurves envelope = shared_envelope(pattern, written);
-    std::vector<CarrierWave> waves;
+// Its carriers as waves, each with the envelope that all share; what they reach together, in g.
+double add_waves(std::vector<CarrierWave>& waves, const Pattern& pattern,
+                 const AmplitudeCurve& envelope, std::vector<std::string>& remarks) {
     double together = 0.0;
     for (const Carrier& carrier : sounding_carriers(pattern)) {
-        AmplitudeCurve own = envelope.amplitude;
+        AmplitudeCurve own = envelope;
         for (AmplitudePoint& point : own) point.value *= std::abs(carrier.weight);
-        auto wave = wave_of(pattern, carrier, own, written.remarks);
+        auto wave = wave_of(pattern, carrier, own, remarks);
         if (!wave) continue;
         together += std::abs(carrier.weight);
         waves.push_back(*std::move(wave));
     }
-    const double full_g = target.map.full_scale_g;
-    double peak_g = peak_value(envelope.amplitude) * together;
-    for (const Transient& one : envelope.transients) {
-        peak_g = std::max(peak_g, burst_g(one, target.map));
+    return peak_value(envelope) * together;
+}
+
+}  // namespace
+
+WrittenEffect write_at_once(std::span<const Pattern> patterns, const EffectTarget& target) {
+    assert(!patterns.empty());
+    WrittenEffect written;
+    std::vector<CarrierWave> waves;
+    std::vector<Transient> transients;
+    double peak_g = 0.0;
+    for (const Pattern& own : patterns) {
+        const Pattern pattern = with_drawn_pitches(own);
+        const PlainCurves envelope = shared_envelope(pattern, written);
+        peak_g += add_waves(waves, pattern, envelope.amplitude, written.remarks);
+        transients.insert(transients.end(), envelope.transients.begin(), envelope.transients.end());
     }
+    std::ranges::stable_sort(transients, {}, &Transient::time_s);
+    for (const Transient& one : transients) peak_g = std::max(peak_g, burst_g(one, target.map));
+    const double full_g = target.map.full_scale_g;
     const double unit_g = peak_g > 0.0 ? peak_g : full_g;
     const double scale = scale_to_full(unit_g / full_g, written.remarks);
     Json bands = Json::array();
     if (waves.empty()) {
-        waves.push_back({{{0.0, 0.0}, {pattern.duration_s, 0.0}}, {{0.0, 150.0}}, 0.0});
+        const double end_s = std::ranges::max(patterns, {}, &Pattern::duration_s).duration_s;
+        waves.push_back({{{0.0, 0.0}, {end_s, 0.0}}, {{0.0, 150.0}}, 0.0});
     }
     for (CarrierWave& wave : waves) {
         for (AmplitudePoint& point : wave.amplitude) point.value /= unit_g;
         bands.push_back(wave_band(wave.amplitude, wave.frequency, wave.phase_rad));
     }
-    if (!envelope.transients.empty()) {
-        bands.push_back(transient_band(envelope.transients, target.map, unit_g));
-        remark_transients(envelope.transients, target.map, written);
+    if (!transients.empty()) {
+        bands.push_back(transient_band(transients, target.map, unit_g));
+        remark_transients(transients, target.map, written);
     }
     written.coarse.emplace_back("frequencies are whole Hz, times whole ticks of 25 us");
     written.text = printed(document_of_bands(std::move(bands), scale * unit_g / full_g, target));
     return written;
+}
+
+WrittenEffect write_hjif(const Pattern& pattern, const EffectTarget& target) {
+    return write_at_once({&pattern, 1}, target);
 }
 
 }  // namespace tact

@@ -85,6 +85,10 @@ struct WrittenEffect {
 
 WrittenEffect write_effect(TargetFormat format, const Pattern& pattern, const EffectTarget& target);
 
+// Patterns that begin together and sound at once: in HJIF, which holds them as bands. Asserts that
+// there is one.
+WrittenEffect write_at_once(std::span<const Pattern> patterns, const EffectTarget& target);
+
 // A waveform of any rate, of the sampled formats. A peak above the full scale is turned down, with
 // a remark.
 WrittenEffect write_samples(TargetFormat format, const Waveform& waveform,

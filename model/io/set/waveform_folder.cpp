@@ -11,6 +11,7 @@
 #include "model/io/effects/read_effects.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
+#include "model/set/layers.h"
 #include "model/text/enough_memory.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"
@@ -282,13 +283,22 @@ Expected<EffectsRead> read_effects_file(const fs::path& path, const LoadOptions&
     return read_effects(*text, path.string(), options.actuator, budget);
 }
 
+// Notes where it has them, and layers.
+VibrationSource source_of(const Effect& effect) {
+    const auto found = [](const Pattern& one) { return with_found_notes(one).value_or(one); };
+    if (effect.layers.empty()) return found(effect.pattern);
+    std::vector<Pattern> layers;
+    for (const Pattern& layer : effect.layers) layers.push_back(found(layer));
+    return layers_of(std::move(layers));
+}
+
 // `files`: what the note calls it.
 void add_effects(std::vector<Vibration>& vibrations, const EffectsRead& read, const fs::path& path,
                  const std::string& files, std::vector<FileRemark>& remarks) {
     for (const Effect& effect : read.effects) {
         Vibration vibration;
         vibration.name = effect.name;
-        vibration.source = effect.pattern;
+        vibration.source = source_of(effect);
         vibration.note = origin_of(read, effect, files);
         vibration.effect = {traits(read.format).key, read.map.name};
         vibrations.push_back(std::move(vibration));

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "model/algebra/one_pattern.h"
+#include "model/export/export_target.h"
+#include "model/export/exported_set.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/set_fingerprint.h"
 #include "model/subset/confusable.h"
@@ -215,13 +217,53 @@ TEST_CASE("layers: one bed and ticks are one pattern exactly, several beds are t
     }
     const LayeredPattern both{{layer(tone(1.0, 60.0, 0.5)), layer(tone(1.0, 200.0, 0.5))}};
     const OnePattern traced = as_one_pattern(both);
-    REQUIRE(traced.remarks.size() == 1);
-    CHECK(traced.remarks[0].starts_with("layers that sound at once are traced as one carrier"));
+    REQUIRE(traced.remarks.size() == 3);
+    CHECK(traced.remarks[0] == "layer 1: merged with the others, 50 % of their energy");
+    CHECK(traced.remarks[1] == "layer 2: merged with the others, 50 % of their energy");
+    CHECK(traced.remarks[2].starts_with("layers that sound at once are traced as one carrier"));
     CHECK(traced.pattern.duration_s == doctest::Approx(0.5));
     Pattern beating = tone(1.0, 60.0, 0.5);
     beating.modulation.frequency_hz = 3.0;
     CHECK(as_one_pattern({{layer(beating, 1.0, 0.1)}}).remarks.size() == 1);
     CHECK(peak_g(render(as_one_pattern({{layer(bed, 0.0)}}).pattern)) == 0.0);
+}
+
+TEST_CASE("layers: HJIF holds beds at once, which come back as layers of the same sum") {
+    Vibration vibration;
+    vibration.name = "two beds";
+    LayeredPattern layered;
+    Pattern notes = tone(0.5, 220.0, 0.5);
+    notes.rhythm = {"x-x=", 0.125};
+    layered.layers = {layer(tone(0.3, 60.0, 0.8)), layer(notes, 0.8, 0.25),
+                      layer(ticks({0.1, 0.6}, 0.7))};
+    layered.layers[0].name = "hum";
+    vibration.source = layered;
+    const auto target = export_target_named("hjif");
+    REQUIRE(target);
+    const ExportedPattern out = exported(vibration, *target);
+    const auto* back = std::get_if<LayeredPattern>(&out.back);
+    REQUIRE(back != nullptr);
+    REQUIRE(back->layers.size() == 2);
+    CHECK(back->layers[0].name == "hum");
+    CHECK(back->layers[1].name == "layer 2");
+    // Whole Hz and ticks of 25 us hold it, so that only the ticks' length differs.
+    LayeredPattern beds = layered;
+    beds.layers.pop_back();
+    LayeredPattern back_beds = *back;
+    for (Layer& one : back_beds.layers) std::get<Pattern>(one.source).transients.clear();
+    const std::vector<double> meant = render(beds).samples_g;
+    const std::vector<double> got = render(back_beds).samples_g;
+    REQUIRE(got.size() >= meant.size());
+    for (std::size_t n = 0; n < meant.size(); ++n) REQUIRE(std::abs(got[n] - meant[n]) < 1e-9);
+    CHECK(std::get<Pattern>(back->layers[0].source).transients.size() == 2);
+    // Another format says of each layer what it was of the whole.
+    const auto ahap = export_target_named("ahap");
+    REQUIRE(ahap);
+    const ExportedPattern merged = exported(vibration, *ahap);
+    CHECK(std::ranges::any_of(merged.remarks, [](const std::string& remark) {
+        return remark.starts_with("hum: merged with the others, ");
+    }));
+    CHECK(std::holds_alternative<Pattern>(merged.back));
 }
 
 TEST_CASE("layers: felt steps are those of the layers, and of what they are at all") {

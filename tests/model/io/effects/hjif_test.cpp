@@ -41,7 +41,9 @@ TEST_CASE("HJIF: waves of one envelope are carriers of one pattern, with their p
     CHECK(pattern.frequency_curve.empty());
 }
 
-TEST_CASE("HJIF: waves of different envelopes are merged by energy, with a remark") {
+TEST_CASE(
+    "HJIF: waves of different envelopes at once are layers, and merged where one pattern has to "
+    "do") {
     const std::string flat =
         R"([{"relative_position": 0, "amplitude_modulation": 0.3, "frequency_modulation": 80},
                                  {"relative_position": 400, "amplitude_modulation": 0.3}])";
@@ -51,9 +53,36 @@ TEST_CASE("HJIF: waves of different envelopes are merged by energy, with a remar
     std::string late = wave("0", step);
     late.replace(late.find("\"position\": 0"), 13, "\"position\": 200");
     const Effect effect = only(hjif("[" + wave("0", flat) + "," + late + "]"));
-    CHECK(has_remark(effect, "vibrations at one time are merged"));
+    CHECK_FALSE(has_remark(effect, "vibrations at one time are merged"));
+    CHECK(has_remark(effect, "2 courses at once are layers"));
+    REQUIRE(effect.layers.size() == 2);
+    CHECK(effect.layers[0].carriers[0].frequency_hz == 80.0);
+    CHECK(envelope_g(effect.layers[0], 0.1) == doctest::Approx(0.3));
+    CHECK(envelope_g(effect.layers[0], 0.3) == doctest::Approx(0.3));
+    CHECK(envelope_g(effect.layers[1], 0.1) == 0.0);
+    CHECK(envelope_g(effect.layers[1], 0.3) == doctest::Approx(0.4));
+    CHECK(first_carrier_hz(effect.layers[1], 0.3) == doctest::Approx(200.0));
     CHECK(envelope_g(effect.pattern, 0.3) == doctest::Approx(0.5));
     CHECK(first_carrier_hz(effect.pattern, 0.3) == doctest::Approx(200.0));
+}
+
+TEST_CASE(
+    "HJIF: what sounds one after the other, or in more courses than there are layers, is merged") {
+    const auto burst = [](int at_ms, double share, int hz) {
+        std::string band = wave(
+            "0", R"([{"relative_position": 0, "amplitude_modulation": )" + std::to_string(share) +
+                     R"(, "frequency_modulation": )" + std::to_string(hz) +
+                     R"(}, {"relative_position": 100, "amplitude_modulation": )" +
+                     std::to_string(share / 2.0) + "}]");
+        band.replace(band.find("\"position\": 0"), 13, "\"position\": " + std::to_string(at_ms));
+        return band;
+    };
+    CHECK(only(hjif("[" + burst(0, 0.5, 80) + "," + burst(100, 0.4, 200) + "]")).layers.empty());
+    std::string five = burst(0, 0.5, 80);
+    for (int k = 1; k < 5; ++k) five += "," + burst(10 * k, 0.4, 100 + 20 * k);
+    const Effect merged = only(hjif("[" + five + "]"));
+    CHECK(merged.layers.empty());
+    CHECK(has_remark(merged, "vibrations at one time are merged"));
 }
 
 TEST_CASE("HJIF: older files with negative amplitudes and no frequencies are read with remarks") {
