@@ -10,9 +10,11 @@ struct ExampleSet {
     const char* name;  // that the set has itself
 };
 
-inline constexpr std::array<ExampleSet, 12> kExampleSets{{
+inline constexpr std::array<ExampleSet, 13> kExampleSets{{
     {"sets/pm_2023_twelve.tactspace.json", "PM 2023, twelve patterns"},
     {"library/library.tactspace.json", "Library, forty patterns (our own, not from a study)"},
+    {"library/notes_accents_layers.tactspace.json",
+     "Notes, accents and layers (our own, not from a study)"},
     {"sets/rhythms_tactspace.tactspace.json", "tactspace rhythms (our own, not from a study)"},
     {"sets/park_choi_2011_am_4hz.tactspace.json",
      "Park & Choi 2011, eight AM patterns (4 Hz: paper\u2019s caption)"},

@@ -51,4 +51,34 @@ TEST_CASE(
     CHECK(with_rhythm >= 5);
 }
 
+TEST_CASE(
+    "example sets: notes, accents and layers are there to be looked at, and come back as they "
+    "are") {
+    const char* path = "library/notes_accents_layers.tactspace.json";
+    const auto set = parse_set(asset(path), path, {});
+    REQUIRE(set);
+    std::size_t pitched = 0;
+    std::size_t accented = 0;
+    std::size_t layered = 0;
+    std::size_t barred = 0;
+    for (const Vibration& vibration : set->vibrations) {
+        CAPTURE(vibration.name);
+        CHECK(vibration.note.ends_with("Made for tactspace; from no study."));
+        CHECK(peak_g(waveform_of(vibration)) > 0.05);
+        const auto* pattern = std::get_if<Pattern>(&vibration.source);
+        layered += pattern == nullptr ? 1 : 0;
+        if (pattern == nullptr) continue;
+        pitched += has_pitches(pattern->rhythm) ? 1 : 0;
+        accented += has_accents(*pattern) ? 1 : 0;
+        barred += pattern->rhythm.meter.beats_a_bar > 0 ? 1 : 0;
+    }
+    CHECK(pitched >= 2);
+    CHECK(accented >= 1);
+    CHECK(layered >= 2);
+    CHECK(barred >= 1);
+    const auto again = parse_set(print_set(*set), path, {});
+    REQUIRE(again);
+    CHECK(*again == *set);
+}
+
 }  // namespace example_sets_test
