@@ -11,7 +11,8 @@ Every function computes what the command of the same name does, to the last bit,
 threads. Waves are accelerations in g. A matrix D of n objects is an array (n, n), or condensed
 (n (n - 1) / 2,) as scipy.spatial.distance.squareform has it. Any numeric type and stride is taken;
 what comes back is float64. Other threads of Python go on meanwhile, Ctrl+C ends what is running, and
-what cannot be used is a ValueError that says what was expected.
+what cannot be used is a ValueError that says what was expected; what is no number is a TypeError, and
+a file that is not there a FileNotFoundError. A masked array with anything masked is refused.
 
     import tactspace
     set = tactspace.read_set("set.tactspace.json")
@@ -29,7 +30,7 @@ Dissimilarity of every pair of vibrations.
 waves    array (n, samples) in g, or a list of n arrays of any lengths, at most 60 s each; shorter
          ones are padded with silence at the end
 metric   one of tactspace.metrics: "pm", its parts "nc" and "oc", "rmse", "dtw", "msm", "mtm",
-         "st-sim", "spqi", "level", "bands", "van-rossum", "no-physiology"
+         "st-sim", "spqi", "level", "bands", "balance", "van-rossum", "no-physiology"
 rate_hz  sampling rate of the waves, 100 to 1e7 Hz; other than 10000 they are resampled
 threads  0: all cores. The time depends on it, the result does not
 model    parameters of PM: None (the paper's), read_set(..)["model"] or train(..)["model"]

@@ -23,12 +23,24 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+// A mask would be dropped in silence, and what it hides would count.
+void refuse_masked(const py::object& object, const std::string& name) {
+    if (!py::hasattr(object, "mask")) return;
+    const py::module_ masked = py::module_::import("numpy.ma");
+    const auto hidden = masked.attr("count_masked")(object).cast<std::size_t>();
+    if (hidden == 0) return;
+    throw py::value_error(name + ": expected numbers without a mask, got " +
+                          grouped_digits(hidden) + " that are masked");
+}
+
 // Whatever NumPy would have cast in silence (complex numbers, texts) is no number here.
 Numbers numbers_of(const py::object& object, const std::string& name) {
+    refuse_masked(object, name);
     const auto array = py::array::ensure(object);
     if (!array || std::string("iuf").find(array.dtype().kind()) == std::string::npos) {
-        throw py::value_error(name + ": expected real numbers, got " +
-                              std::string(py::str(py::repr(py::type::of(object)))));
+        throw py::type_error(name + ": expected real numbers, got " +
+                             std::string(py::str(py::repr(py::type::of(object)))) +
+                             (array ? " of " + std::string(py::str(array.dtype())) : ""));
     }
     return Numbers(array);  // throws where the numbers have no room, unlike ensure()
 }
@@ -165,6 +177,12 @@ RatingStudy study_of_dict(const py::dict& ratings) {
 }
 
 }  // namespace
+
+void throw_error(const std::string& message) {
+    if (!message.ends_with(": there is no such file")) throw py::value_error(message);
+    PyErr_SetString(PyExc_FileNotFoundError, message.c_str());
+    throw py::error_already_set();
+}
 
 double within(double number, const std::string& name, Range range) {
     if (range.contains(number)) return number;

@@ -4,7 +4,9 @@
 //           stride. Distances of all pairs: a square, or condensed as SciPy's squareform has it,
 //           (0,1),(0,2)..(0,n-1),(1,2)..
 //           documents: dicts with the keys of a set file
-// Output    errors are thrown as ValueError: "NAME: expected .., got .."
+// Output    errors are thrown as ValueError: "NAME: expected .., got .."; as TypeError where what
+// is
+//           given is no number, as FileNotFoundError where a file is not there
 // Valid     to be called with the interpreter's lock held
 #pragma once
 
@@ -29,9 +31,12 @@
 
 namespace tact {
 
+// A FileNotFoundError where a file is not there, else a ValueError.
+[[noreturn]] void throw_error(const std::string& message);
+
 template <class Value>
 Value value_of(Expected<Value> expected) {
-    if (!expected) throw pybind11::value_error(expected.error().message);
+    if (!expected) throw_error(expected.error().message);
     return *std::move(expected);
 }
 

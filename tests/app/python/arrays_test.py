@@ -88,6 +88,24 @@ class Memory(unittest.TestCase):
 
 
 class Refusals(unittest.TestCase):
+    def no_number(self, sentence, function, *arguments):
+        with self.assertRaises(TypeError) as caught:
+            function(*arguments)
+        self.assertIn(sentence, str(caught.exception))
+
+    def test_masked_samples_do_not_count_in_silence(self):
+        masked = np.ma.masked_array(WAVES, mask=False)
+        predict = tactspace.predict
+        np.testing.assert_array_equal(predict(masked), predict(WAVES))
+        masked.mask[1, 5] = True
+        self.refused("waves: expected numbers without a mask, got 1 that are masked", predict, masked)
+        self.refused("waves[1]: expected numbers without a mask", predict, list(masked))
+
+    def test_a_file_that_is_not_there(self):
+        with self.assertRaises(FileNotFoundError) as caught:
+            tactspace.read_set("nowhere/set.tactspace.json")
+        self.assertIn("set.tactspace.json: there is no such file", str(caught.exception))
+
     def refused(self, sentence, function, *arguments, **named):
         with self.assertRaises(ValueError) as caught:
             function(*arguments, **named)
@@ -106,11 +124,11 @@ class Refusals(unittest.TestCase):
         self.refused("waves[1]: expected samples, got none", predict, [WAVES[0], []])
         self.refused("waves[0]: expected samples along one axis, got shape ()", predict, [1.0, 2.0])
         self.refused("waves[0]: expected at most 60 s, got 60.0001 s", predict, np.zeros((2, 600001)))
-        self.refused("waves: expected real numbers", predict, WAVES[:2] * 1j)
-        self.refused("waves[0]: expected real numbers", predict, "ab")
-        self.refused("waves[0]: expected real numbers", predict, [["1", "2"], ["3", "4"]])
-        self.refused("waves[0]: expected real numbers", predict, [[decimal.Decimal(1)], [1.0]])
-        self.refused("waves[0]: expected real numbers", predict, [[[1.0], [1.0, 2.0]], [1.0]])
+        self.no_number("waves: expected real numbers", predict, WAVES[:2] * 1j)
+        self.no_number("waves[0]: expected real numbers", predict, "ab")
+        self.no_number("waves[0]: expected real numbers", predict, [["1", "2"], ["3", "4"]])
+        self.no_number("waves[0]: expected real numbers", predict, [[decimal.Decimal(1)], [1.0]])
+        self.no_number("waves[0]: expected real numbers", predict, [[[1.0], [1.0, 2.0]], [1.0]])
         self.refused("waves: expected an array (n, samples) or a list of arrays", predict, {"a": 1})
         self.refused("rate_hz: expected 100 to 1e+07, got 50", predict, WAVES, rate_hz=50)
         self.refused("rate_hz: expected 100 to 1e+07, got nan", predict, WAVES, rate_hz=np.nan)
@@ -188,7 +206,6 @@ class Refusals(unittest.TestCase):
         self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
         self.refused('model: /coding: does not know "layers"', tactspace.predict, WAVES,
                      model={"coding": {"layers": 3}})
-        self.refused("there.json", tactspace.read_set, "not/there.json")
         self.refused("there.csv", tactspace.read_ratings, "not/there.csv")
         with self.assertRaises(TypeError):
             tactspace.render({"amplitude_g": object()})
