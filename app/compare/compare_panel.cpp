@@ -168,7 +168,8 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
     const ShownComparison shown = shown_comparison(work, shown_map, comparing);
     const bool few = work.document.set.vibrations.size() < 2;
     if (!few && comparison_waits(work, comparing) && !shown.is_computing && shown.is_stale) {
-        ImGui::TextWrapped("Thirteen metrics of every pair and their maps: this may take a while.");
+        ImGui::TextWrapped("%s metrics of every pair and their maps: this may take a while.",
+                           std::to_string(kMetricCount).c_str());
         if (primary_button(ui, "Compare metrics")) ask_for_comparison(work, comparing);
         note_item(ui.rects, "button:compare metrics");
     }
@@ -178,12 +179,14 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
     if (failed) return false;
     const Rect area = rest_of_pane();
     if (area.empty()) return false;
+    const std::string each =
+        std::to_string(kMetricCount) + " metrics of every pair, and a map of each.";
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area,
                few                  ? "No pairs to compare"
                : shown.is_computing ? "Comparing"
                                     : "Nothing compared yet",
                few                  ? "It takes two patterns to be alike or far apart."
-               : shown.is_computing ? "Thirteen metrics of every pair, and a map of each."
+               : shown.is_computing ? each.c_str()
                                     : "The metrics are compared once the space above is exact.");
     return false;
 }

@@ -36,6 +36,8 @@ constexpr std::array<MetricTraits, kMetricCount> kTraits{{
      true, false},
     {"bands", "Nine bands", kOurs, "levels over threshold in nine bands, Euclidean",
      Confidence::high, true, false},
+    {"balance", "Balance", "ours, not from the paper; after Bernard et al. 2023",
+     "balance of power above and below 100 Hz, in dB", Confidence::low, true, false},
     {"van-rossum", "van Rossum", kOurs, "neural coding with van Rossum's spike distance",
      Confidence::high, true, false},
     {"no-physiology", "No physiology", kOurs, "mean of the ranks of Msm, Mtm and OC",

@@ -28,15 +28,16 @@ enum class Metric {
     spqi,
     level,
     bands,
+    balance,
     van_rossum,
     no_physiology
 };
 
-inline constexpr std::size_t kMetricCount = 13;
+inline constexpr std::size_t kMetricCount = 14;
 inline constexpr std::array<Metric, kMetricCount> kMetrics{
-    Metric::pm,    Metric::nc,         Metric::oc,           Metric::rmse, Metric::dtw,
-    Metric::msm,   Metric::mtm,        Metric::st_sim,       Metric::spqi, Metric::level,
-    Metric::bands, Metric::van_rossum, Metric::no_physiology};
+    Metric::pm,    Metric::nc,      Metric::oc,         Metric::rmse,         Metric::dtw,
+    Metric::msm,   Metric::mtm,     Metric::st_sim,     Metric::spqi,         Metric::level,
+    Metric::bands, Metric::balance, Metric::van_rossum, Metric::no_physiology};
 
 // How sure the definition is the one of its source.
 enum class Confidence {

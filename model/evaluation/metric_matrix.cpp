@@ -10,6 +10,7 @@
 #include "model/common/parallel.h"
 #include "model/dtw/dtw.h"
 #include "model/metrics/band_levels.h"
+#include "model/metrics/frequency_balance.h"
 #include "model/metrics/level_difference.h"
 #include "model/metrics/rank_average.h"
 #include "model/perceptual_model/perceptual_model.h"
@@ -178,6 +179,15 @@ std::optional<Dissimilarity> bands_matrix(Waveforms waveforms, const PhysiologyT
         band_distance);
 }
 
+std::optional<Dissimilarity> balance_matrix(Waveforms waveforms, const MetricOptions& options) {
+    return compared(
+        waveforms, options,
+        [](const Waveform& x) {
+            return frequency_balance_db(amplitude_spectrum(without_mean(x.samples_g), x.rate_hz));
+        },
+        [](double x_db, double y_db) { return std::abs(x_db - y_db); });
+}
+
 std::optional<Dissimilarity> van_rossum_matrix(Waveforms waveforms,
                                                const PerceptualModelParams& params,
                                                const MetricOptions& options) {
@@ -247,6 +257,8 @@ std::optional<Dissimilarity> metric_matrix(Metric metric, std::span<const Wavefo
             return level_matrix(equal, options);
         case Metric::bands:
             return bands_matrix(equal, params.coding.tables, options);
+        case Metric::balance:
+            return balance_matrix(equal, options);
         case Metric::van_rossum:
             return van_rossum_matrix(equal, params, options);
         case Metric::no_physiology:

@@ -200,6 +200,20 @@ def bands_distance(x, y):
     return float(np.linalg.norm(band_levels_db(x) - band_levels_db(y)))
 
 
+def balance_db(x):
+    """Power of 100 to 1000 Hz over that of 10 to 100 Hz, in dB, each lifted by a millionth of both."""
+    power = amplitudes(x - np.mean(x)) ** 2
+    f_hz = np.arange(len(power)) * RATE_HZ / len(x)
+    low = np.sum(power[(f_hz >= 10) & (f_hz < 100)])
+    high = np.sum(power[(f_hz >= 100) & (f_hz <= 1000)])
+    least = 1e-6 * (low + high)
+    return 10 * np.log10((high + least) / (low + least)) if least > 0 else 0.0
+
+
+def balance_distance(x, y):
+    return float(abs(balance_db(x) - balance_db(y)))
+
+
 def van_rossum_of_spikes(s, tau_s=0.01):
     """From the kernel: D^2 = 1/2 sum_ij s_i s_j exp(-|t_i - t_j| / tau) over all spikes."""
     place = np.flatnonzero(s)
@@ -282,7 +296,7 @@ def waveform_metrics():
     """key -> distance of two waveforms."""
     return {"rmse": spectral_rmse, "msm": spectral_matching, "mtm": temporal_matching,
             "st-sim": both_ways(lambda x, y: st_sim(x, y)[2]), "spqi": both_ways(spqi),
-            "level": level_difference_db, "bands": bands_distance}
+            "level": level_difference_db, "bands": bands_distance, "balance": balance_distance}
 
 
 def changed_metrics():

@@ -101,7 +101,7 @@ TEST_CASE("printed: ranks of the printed numbers are the program's, of every met
     std::vector<Metric> quick;
     std::vector<Metric> slow;
     for (const Metric metric : kMetrics) (is_slow(metric) ? slow : quick).push_back(metric);
-    CHECK(quick.size() + slow.size() == 13);
+    CHECK(quick.size() + slow.size() == kMetricCount);
     std::size_t sets = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(kAssetsDir) + "/sets")) {
