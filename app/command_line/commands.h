@@ -135,10 +135,11 @@ Expected<Done> run(const ManualCommand& command);
 struct CompareCommand {
     CommonOptions common;  // sets are not merged: each has its own ratings
     RatingFiles ratings;
-    std::vector<std::string> metrics;  // empty: all
-    std::vector<std::string> given;    // duration, level, or files of matrices
-    bool paper_mode = false;           // Table 2's digits and averages
-    bool methods = false;              // and a paragraph on how
+    std::vector<std::string> metrics;       // empty: all
+    std::vector<std::string> metrics_from;  // files of matrices, or functions in Python
+    std::vector<std::string> given;         // duration, level, or files of matrices
+    bool paper_mode = false;                // Table 2's digits and averages
+    bool methods = false;                   // and a paragraph on how
     // Tables for other programs; empty: none.
     std::filesystem::path csv;              // a row a metric
     std::filesystem::path people_csv;       // a row a participant and metric

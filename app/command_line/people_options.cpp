@@ -47,6 +47,11 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
     add_ratings(compare, options.ratings);
     compare.add_option("--metric", options.metrics, "only these of those below")
         ->check(fault_of_metric);
+    compare.add_option(
+        "--metric-from", options.metrics_from,
+        "also a metric of your own: a file with a matrix, or FILE.py:FUNCTION, which "
+        "gets two arrays of samples in g and the rate in Hz, and returns a number "
+        "of 0 or more");
     add_only(compare, options.common);
     compare.add_option("--out", options.out, "file for the answer, instead of standard output");
     compare.footer(list_of_metrics());

@@ -111,7 +111,7 @@ TextRow metric_row(const SetAgreement& set, std::size_t m) {
 void write_metrics_csv(std::ostream& stream, std::span<const SetAgreement> sets) {
     write_row(stream, kLabelHead, metric_head(sets.front()));
     for (const SetAgreement& set : sets) {
-        for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+        for (std::size_t m = 0; m < metric_count(set); ++m) {
             write_row(stream, labels_of(set), metric_row(set, m));
         }
     }
@@ -122,7 +122,7 @@ void write_people_csv(std::ostream& stream, std::span<const SetAgreement> sets) 
               {"participant", "metric", "rho", "K", "rho_with_others", "rho_with_all"});
     for (const SetAgreement& set : sets) {
         for (const PersonAgreement& person : set.table.individuals.people) {
-            for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+            for (std::size_t m = 0; m < metric_count(set); ++m) {
                 TextRow row{person.participant, key_of(set, m)};
                 add(row, {person.rho[m], person.k[m], person.with_others, person.with_all});
                 write_row(stream, labels_of(set), row);

@@ -50,7 +50,7 @@ std::string head_of(const SetAgreement& set) {
 std::string table_of(const SetAgreement& set) {
     std::vector<TextRow> rows{{"metric", "rho", "95 % interval", "p", "tau-b", "K", "K spread",
                                "K p", "1-K/chance", "K Procrustes", "PROTEST p", "stress-1"}};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         const Evaluation& e = set.table.evaluations[m];
         rows.push_back({key_of(set, m), fixed_digits(e.rho, 3), interval_text(e.rho_interval, 2),
                         fixed_digits(e.rho_p, 4), fixed_digits(e.tau_b, 3), fixed_digits(e.k, 3),
@@ -70,7 +70,7 @@ std::string table_of(const SetAgreement& set) {
 // As printed in Table 2: two digits, "-" for what is undefined.
 std::string paper_table_of(const SetAgreement& set) {
     std::vector<TextRow> rows{{"metric", "rho", "K"}};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         const Agreement agreement = agreement_of(set.table.evaluations[m], Bookkeeping::paper);
         rows.push_back(
             {key_of(set, m), fixed_digits(agreement.rho, 2), fixed_digits(agreement.k, 2)});
@@ -81,7 +81,7 @@ std::string paper_table_of(const SetAgreement& set) {
 // What a "-" of Table 2's layout stands for, where no other remark tells.
 std::string paper_remarks(const SetAgreement& set) {
     std::string text;
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         const Evaluation& e = set.table.evaluations[m];
         if (!e.is_failed_start) continue;
         text += std::string(key_of(set, m)) +
@@ -144,14 +144,14 @@ std::string uncertainty_text(const SetAgreement& set) {
     head.push_back("K");
     head.insert(head.end(), of_k.begin() + 2, of_k.end());
     std::vector<TextRow> rows{head};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         TextRow row{key_of(set, m)};
         add_resampled(row, all.rho[m], has_people);
         add_resampled(row, all.k[m], has_people);
         rows.push_back(row);
     }
     NotKnownWords not_known{has_people, {}};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         not_known.add("rho", key_of(set, m), all.rho[m]);
         not_known.add("K", key_of(set, m), all.k[m]);
     }
@@ -192,7 +192,7 @@ std::string people_table_text(const SetAgreement& set) {
     if (all.people.empty()) return {};
     std::vector<TextRow> rows{
         {"with one person", "median rho", "quartiles", "mean", "median K", "quartiles", "mean"}};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         TextRow row = spread_row(key_of(set, m), all.rho[m]);
         const TextRow k = spread_row("", all.k[m]);
         row.insert(row.end(), k.begin() + 1, k.end());
@@ -217,7 +217,7 @@ std::string given_text(const SetAgreement& set) {
         alone.insert(alone.end(), {fixed_digits(one.rho_alone, 3), ""});
     }
     std::vector<TextRow> rows{head};
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         TextRow row{key_of(set, m)};
         for (const Given& one : set.table.given) {
             row.push_back(fixed_digits(one.metrics[m].rho, 3));
@@ -235,15 +235,24 @@ std::string verdict_on_pm(const SetAgreement& set) {
     for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
         agreements.push_back({set.table.metrics[m], set.table.evaluations[m].rho});
     }
-    const std::optional<Metric> best = unbeaten_by_pm(agreements);
-    if (!best) return {};
-    return std::string("pm does not beat ") + traits(*best).key +
-           " on this set, which takes no model of the nerves\n";
+    std::string text;
+    if (const std::optional<Metric> best = unbeaten_by_pm(agreements)) {
+        text = std::string("pm does not beat ") + traits(*best).key +
+               " on this set, which takes no model of the nerves\n";
+    }
+    const auto pm = std::ranges::find(agreements, Metric::pm, &MetricRho::metric);
+    for (std::size_t k = 0; k < set.foreign.size(); ++k) {
+        const double rho = set.table.evaluations[agreements.size() + k].rho;
+        text += set.foreign[k].key + ": from " + set.foreign[k].from + ", not of this program";
+        if (pm != agreements.end() && rho >= pm->rho) text += "; pm does not beat it on this set";
+        text += "\n";
+    }
+    return text;
 }
 
 std::string remarks_text(const SetAgreement& set, bool is_paper) {
     std::string text;
-    for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(set); ++m) {
         const Evaluation& e = set.table.evaluations[m];
         for (const std::string& remark : e.remarks) {
             text += std::string(key_of(set, m)) + ": ";
@@ -305,7 +314,7 @@ std::string means_text(std::span<const SetAgreement> sets, Bookkeeping books) {
     std::vector<TextRow> rows;
     rows.push_back({"metric", is_paper ? "|rho|" : "rho", is_paper ? "signed rho" : "|rho|", "K",
                     "undefined rho", "failed maps"});
-    for (std::size_t m = 0; m < sets.front().table.metrics.size(); ++m) {
+    for (std::size_t m = 0; m < metric_count(sets.front()); ++m) {
         const MeanAgreement mean = mean_of(sets, m, books);
         const std::string with_sign = fixed_digits(mean.signed_rho, 3);
         const std::string absolute = fixed_digits(mean.absolute_rho, 3);

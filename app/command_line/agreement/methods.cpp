@@ -53,7 +53,7 @@ constexpr const char* kReferences =
 }  // namespace
 
 std::string foot_of_table(const SetAgreement& set) {
-    const std::string count = std::to_string(set.table.metrics.size());
+    const std::string count = std::to_string(metric_count(set));
     return "rho: Spearman's; interval: bootstrap over patterns, percentiles of " +
            grouped_digits(kEvaluation.bootstrap_draws) + " draws, seed 2; p: Mantel, one-sided, " +
            orders_text(set.patterns, kEvaluation.rho_orders, 1) +
@@ -64,7 +64,7 @@ std::string foot_of_table(const SetAgreement& set) {
            orders_text(set.patterns, kEvaluation.k_orders, 6) +
            "; spread: over maps that fit practically as well\n"
            "no p of this table is corrected for " +
-           count + (set.table.metrics.size() == 1 ? " metric\n" : " metrics\n");
+           count + (metric_count(set) == 1 ? " metric\n" : " metrics\n");
 }
 
 std::string foot_of_uncertainty(const SetAgreement& set) {

@@ -12,6 +12,12 @@
 
 namespace tact {
 
+// A metric that is not of this program.
+struct ForeignMetric {
+    std::string key;   // "mine (foreign)": marked wherever it is named
+    std::string from;  // file, or file and function
+};
+
 struct SetAgreement {
     std::string name;
     std::size_t patterns = 0;  // rated ones
@@ -20,13 +26,18 @@ struct SetAgreement {
     Labels labels;
     MetricTable table;
     InterRater raters;
+    std::vector<ForeignMetric> foreign{};  // whose matrices stand behind those of the metrics
 };
 
 // Only the rated patterns.
 inline const RatedSet& rated_of(const SetAgreement& set) { return rated_part(set.people.rated); }
 
+inline std::size_t metric_count(const SetAgreement& set) { return set.table.matrices.size(); }
+
 inline const char* key_of(const SetAgreement& set, std::size_t metric) {
-    return traits(set.table.metrics[metric]).key;
+    const std::size_t own = set.table.metrics.size();
+    return metric < own ? traits(set.table.metrics[metric]).key
+                        : set.foreign[metric - own].key.c_str();
 }
 
 }  // namespace tact

@@ -6,6 +6,7 @@
 
 #include "app/command_line/agreement/agreement_csv.h"
 #include "app/command_line/agreement/agreement_text.h"
+#include "app/command_line/agreement/foreign_metric.h"
 #include "app/command_line/agreement/methods.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
@@ -58,6 +59,14 @@ Expected<SetAgreement> compared(const CompareCommand& command, std::span<const M
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
     auto matrices = *compared_matrices(patterns.set, metrics, nullptr, options);
+    std::vector<ForeignMetric> foreign;
+    for (const std::string& from : command.metrics_from) {
+        Expected<Dissimilarity> matrix =
+            foreign_matrix(from, patterns.set, command.ratings.written);
+        if (!matrix) return matrix.error();
+        matrices.push_back(*std::move(matrix));
+        foreign.push_back(foreign_metric(from));
+    }
     MetricTable table = metric_table(patterns.study, *people, metrics, std::move(matrices),
                                      *nuisances, params, progress_line("resampling"));
     const std::size_t rated = patterns.set.vibrations.size() - people->unrated.size();
@@ -67,7 +76,8 @@ Expected<SetAgreement> compared(const CompareCommand& command, std::span<const M
                         patterns.left_out,
                         patterns.labels,
                         std::move(table),
-                        inter_rater(patterns.study)};
+                        inter_rater(patterns.study),
+                        std::move(foreign)};
 }
 
 nlohmann::json json_of(const Uncertain& value) {
@@ -144,6 +154,8 @@ nlohmann::json json_of(const SetAgreement& set, std::size_t m, Bookkeeping books
                         {"left_out", json_of(set.left_out)},
                         {"unrated_patterns", set.people.unrated},
                         {"remarks", e.remarks}};
+    const std::size_t own = set.table.metrics.size();
+    if (m >= own) json["foreign"] = set.foreign[m - own].from;
     add_to(json, set.raters);
     add_to(json, set, m);
     add_labels(json, set.labels);
@@ -163,7 +175,7 @@ nlohmann::json json_of(const MeanAgreement& mean, const std::string& key, Bookke
 
 std::string json_text(const std::vector<SetAgreement>& sets, Bookkeeping books) {
     nlohmann::json all = nlohmann::json::array();
-    const std::size_t metrics = sets.front().table.metrics.size();
+    const std::size_t metrics = metric_count(sets.front());
     for (const SetAgreement& set : sets) {
         for (std::size_t m = 0; m < metrics; ++m) all.push_back(json_of(set, m, books));
     }

@@ -337,4 +337,58 @@ TEST_CASE("compare: ratings of other patterns are refused by name") {
               .exit_code == 2);
 }
 
+TEST_CASE("compare: a metric of one's own stands beside the others, marked wherever it is named") {
+    const Study study;
+    const std::string mine =
+        study.written("mine.csv", output_of({"predict", study.set, "--metric", "rmse"}));
+    const std::string python = study.written("own.py",
+                                             "import math\n"
+                                             "def spectral(x, y, rate_hz):\n"
+                                             "    assert len(x) == len(y) and rate_hz == 10000\n"
+                                             "    print('words of its own')\n"
+                                             "    return abs(math.hypot(*x) - math.hypot(*y))\n"
+                                             "def broken(x, y, rate_hz): return 1 / 0\n"
+                                             "def below(x, y, rate_hz): return -1.0\n"
+                                             "number = 3\n");
+    const std::string csv = (study.folder.path / "metrics.csv").string();
+    const std::string people = study.three_people();
+    const std::vector<std::string> words{
+        "compare",  study.set, "--ratings",     people, "--metric",      "pm",
+        "--metric", "rmse",    "--metric-from", mine,   "--metric-from", python + ":spectral",
+        "--csv",    csv};
+    const Ran ran = run_program(words);
+    REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
+    CHECK(contains(ran.out, "mine (foreign): from " + mine + ", not of this program"));
+    CHECK(
+        contains(ran.out, "spectral (foreign): from " + python + ":spectral, not of this program"));
+    CHECK_FALSE(contains(ran.out, "words of its own"));
+    CHECK(contains(bytes_of(csv), "mine (foreign)"));
+    std::vector<std::string> as_json = words;
+    as_json.push_back("--json");
+    const Json rows = Json::parse(output_of(as_json));
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[2].at("foreign") == mine);
+    CHECK_FALSE(rows[1].contains("foreign"));
+    // Its own numbers in a file are the metric itself, in every statistic.
+    for (const char* key : {"rho", "p", "tau_b", "K", "stress1", "rho_low", "rho_person"}) {
+        CHECK_MESSAGE(rows[2].at(key) == rows[1].at(key), key);
+    }
+    CHECK(rows[2].contains("pm_less_this"));
+    const auto refusal = [&](const std::string& from) {
+        const Ran refused =
+            run_program({"compare", study.set, "--ratings", people, "--metric-from", from});
+        CHECK(refused.exit_code == 1);
+        CHECK(refused.out.empty());
+        return refused.err;
+    };
+    CHECK(contains(refusal(python + ":broken"), ":broken: ZeroDivisionError: division by zero"));
+    CHECK(
+        contains(refusal(python + ":below"),
+                 ":below: ValueError: patterns 1 and 2: expected a number of 0 or more, got -1.0"));
+    CHECK(contains(refusal(python + ":number"), "expected a function of this name, got int"));
+    CHECK(contains(refusal((study.folder.path / "none.py").string() + ":f"),
+                   "none.py: there is no such file"));
+    CHECK(contains(refusal(study.written("other.csv", "a,b\n0,1\n1,0\n")), "other.csv"));
+}
+
 }  // namespace compare_test

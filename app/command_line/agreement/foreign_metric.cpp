@@ -1,0 +1,148 @@
+#include "app/command_line/agreement/foreign_metric.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "assets/assets.h"
+#include "model/set/set_waveforms.h"
+#include "model/text/utf8.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// "mine.py:apart" as its two parts; without a function: no metric in Python.
+struct PythonMetric {
+    std::string file;
+    std::string function;
+};
+
+PythonMetric python_metric(const std::string& from) {
+    const std::size_t colon = from.rfind(".py:");
+    if (colon == std::string::npos) return {};
+    return {from.substr(0, colon + 3), from.substr(colon + 4)};
+}
+
+// A folder that is gone with it.
+struct ScratchFolder {
+    fs::path path;
+    ScratchFolder() {
+        std::string name = (fs::temp_directory_path() / "tactspace-metric-XXXXXX").string();
+        if (mkdtemp(name.data()) != nullptr) path = name;
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    ~ScratchFolder() {
+        std::error_code ignored;
+        if (!path.empty()) fs::remove_all(path, ignored);
+    }
+};
+
+// Runs python3 until it ends; 0: well. What it says goes to a file.
+Expected<int> run_python(std::vector<std::string> words, const fs::path& said) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, said.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    pid_t process = 0;
+    const int fault =
+        posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (fault != 0) return Error{"python3 cannot be started: " + std::string(strerror(fault))};
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string last_line(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string last;
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.empty()) last = line;
+    }
+    return valid_utf8(last);
+}
+
+void write_doubles(std::ofstream& stream, const std::vector<double>& values) {
+    stream.write(reinterpret_cast<const char*>(values.data()),
+                 static_cast<std::streamsize>(values.size() * sizeof(double)));
+}
+
+std::vector<double> read_doubles(const fs::path& file, std::size_t count) {
+    std::vector<double> values(count);
+    std::ifstream stream(file, std::ios::binary);
+    const auto bytes = static_cast<std::streamsize>(count * sizeof(double));
+    stream.read(reinterpret_cast<char*>(values.data()), bytes);
+    if (stream.gcount() != bytes) values.clear();
+    return values;
+}
+
+Expected<Dissimilarity> called(const PythonMetric& metric, const std::string& from,
+                               const PatternSet& set) {
+    if (!fs::is_regular_file(metric.file)) {
+        return Error{metric.file + ": there is no such file"};
+    }
+    const ScratchFolder scratch;
+    if (scratch.path.empty()) {
+        return Error{from + ": no folder for what Python needs can be made in " +
+                     fs::temp_directory_path().string()};
+    }
+    const fs::path samples = scratch.path / "samples";
+    const fs::path answer = scratch.path / "answer";
+    const fs::path said = scratch.path / "said";
+    {
+        std::ofstream stream(samples, std::ios::binary);
+        for (const Waveform& one : model_waveforms(set)) write_doubles(stream, one.samples_g);
+        if (!stream.flush()) return Error{samples.string() + ": could not be written"};
+    }
+    const std::size_t n = set.vibrations.size();
+    const auto ended =
+        run_python({"python3", "-c", std::string(asset("metric/call_metric.py")), metric.file,
+                    metric.function, samples.string(), answer.string(),
+                    std::to_string(static_cast<int>(kModelRateHz)), std::to_string(n)},
+                   said);
+    if (!ended) return Error{from + ": " + ended.error().message};
+    if (*ended != 0) {
+        const std::string words = last_line(said);
+        return Error{from + ": " + (words.empty() ? "python3 was stopped" : words)};
+    }
+    Dissimilarity matrix{n, read_doubles(answer, pair_count(n))};
+    if (matrix.condensed.empty() && n > 1) return Error{from + ": python3 gave no answer"};
+    return matrix;
+}
+
+}  // namespace
+
+ForeignMetric foreign_metric(const std::string& from) {
+    const PythonMetric python = python_metric(from);
+    const std::string name =
+        python.function.empty() ? fs::path(from).stem().string() : python.function;
+    return {name + " (foreign)", from};
+}
+
+Expected<Dissimilarity> foreign_matrix(const std::string& from, const PatternSet& set,
+                                       const TableHints& written) {
+    const PythonMetric python = python_metric(from);
+    if (!python.function.empty()) return called(python, from, set);
+    return dissimilarities_in(from, names_of(set), written);
+}
+
+}  // namespace tact
