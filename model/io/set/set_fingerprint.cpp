@@ -14,6 +14,16 @@ std::uint64_t mixed_text(std::uint64_t so_far, const PatternSet& set) {
     return mixed(so_far, std::span<const char>(text));
 }
 
+// Without what changes nothing that is felt: how steps are counted, and letters that no note has.
+Pattern as_felt(Pattern pattern) {
+    Rhythm& rhythm = pattern.rhythm;
+    rhythm.meter = {};
+    std::erase_if(rhythm.kinds, [&rhythm](const auto& kind) {
+        return rhythm.text.find(kind.first) == std::string::npos;
+    });
+    return pattern;
+}
+
 }  // namespace
 
 std::uint64_t vibrations_fingerprint(const PatternSet& set) {
@@ -22,7 +32,7 @@ std::uint64_t vibrations_fingerprint(const PatternSet& set) {
     for (const Vibration& vibration : set.vibrations) {
         Vibration& kept = bare.vibrations.emplace_back();
         if (const auto* pattern = std::get_if<Pattern>(&vibration.source)) {
-            kept.source = *pattern;
+            kept.source = as_felt(*pattern);
         } else {
             const Waveform waveform = waveform_of(vibration);
             number = mixed(number, std::uint64_t{bare.vibrations.size()});

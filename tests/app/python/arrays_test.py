@@ -102,9 +102,11 @@ class Refusals(unittest.TestCase):
         self.refused("waves[1]: expected numbers without a mask", predict, list(masked))
 
     def test_a_file_that_is_not_there(self):
-        with self.assertRaises(FileNotFoundError) as caught:
-            tactspace.read_set("nowhere/set.tactspace.json")
-        self.assertIn("set.tactspace.json: there is no such file", str(caught.exception))
+        for read, file in ((tactspace.read_set, "nowhere/set.tactspace.json"),
+                           (tactspace.read_ratings, "nowhere/r.csv")):
+            with self.subTest(file), self.assertRaises(FileNotFoundError) as caught:
+                read(file)
+            self.assertIn(file + ": there is no such file", str(caught.exception))
 
     def refused(self, sentence, function, *arguments, **named):
         with self.assertRaises(ValueError) as caught:
@@ -206,7 +208,6 @@ class Refusals(unittest.TestCase):
         self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
         self.refused('model: /coding: does not know "layers"', tactspace.predict, WAVES,
                      model={"coding": {"layers": 3}})
-        self.refused("there.csv", tactspace.read_ratings, "not/there.csv")
         with self.assertRaises(TypeError):
             tactspace.render({"amplitude_g": object()})
 

@@ -176,6 +176,23 @@ TEST_CASE("drawn sets: added transients are the samples of both, in any phase") 
           pattern);
 }
 
+TEST_CASE(
+    "drawn sets: a pitch makes another fingerprint, bars and a letter without a note do not") {
+    Pattern pattern;
+    pattern.rhythm = {"A=x-", 0.1, {{'A', {0.5, 1.5}}}};
+    const std::uint64_t own = vibrations_fingerprint(set_with(pattern));
+    Pattern counted = pattern;
+    counted.rhythm.meter = {3, 4};
+    counted.rhythm.kinds['Q'] = {0.2, 2.0};
+    CHECK(vibrations_fingerprint(set_with(counted)) == own);
+    Pattern higher = pattern;
+    higher.rhythm.kinds['A'].pitch = 1.6;
+    CHECK(vibrations_fingerprint(set_with(higher)) != own);
+    Pattern weaker = pattern;
+    weaker.rhythm.kinds['A'].velocity = 0.4;
+    CHECK(vibrations_fingerprint(set_with(weaker)) != own);
+}
+
 TEST_CASE("drawn sets: each number of what is drawn makes another fingerprint") {
     const std::uint64_t plain = vibrations_fingerprint(set_with(Pattern{}));
     const std::uint64_t number = vibrations_fingerprint(set_with(drawn()));
