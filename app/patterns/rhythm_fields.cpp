@@ -213,6 +213,11 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
+// Several patterns that are dragged together keep their proportions, which are no whole numbers.
+int whole_within(const Range& range, double value) {
+    return static_cast<int>(std::lround(std::clamp(value, range.low, range.high)));
+}
+
 void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
     const Range& unit = traits(PatternParameter::rhythm_unit).range;
     const int beat = rhythm.meter.steps_a_beat;
@@ -246,7 +251,7 @@ void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
          .help = "How many steps are a beat; no step gets longer or shorter by it."},
         "beat", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.steps_a_beat); },
         [](Pattern& p, double value) {
-            p.rhythm.meter.steps_a_beat = static_cast<int>(std::lround(value));
+            p.rhythm.meter.steps_a_beat = whole_within(limits::kStepsABeat, value);
         });
     edit_number(
         ui, work,
@@ -260,7 +265,7 @@ void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
          .help = "How many beats are a bar: lines in the strip. 0: no bars."},
         "bar", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.beats_a_bar); },
         [](Pattern& p, double value) {
-            p.rhythm.meter.beats_a_bar = static_cast<int>(std::lround(value));
+            p.rhythm.meter.beats_a_bar = whole_within(limits::kBeatsABar, value);
         });
 }
 

@@ -84,8 +84,9 @@ ExportedPattern effect_exported(const Pattern& pattern, const std::string& name,
 }
 
 // Beds that sound at once, each with what it loses under its name.
-ExportedPattern beds_exported(const std::vector<PlacedBed>& beds, const std::string& name,
-                              const ExportTarget& target, const std::string& date) {
+ExportedPattern beds_exported(const LayeredPattern& meant, const std::vector<PlacedBed>& beds,
+                              const std::string& name, const ExportTarget& target,
+                              const std::string& date) {
     std::vector<Pattern> patterns;
     for (const PlacedBed& bed : beds) patterns.push_back(bed.pattern);
     WrittenEffect written = write_at_once(patterns, {name, target.map, date, {}});
@@ -97,9 +98,14 @@ ExportedPattern beds_exported(const std::vector<PlacedBed>& beds, const std::str
         for (const std::string& remark : bed.remarks) remarks.push_back(bed.name + ": " + remark);
     }
     if (!back || back->layers.size() != beds.size()) {
-        result.back = back ? std::move(back->pattern) : silence_like(patterns.front());
-        remarks.push_back(back ? "its layers come back merged into one pattern"
+        const Pattern one = back ? back->pattern : silence_like(patterns.front());
+        result.error = envelope_error(as_one_pattern(meant).pattern, one);
+        add(remarks, words_of(*result.error));
+        remarks.push_back(back ? "its " + std::to_string(beds.size()) +
+                                     " layers come back as fewer, as some have one course"
                                : "nothing of it comes back: " + back.error().message);
+        result.back = one;
+        if (back && !back->layers.empty()) result.back = layers_of(std::move(back->layers));
         return result;
     }
     for (std::size_t k = 0; k < beds.size(); ++k) {
@@ -158,7 +164,9 @@ ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
     if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
         if (target.format == TargetFormat::hjif) {
             const std::vector<PlacedBed> beds = as_placed_beds(*layered);
-            if (!beds.empty()) return beds_exported(beds, vibration.name, target, date);
+            if (!beds.empty()) {
+                return beds_exported(*layered, beds, vibration.name, target, date);
+            }
         }
         const OnePattern one = as_one_pattern(*layered);
         ExportedPattern result = effect_exported(one.pattern, vibration.name, target, date);

@@ -258,7 +258,9 @@ std::vector<Bed> beds_of(const std::vector<Voice>& voices, const std::vector<std
         };
         Bed band(at(begin), at(end));
         begin = end;
-        std::erase_if(band, [](const Voice& one) { return !(one.start_s < one.end_s); });
+        std::erase_if(band, [](const Voice& one) {
+            return !(one.start_s < one.end_s) || !(peak_value(one.amplitude) > 0.0);
+        });
         if (band.empty()) continue;
         const auto alike = std::ranges::find_if(beds, [&](const Bed& bed) {
             Bed both = bed;

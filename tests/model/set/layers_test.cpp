@@ -256,6 +256,29 @@ TEST_CASE("layers: HJIF holds beds at once, which come back as layers of the sam
     REQUIRE(got.size() >= meant.size());
     for (std::size_t n = 0; n < meant.size(); ++n) REQUIRE(std::abs(got[n] - meant[n]) < 1e-9);
     CHECK(std::get<Pattern>(back->layers[0].source).transients.size() == 2);
+    // Two of one course are carriers of one pattern in a file, which is the same sum.
+    LayeredPattern alike;
+    alike.layers = {layer(tone(0.3, 60.0, 0.8)), layer(tone(0.2, 200.0, 0.8))};
+    vibration.source = alike;
+    const ExportedPattern one_course = exported(vibration, *target);
+    CHECK(one_course.error);
+    CHECK(one_course.remarks.back() == "its 2 layers come back as fewer, as some have one course");
+    const auto* carriers = std::get_if<Pattern>(&one_course.back);
+    REQUIRE(carriers != nullptr);
+    CHECK(carriers->carriers.size() == 2);
+    const std::vector<double> of_layers = render(alike).samples_g;
+    const std::vector<double> of_carriers = render(*carriers).samples_g;
+    for (std::size_t n = 0; n < of_layers.size(); ++n) {
+        REQUIRE(std::abs(of_layers[n] - of_carriers[n]) < 1e-9);
+    }
+    // With a third one beside them, there are two left.
+    alike.layers.push_back(layer(notes, 0.8, 0.25));
+    vibration.source = alike;
+    const ExportedPattern three = exported(vibration, *target);
+    const auto* two = std::get_if<LayeredPattern>(&three.back);
+    REQUIRE(two != nullptr);
+    CHECK(two->layers.size() == 2);
+    vibration.source = layered;
     // Another format says of each layer what it was of the whole.
     const auto ahap = export_target_named("ahap");
     REQUIRE(ahap);
