@@ -2,8 +2,8 @@
 //
 //     B = 10 log10((P_high + e P) / (P_low + e P)),   D = |B_x - B_y|
 //
-// P_low is the power of the lines from 10 Hz to below 100 Hz, P_high of those from there to 1000 Hz,
-// P their sum, and e 1e-6, so that a single frequency is at 60 dB or at -60 dB.
+// P_low is the power of the lines from 10 Hz to below 100 Hz, P_high of those from there to 1000
+// Hz, P their sum, and e 1e-6, so that a single frequency is at 60 dB or at -60 dB.
 //
 // Confidence  [L] that this balance is what people go by in noisy vibrations of equal strength:
 //           Bernard, Thoret, Huloux & Ystad 2023 (arXiv). The limits of the two bands, the dB and e

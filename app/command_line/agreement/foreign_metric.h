@@ -2,8 +2,8 @@
 //
 // "mine.csv" is a matrix by the names of the set. "mine.py:apart" is a function of two arrays of
 // samples in g, padded to the longest of the set, and the rate in Hz, that returns a number of 0 or
-// more; python3 calls it on every pair, the earlier pattern first. The arrays are NumPy's where that
-// is installed, else Python's own.
+// more; python3 calls it on every pair, the earlier pattern first. The arrays are NumPy's where
+// that is installed, else Python's own.
 #pragma once
 
 #include <string>
