@@ -235,17 +235,24 @@ std::string verdict_on_pm(const SetAgreement& set) {
     for (std::size_t m = 0; m < set.table.metrics.size(); ++m) {
         agreements.push_back({set.table.metrics[m], set.table.evaluations[m].rho});
     }
+    const std::optional<Metric> best = unbeaten_by_pm(agreements);
+    if (!best) return {};
+    return std::string("pm does not beat ") + traits(*best).key +
+           " on this set, which takes no model of the nerves\n";
+}
+
+// Where each metric of one's own is from, and whether PM is better.
+std::string foreign_text(const SetAgreement& set) {
+    const std::vector<Metric>& own = set.table.metrics;
+    const std::vector<Evaluation>& all = set.table.evaluations;
+    const auto pm = std::ranges::find(own, Metric::pm);
     std::string text;
-    if (const std::optional<Metric> best = unbeaten_by_pm(agreements)) {
-        text = std::string("pm does not beat ") + traits(*best).key +
-               " on this set, which takes no model of the nerves\n";
-    }
-    const auto pm = std::ranges::find(agreements, Metric::pm, &MetricRho::metric);
     for (std::size_t k = 0; k < set.foreign.size(); ++k) {
-        const double rho = set.table.evaluations[agreements.size() + k].rho;
-        text += set.foreign[k].key + ": from " + set.foreign[k].from + ", not of this program";
-        if (pm != agreements.end() && rho >= pm->rho) text += "; pm does not beat it on this set";
-        text += "\n";
+        const bool is_unbeaten =
+            pm != own.end() &&
+            all[own.size() + k].rho >= all[static_cast<std::size_t>(pm - own.begin())].rho;
+        text += set.foreign[k].key + ": from " + set.foreign[k].from + ", not of this program" +
+                (is_unbeaten ? "; pm does not beat it on this set\n" : "\n");
     }
     return text;
 }
@@ -265,7 +272,7 @@ std::string remarks_text(const SetAgreement& set, bool is_paper) {
     if (set.patterns <= 7) {
         text += "K and stress of so few patterns say little: any ratings fit in three dimensions\n";
     }
-    return text + verdict_on_pm(set);
+    return text + verdict_on_pm(set) + foreign_text(set);
 }
 
 }  // namespace

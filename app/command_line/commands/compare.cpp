@@ -1,6 +1,8 @@
 // tactspace compare: metrics against what people said, as in the paper's Table 2.
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -51,6 +53,16 @@ Expected<SetAgreement> compared(const CompareCommand& command, std::span<const M
                                 const RatedPatterns& patterns) {
     const Expected<std::vector<Nuisance>> nuisances = nuisances_of(command, patterns.set);
     if (!nuisances) return nuisances.error();
+    // Before all that takes long: what is wrong with them is told at once.
+    std::vector<ForeignMetric> foreign;
+    std::vector<Dissimilarity> theirs;
+    for (const std::string& from : command.metrics_from) {
+        Expected<Dissimilarity> matrix =
+            foreign_matrix(from, patterns.set, command.ratings.written);
+        if (!matrix) return matrix.error();
+        theirs.push_back(*std::move(matrix));
+        foreign.push_back(foreign_metric(from));
+    }
     EvaluationParams params;
     params.threads = command.common.threads;
     Expected<RatedPeople> people = rated_people(patterns.study, params);
@@ -59,14 +71,7 @@ Expected<SetAgreement> compared(const CompareCommand& command, std::span<const M
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
     auto matrices = *compared_matrices(patterns.set, metrics, nullptr, options);
-    std::vector<ForeignMetric> foreign;
-    for (const std::string& from : command.metrics_from) {
-        Expected<Dissimilarity> matrix =
-            foreign_matrix(from, patterns.set, command.ratings.written);
-        if (!matrix) return matrix.error();
-        matrices.push_back(*std::move(matrix));
-        foreign.push_back(foreign_metric(from));
-    }
+    std::ranges::move(theirs, std::back_inserter(matrices));
     MetricTable table = metric_table(patterns.study, *people, metrics, std::move(matrices),
                                      *nuisances, params, progress_line("resampling"));
     const std::size_t rated = patterns.set.vibrations.size() - people->unrated.size();
