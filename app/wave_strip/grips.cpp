@@ -33,15 +33,8 @@ double line_g(const Pattern& pattern, double t_s) {
 }
 
 Axis frequency_axis(const Pattern& pattern) {
-    double low = pattern.carriers[0].frequency_hz;
-    double high = low;
-    const FrequencyCurve curve = sounding_frequency(pattern);
-    if (!curve.empty()) low = high = curve[0].frequency_hz;
-    for (const FrequencyPoint& point : curve) {
-        low = std::min(low, point.frequency_hz);
-        high = std::max(high, point.frequency_hz);
-    }
-    return {low / 2.0, high * 2.0, Scale::logarithmic};
+    const Range hz = carrier_range_hz(pattern);
+    return {hz.low / 2.0, hz.high * 2.0, Scale::logarithmic};
 }
 
 // How far a point went, in time and along its lane's axis.
@@ -124,6 +117,16 @@ std::optional<std::size_t> with_ends(Curve& curve, double t_s, double duration_s
 bool is_single(GripKind kind) {
     return kind == GripKind::amplitude_point || kind == GripKind::frequency_point ||
            kind == GripKind::transient;
+}
+
+Range carrier_range_hz(const Pattern& pattern) {
+    const FrequencyCurve curve = sounding_frequency(pattern);
+    if (curve.empty()) {
+        const double hz = pattern.carriers[0].frequency_hz;
+        return {hz, hz};
+    }
+    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
+    return {low.frequency_hz, high.frequency_hz};
 }
 
 StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,

@@ -65,6 +65,9 @@ struct StripScale {
     StripTool tool = StripTool::curves;
 };
 
+// The lowest and the highest frequency of the first carrier, by its curve and the pitches of notes.
+Range carrier_range_hz(const Pattern& pattern);
+
 // The g axis reaches over `peak_g` and everything that can be taken.
 StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,
                        const TimeRange& view, StripTool tool = StripTool::curves);

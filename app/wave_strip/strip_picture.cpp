@@ -310,21 +310,14 @@ void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane, std:
     }
 }
 
-// From the lowest frequency of the first carrier to its highest.
-std::vector<double> shown_hz(const Pattern& pattern) {
-    const FrequencyCurve curve = sounding_frequency(pattern);
-    if (curve.empty()) return {pattern.carriers[0].frequency_hz};
-    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
-    return {low.frequency_hz, high.frequency_hz};
-}
-
 }  // namespace
 
 void draw_strip_picture(ImDrawList& list, const Theme& theme, const Rect& area,
                         const StripScene& scene) {
     const double peak_g = scene.scale.amplitude.y.high / kOverhead;
     draw_lane_axis(list, theme, scene.scale.amplitude, "g", std::array{0.0, peak_g});
-    draw_lane_axis(list, theme, scene.scale.frequency, "Hz", shown_hz(scene.pattern));
+    const Range hz = carrier_range_hz(scene.pattern);
+    draw_lane_axis(list, theme, scene.scale.frequency, "Hz", std::array{hz.low, hz.high});
     draw_axes(list, theme, scene.scale.frequency, {"s", "", false});
     draw_ghost(list, theme, scene);
     draw_body(list, theme, scene);
