@@ -4,9 +4,8 @@
 //           stride. Distances of all pairs: a square, or condensed as SciPy's squareform has it,
 //           (0,1),(0,2)..(0,n-1),(1,2)..
 //           documents: dicts with the keys of a set file
-// Output    errors are thrown as ValueError: "NAME: expected .., got .."; as TypeError where what
-// is
-//           given is no number, as FileNotFoundError where a file is not there
+// Output    errors are thrown as ValueError: "NAME: expected .., got .."; as TypeError where
+//           what is given is no number, as FileNotFoundError where a file is not there
 // Valid     to be called with the interpreter's lock held
 #pragma once
 

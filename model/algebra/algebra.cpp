@@ -29,7 +29,7 @@ constexpr std::array<EditTraits, kEditKindCount> kEdits{{
     {"normalise", "Normalise to a peak", "g", number, {1e-6, 50.0}, 1.0, "so strong that the largest sample is this"},
     {"felt", "Normalise to a felt level", "dB", number, {-40.0, 80.0}, 20.0, "so strong that its strongest line is this far above the threshold of the receptors that feel it best"},
     {"quantise", "Quantise", "s", number, {0.001, 10.0}, 0.125, "starts and ends of notes, and ticks, to the nearest step of this grid; a note keeps one step"},
-    {"quantise-bpm", "Quantise to a beat", "BPM", number, {1.0, 600.0}, 120.0, "the same to sixteenths of this tempo: four steps a beat"},
+    {"quantise-bpm", "Quantise to a beat", "BPM", number, {1.0, 600.0}, 120.0, "the same to steps of this tempo, as many a beat as the rhythm counts (default: 4)"},
     {"transpose", "Transpose", "times", number, {0.01, 100.0}, 2.0, "frequencies of carriers, of the frequency curve and of ticks times this"},
     {"thin", "Thin the curves", "%", number, {0.0, 100.0}, 1.0, "as few points as keep amplitudes within this share of full scale, and frequencies within this share of the highest"},
     {"find-notes", "Find the notes", "", nothing, {}, 0.0, "curves that are flat between jumps as notes of a rhythm, each with its strength and pitch"}}};

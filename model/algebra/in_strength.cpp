@@ -31,6 +31,7 @@ std::string on_grid(const Pattern& pattern, double grid_s) {
     const auto steps =
         static_cast<std::size_t>(std::max(1.0, std::ceil(pattern.duration_s / grid_s - 1e-9)));
     std::string text(steps, '-');
+    Rhythm rhythm = pattern.rhythm;
     const auto nearest = [&](double t_s) {
         return static_cast<std::size_t>(std::round(t_s / grid_s));
     };
@@ -38,10 +39,8 @@ std::string on_grid(const Pattern& pattern, double grid_s) {
         const std::size_t first = std::min(nearest(note.onset_s), steps - 1);
         const std::size_t end = std::clamp(nearest(note.onset_s + note.length_s), first + 1, steps);
         text = with_note(std::move(text), first, end - 1);
-        text[first] =
-            pattern.rhythm
-                .text[static_cast<std::size_t>(std::llround(note.onset_s / pattern.rhythm.unit_s)) %
-                      pattern.rhythm.text.size()];
+        // It has a mark already, so that there is one.
+        text[first] = mark_for(rhythm, {note.velocity, note.pitch}).value();
     }
     return text;
 }

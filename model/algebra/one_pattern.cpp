@@ -155,15 +155,15 @@ void say_shares(const LayeredPattern& layered, const std::vector<std::size_t>& b
 
 OnePattern as_one_pattern(const LayeredPattern& layered) {
     const double length_s = duration_s(layered);
-    std::vector<const Layer*> beds;
-    for (const std::size_t k : beds_of(layered)) beds.push_back(&layered.layers[k]);
+    const std::vector<std::size_t> beds = beds_of(layered);
     OnePattern one;
     if (beds.empty()) {
         one.pattern.amplitude_g = 0.0;
-    } else if (beds.size() == 1 && std::holds_alternative<Pattern>(beds[0]->source)) {
-        one.pattern = placed(*beds[0], length_s, one.remarks);
+    } else if (beds.size() == 1 &&
+               std::holds_alternative<Pattern>(layered.layers[beds[0]].source)) {
+        one.pattern = placed(layered.layers[beds[0]], length_s, one.remarks);
     } else {
-        say_shares(layered, beds_of(layered), one.remarks);
+        say_shares(layered, beds, one.remarks);
         one.pattern = traced_sum(layered, one.remarks);
     }
     one.pattern.duration_s = length_s;
