@@ -1,7 +1,5 @@
 #include "app/manual/open_manual.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,11 +7,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <thread>
 #include <utility>
 
+#include "app/session/child_process.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
 
@@ -22,24 +20,6 @@ namespace tact {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Starts a program that is found as a shell finds it, without a terminal.
-Expected<pid_t> started(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t process = 0;
-    const int fault =
-        posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (fault == 0) return process;
-    return Error{words[0] + " cannot be started: " + std::strerror(fault)};
-}
 
 // How it ended; none where it was stopped.
 std::optional<int> ended(pid_t process, const std::stop_token& stop) {

@@ -1,18 +1,16 @@
 #include "app/command_line/agreement/foreign_metric.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
+#include "app/session/child_process.h"
 #include "assets/assets.h"
 #include "model/set/set_waveforms.h"
 #include "model/text/utf8.h"
@@ -50,24 +48,12 @@ struct ScratchFolder {
     }
 };
 
-// Runs python3 until it ends; 0: well. What it says goes to a file.
-Expected<int> run_python(std::vector<std::string> words, const fs::path& said) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, said.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    pid_t process = 0;
-    const int fault =
-        posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (fault != 0) return Error{"python3 cannot be started: " + std::string(strerror(fault))};
+// Runs it until it ends; 0: well. What it says goes to a file.
+Expected<int> run_program(std::vector<std::string> words, const fs::path& said) {
+    const auto process = started(std::move(words), said);
+    if (!process) return process.error();
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(*process, &status, 0) < 0 && errno == EINTR) {
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -115,10 +101,10 @@ Expected<Dissimilarity> called(const PythonMetric& metric, const std::string& fr
     }
     const std::size_t n = set.vibrations.size();
     const auto ended =
-        run_python({"python3", "-c", std::string(asset("metric/call_metric.py")), metric.file,
-                    metric.function, samples.string(), answer.string(),
-                    std::to_string(static_cast<int>(kModelRateHz)), std::to_string(n)},
-                   said);
+        run_program({"python3", "-c", std::string(asset("metric/call_metric.py")), metric.file,
+                     metric.function, samples.string(), answer.string(),
+                     std::to_string(static_cast<int>(kModelRateHz)), std::to_string(n)},
+                    said);
     if (!ended) return Error{from + ": " + ended.error().message};
     if (*ended != 0) {
         const std::string words = last_line(said);
