@@ -138,6 +138,7 @@ struct CompareCommand {
     std::vector<std::string> metrics;       // empty: all
     std::vector<std::string> metrics_from;  // files of matrices, or functions in Python
     std::vector<std::string> given;         // duration, level, or files of matrices
+    int dimensions = 3;                     // of the maps
     bool paper_mode = false;                // Table 2's digits and averages
     bool methods = false;                   // and a paragraph on how
     // Tables for other programs; empty: none.

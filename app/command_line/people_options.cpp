@@ -53,6 +53,7 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
         "gets two arrays of samples in g and the rate in Hz, and returns a number "
         "of 0 or more");
     add_only(compare, options.common);
+    compare.add_option("--dim", options.dimensions, "of the maps: 2 or 3")->check(within(2, 3));
     compare.add_option("--out", options.out, "file for the answer, instead of standard output");
     compare.footer(list_of_metrics());
     compare.add_option("--given", options.given,

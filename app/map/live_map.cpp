@@ -47,6 +47,7 @@ PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const Liv
         return smacof(pm, landmark_scaling(pm, dimensions), params, stop);
     }
     if (!same_shape) return nonmetric_mds(pm, params, stop);
+    params.is_interval = last->space.is_interval;  // or groups would fall together on the way
     return smacof(pm, last->space.points, params, stop);
 }
 

@@ -313,6 +313,10 @@ std::string verdict_text(const PerceptualSpace& space, std::size_t patterns) {
         case MdsVerdict::too_few:
             break;
     }
+    if (space.is_interval) {
+        return "Groups fall together in the map by order alone: this one goes by the size of "
+               "differences.";
+    }
     // Where the patterns are merely few, the headline's word says it.
     const bool has_collapsed =
         space.is_degenerate && space.points.rows() > 2 * space.points.cols() + 1;

@@ -81,7 +81,8 @@ constexpr std::array<StageText, kStages.size()> kTexts{{
      "On the way to the cortex signals of all types converge: neurons of the somatosensory cortex "
      "answer to more than one of them. A line of its own for each type is the older view.",
      "The model keeps the types apart, one channel each: the centre cell of the last layer speaks "
-     "for its network, its count spread evenly over the 5 ms.",
+     "for its network, its count spread evenly over the 5 ms. The paper says winner-take-all: here "
+     "no competition is computed, the centre is taken for the winner.",
      "unit spikes at start + floor(50 k / n), section 4.3",
      "Everything that the other cells of the last layer know; the convergence of types.",
      "Where within the 5 ms the spikes fall.",

@@ -2,42 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "app/report/html.h"
 #include "app/report/html_map.h"
 #include "app/report/report_parts.h"
+#include "app/report/study_metrics_html.h"
 #include "app/report/weights_html.h"
 #include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
-
-constexpr const char* kUnknown = "\u2013";
-
-// A number with `decimals` digits after the point, aligned in a column; with a true minus.
-std::string shown(double value, int decimals = 3) {
-    if (std::isnan(value)) return kUnknown;
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
-    const bool is_below = value < 0.0 && std::strtod(text, nullptr) > 0.0;
-    return (is_below ? "\u2212" : "") + std::string(text);
-}
-
-std::string shown(const Interval& interval) {
-    if (std::isnan(interval.low)) return kUnknown;
-    return shown(interval.low) + " to " + shown(interval.high);
-}
-
-std::string probability(double p) { return p < 0.0001 ? "&lt; 0.0001" : shown(p, 4); }
-
-std::string items(const std::vector<std::string>& sentences) {
-    std::string html = "<ul>\n";
-    for (const std::string& one : sentences) html += "<li>" + html_escaped(one) + "</li>\n";
-    return html + "</ul>\n";
-}
 
 std::size_t counted_in(const StudyTables& tables) {
     return static_cast<std::size_t>(std::ranges::count_if(
@@ -167,35 +142,6 @@ std::string agreement_section(const StudyReport& report) {
     return html_section("agreement", "How alike they rate", html);
 }
 
-std::string metrics_section(const StudyReport& report) {
-    HtmlTable table{{{"metric"},
-                     {"rho", true},
-                     {"95 % interval", true},
-                     {"p", true},
-                     {"tau-b", true},
-                     {"K", true},
-                     {"K p", true},
-                     {"stress-1", true}},
-                    {},
-                    {}};
-    for (const MetricOfStudy& metric : report.tables.metrics) {
-        const Evaluation& e = metric.evaluation;
-        table.rows.push_back({html_escaped(metric.key), shown(e.rho), shown(e.rho_interval),
-                              probability(e.rho_p), shown(e.tau_b), shown(e.k), probability(e.k_p),
-                              shown(e.stress1)});
-    }
-    const AlienationChance& chance = report.tables.k_chance;
-    return html_section(
-        "metrics", "Which metric agrees with them",
-        html_of(table) +
-            "<p class=\"dim\">rho: Spearman, with the mean of those who count; interval: bootstrap "
-            "over patterns; p: Mantel, one-sided. K: alienation of maps of three dimensions, 0 is "
-            "the same shape; unrelated maps have " +
-            shown(chance.mean) +
-            " on average; p: permuted patterns, one-sided. Not corrected for how many metrics "
-            "there are.</p>\n");
-}
-
 std::string map_html(const StudyReport& report, const Dissimilarity& matrix,
                      const PerceptualSpace& space, const std::string& of, const std::string& id) {
     if (space.points.rows() == 0) return "<p>No map of " + html_escaped(of) + ".</p>\n";
@@ -234,6 +180,7 @@ std::string files_section() {
           {"reliability.csv", "statistic of how alike people rate"},
           {"pairs.csv", "pair: mean rating, and every metric"},
           {"table.csv", "metric: how well it agrees"},
+          {"differences.csv", "metric and kind of resample: how much better PM is"},
           {"maps.csv", "pattern and map: its place"},
           {"weights.csv", "participant: the weight of each dimension of the common map"},
           {"dimensions.csv", "pattern: its place in that map"}}) {
@@ -244,9 +191,7 @@ std::string files_section() {
         html_of(table) +
             "<p>Beside them, <b>reproduce.py</b> (Python with NumPy) and <b>reproduce.R</b> "
             "compute "
-            "the numbers of this page from these files alone, and say where they differ. Not the "
-            "interval of rho of fewer than eight patterns, where other draws give quite another "
-            "one.</p>\n");
+            "the numbers of this page from these files alone, and say where they differ.</p>\n");
 }
 
 }  // namespace
@@ -259,7 +204,8 @@ std::string study_report_page(const StudyReport& report) {
                     : "How alike people said these vibrations feel, by sorting them.";
     page.body = labels_html(report) + tiles(report) + people_section(report) +
                 agreement_section(report) + weights_section(report.tables.weights) +
-                metrics_section(report) + maps_section(report) + files_section();
+                metrics_section(report) + maps_section(report) + methods_section(report) +
+                files_section();
     page.foot = "<p>Made by " + html_escaped(report.program) +
                 (report.date.empty() ? "" : ", " + html_escaped(report.date)) + ".</p>\n";
     page.style = report_style() +

@@ -22,6 +22,7 @@ struct StudyReport {
     std::string name{};     // of the whole set
     std::vector<std::string> labels{};   // sentences that every number is to be read with
     std::vector<std::string> remarks{};  // who is left out, which rules were on, who fell by them
+    std::string methods{};               // a paragraph for a paper and its references, lines
     std::string program{};               // "tactspace 0.1.0"
     std::string date{};                  // of the page
 };

@@ -6,8 +6,7 @@
 # they agree. Exact ones agree to 1e-6; what is drawn at random is drawn anew here, so those agree
 # within the tolerance that the line tells. Ends with 1 if any differs.
 #
-# Not tried: the spread of K (K_low, K_high), which takes maps that the report does not hold; the
-# interval of rho of fewer than eight patterns, where other draws give quite another one.
+# Not tried: the spread and the intervals of K, which take maps that the report does not hold.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 script <- sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE))
@@ -253,6 +252,22 @@ ratings <- number(pairs$people)
 rated <- is.finite(ratings)
 said_full <- square(ratings)
 table <- rows("table.csv")
+
+# The standard deviation of draws, and how far it may be from that of 2,000 others.
+error_of_draws <- function(values) {
+    values <- values[!is.na(values)]
+    middle <- values - mean(values)
+    error <- sqrt(mean(middle^2))
+    spread <- sqrt((mean((middle / error)^4) - 1) / 4 * (1 / length(values) + 1 / 2000))
+    c(error, 4 * spread * error + 1e-6)
+}
+# The standard error over people, each of whom was left out once.
+jackknife <- function(values) sqrt((length(values) - 1) * mean((values - mean(values))^2))
+
+draws <- lapply(seq_len(1000), function(draw) sample(n, n, TRUE))
+without <- if (length(voices) < 2) list() else lapply(seq_along(voices),
+                                                      function(k) mean_rows(voices[-k]))
+resampled <- list()
 for (k in seq_len(nrow(table))) {
     key <- table$metric[k]
     metric <- number(pairs[[key]])
@@ -269,15 +284,20 @@ for (k in seq_len(nrow(table))) {
             spearman(condensed(full[o, o]), ratings) >= rho - 1e-12
         }))
         check(paste0(key, ": p of rho"), number(table$p[k]), (as_good + 1) / 1001, 0.06)
-        drawn <- replicate(1000, {
-            o <- sample(n, n, TRUE)
+        resampled[[key]] <- list(patterns = sapply(draws, function(o) {
             apart <- outer(o, o, "!=") & lower.tri(full)
             spearman(full[o, o][apart], said_full[o, o][apart])
-        })
-        drawn <- drawn[!is.na(drawn)]
-        if (n >= 8 && length(drawn) > 500 && !is.na(number(table$rho_low[k]))) {
-            check(paste0(key, ": rho_low"), number(table$rho_low[k]), quantile(drawn, 0.025), 0.12)
-            check(paste0(key, ": rho_high"), number(table$rho_high[k]), quantile(drawn, 0.975), 0.12)
+        }), people = sapply(without, function(said) spearman(metric, said)))
+        if (!is.na(number(table$rho_patterns_se[k]))) {
+            found <- error_of_draws(resampled[[key]]$patterns)
+            error <- number(table$rho_patterns_se[k])
+            check(paste0(key, ": error over patterns"), error, found[1], found[2])
+            check(paste0(key, ": rho_low"), number(table$rho_low[k]), max(rho - qnorm(0.975) * error, -1))
+            check(paste0(key, ": rho_high"), number(table$rho_high[k]), min(rho + qnorm(0.975) * error, 1))
+        }
+        if (!is.na(number(table$rho_people_se[k]))) {
+            check(paste0(key, ": error over people"), number(table$rho_people_se[k]),
+                  jackknife(resampled[[key]]$people))
         }
     }
     if (key %in% places$map && "people" %in% places$map && !is.na(number(table$K[k]))) {
@@ -294,6 +314,23 @@ for (k in seq_len(nrow(table))) {
         }))
         check(paste0(key, ": p of K"), number(table$K_p[k]), (as_good + 1) / 1001, 0.06)
     }
+}
+
+# --- how much better PM is ----------------------------------------------------------------------
+
+differences <- rows("differences.csv")
+for (k in seq_len(nrow(differences))) {
+    row <- differences[k, ]
+    error <- number(row$se)
+    if (is.na(error) || row$resampled == "both") next
+    what <- paste0("pm - ", row$against, " over ", row$resampled)
+    apart <- resampled$pm[[row$resampled]] - resampled[[row$against]][[row$resampled]]
+    is_people <- row$resampled == "people"
+    found <- if (is_people) c(jackknife(apart), exact) else error_of_draws(apart)
+    check(paste0(what, ": error"), error, found[1], found[2])
+    size <- abs(number(row$rho_difference)) / error
+    check(paste0(what, ": p"), number(row$p),
+          2 * if (is_people) pt(-size, length(voices) - 1) else pnorm(-size))
 }
 
 # --- what each goes by --------------------------------------------------------------------------

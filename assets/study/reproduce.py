@@ -2,12 +2,11 @@
 
     python3 reproduce.py [FOLDER]
 
-Needs NumPy; with SciPy the intervals of the ICC as well. A line each: what it is, the report's number,
+Needs NumPy; with SciPy the intervals of the ICC and p of differences as well. A line each: what it is, the report's number,
 the one found here, and whether they agree. Exact ones agree to 1e-6; what is drawn at random is drawn
 anew here, so those agree within the tolerance that the line tells. Ends with 1 if any differs.
 
-Not tried: the spread of K (K_low, K_high), which takes maps that the report does not hold; the interval
-of rho of fewer than eight patterns, where other draws give quite another one.
+Not tried: the spread and the intervals of K, which take maps that the report does not hold.
 """
 
 import csv
@@ -304,8 +303,36 @@ def tau_b(a, b):
     return (sign_a * sign_b).sum() / math.sqrt((sign_a**2).sum() * (sign_b**2).sum())
 
 
+def error_of_draws(values):
+    """The standard deviation of draws, and how far it may be from that of 2,000 others."""
+    values = np.array([one for one in values if not math.isnan(one)])
+    if len(values) < 500 or values.std() < 1e-12:
+        return math.nan, EXACT
+    off = (values - values.mean()) / values.std()
+    spread = math.sqrt(((off**4).mean() - 1) / 4 * (1 / len(values) + 1 / 2000))
+    return values.std(), 4 * spread * values.std() + 1e-6
+
+
+def jackknife(values):
+    """The standard error over people, each of whom was left out once."""
+    values = np.asarray(values)
+    return math.sqrt((len(values) - 1) * values.var())
+
+
+def two_way(both, one, other):
+    """Of standard errors: both at once, corrected by either alone (Schuett et al. 2023, eLife 12)."""
+    variance = max(2 * (one**2 + other**2) - both**2, one**2, other**2)
+    return math.sqrt(min(variance, both**2))
+
+
 ratings = np.array([number(row["people"]) for row in pairs])
 rated = np.isfinite(ratings)
+DRAWS = 1000
+draws = [random.integers(0, n, n) for _ in range(DRAWS)]
+crowds = [random.integers(0, len(voices), len(voices)) for _ in range(DRAWS)]
+said = [mean_known([voices[k] for k in crowd], axis=0) for crowd in crowds] if len(voices) > 1 else []
+without = [mean_known(voices[:k] + voices[k + 1 :], axis=0) for k in range(len(voices))] if len(voices) > 1 else []
+resampled = {}
 for row in rows("table.csv"):
     key = row["metric"]
     metric = np.array([number(pair[key]) for pair in pairs])
@@ -318,15 +345,28 @@ for row in rows("table.csv"):
         orders = [random.permutation(n) for _ in range(1000)]
         as_good = sum(spearman(full[np.ix_(o, o)][upper], ratings) >= rho - 1e-12 for o in orders)
         check(f"{key}: p of rho", number(row["p"]), (as_good + 1) / 1001, 0.06)
-        drawn = []
-        for _ in range(1000):
-            o = random.integers(0, n, n)
+        by = {"patterns": [], "drawn": [], "both": []}
+        for k, o in enumerate(draws):
             apart = (o[:, None] != o)[upper]
-            drawn.append(spearman(full[np.ix_(o, o)][upper][apart], said_full[np.ix_(o, o)][upper][apart]))
-        drawn = [one for one in drawn if not math.isnan(one)]
-        if n >= 8 and len(drawn) > 500 and not math.isnan(number(row["rho_low"])):
-            for field, share in (("rho_low", 2.5), ("rho_high", 97.5)):
-                check(f"{key}: {field}", number(row[field]), np.percentile(drawn, share), 0.12)
+            of_metric = full[np.ix_(o, o)][upper][apart]
+            by["patterns"].append(spearman(of_metric, said_full[np.ix_(o, o)][upper][apart]))
+            if said:
+                by["drawn"].append(spearman(metric, said[k]))
+                by["both"].append(spearman(of_metric, square(said[k])[np.ix_(o, o)][upper][apart]))
+        by["people"] = [spearman(metric, one) for one in without]
+        resampled[key] = by
+        found, tolerance = error_of_draws(by["patterns"])
+        if not math.isnan(number(row["rho_patterns_se"])):
+            check(f"{key}: error over patterns", number(row["rho_patterns_se"]), found, tolerance)
+            reach = 1.959964 * number(row["rho_patterns_se"])
+            check(f"{key}: rho_low", number(row["rho_low"]), max(rho - reach, -1))
+            check(f"{key}: rho_high", number(row["rho_high"]), min(rho + reach, 1))
+        if said and not math.isnan(number(row["rho_people_se"])):
+            check(f"{key}: error over people", number(row["rho_people_se"]), jackknife(by["people"]))
+        if said and not math.isnan(number(row["rho_both_se"])):
+            of_both, tolerance = error_of_draws(by["both"])
+            here = two_way(of_both, found, error_of_draws(by["drawn"])[0])
+            check(f"{key}: error over both", number(row["rho_both_se"]), here, 3 * tolerance)
     if key in maps and "people" in maps and not math.isnan(number(row["K"])):
         d, e = distances(maps[key]), distances(maps["people"])
         check(f"{key}: K", number(row["K"]), alienation(d, e))
@@ -336,6 +376,25 @@ for row in rows("table.csv"):
         orders = [random.permutation(n) for _ in range(1000)]
         as_good = sum(alienation(whole[np.ix_(o, o)][upper], e) <= alienation(d, e) + 1e-12 for o in orders)
         check(f"{key}: p of K", number(row["K_p"]), (as_good + 1) / 1001, 0.06)
+
+# --- how much better PM is ----------------------------------------------------------------------
+
+for row in rows("differences.csv"):
+    error, kind = number(row["se"]), row["resampled"]
+    if math.isnan(error) or kind == "both":
+        continue
+    what = f"pm - {row['against']} over {kind}"
+    apart = np.subtract(resampled["pm"][kind], resampled[row["against"]][kind])
+    if kind == "people":
+        check(f"{what}: error", error, jackknife(apart))
+    else:
+        check(f"{what}: error", error, *error_of_draws(apart))
+    try:
+        from scipy.stats import norm, t
+        tail = t(len(voices) - 1) if kind == "people" else norm()
+        check(f"{what}: p", number(row["p"]), 2 * tail.sf(abs(number(row["rho_difference"])) / error))
+    except ImportError:
+        pass
 
 # --- what each goes by --------------------------------------------------------------------------
 

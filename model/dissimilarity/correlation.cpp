@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "model/common/parallel.h"
-#include "model/common/random.h"
 
 namespace tact {
 
@@ -102,24 +101,18 @@ bool is_complete(const Dissimilarity& a) {
     return std::ranges::all_of(a.condensed, [](double value) { return std::isfinite(value); });
 }
 
-// NaN where `of` the objects as they are is, or is in more than half of the draws.
 template <class Of>
-Interval percentiles_of_draws(std::size_t objects, const BootstrapParams& params, Of of) {
+Interval interval_by_draws(std::size_t objects, const BootstrapParams& params, Of of) {
     std::vector<std::size_t> as_they_are(objects);
     std::iota(as_they_are.begin(), as_they_are.end(), std::size_t{0});
-    if (std::isnan(of(as_they_are))) return {kNone, kNone};
-    std::vector<double> values(params.draws);
-    parallel_for(params.draws, params.threads, {}, [&](std::size_t draw) {
-        RandomStream random{random_bits(params.seed, draw)};
-        std::vector<std::size_t> drawn(objects);
-        for (std::size_t& object : drawn) object = next_index(random, objects);
-        values[draw] = of(drawn);
+    const double value = of(as_they_are);
+    if (std::isnan(value)) return {kNone, kNone};
+    const std::vector<ObjectDraw> draws = object_draws(objects, params.draws, params.seed);
+    std::vector<Weighed> drawn(draws.size());
+    parallel_for(draws.size(), params.threads, {}, [&](std::size_t draw) {
+        drawn[draw] = {of(draws[draw].objects), draws[draw].weight};
     });
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (2 * values.size() < params.draws || values.empty()) return {kNone, kNone};
-    std::ranges::sort(values);
-    const double tail = (1.0 - params.coverage) / 2.0;
-    return {quantile(values, tail), quantile(values, 1.0 - tail)};
+    return interval_about(value, bootstrap_error(drawn).value, params.coverage, 0, {-1.0, 1.0});
 }
 
 }  // namespace
@@ -202,7 +195,7 @@ PermutationTest mantel(const Dissimilarity& a, const Dissimilarity& b,
 Interval bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
                             const BootstrapParams& params) {
     assert(a.size == b.size && "matrices of the same objects");
-    return percentiles_of_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
+    return interval_by_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
         return spearman(reordered(a, drawn), reordered(b, drawn));
     });
 }
@@ -210,7 +203,7 @@ Interval bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
 Interval partial_bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
                                     const Dissimilarity& given, const BootstrapParams& params) {
     assert(a.size == b.size && a.size == given.size && "matrices of the same objects");
-    return percentiles_of_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
+    return interval_by_draws(a.size, params, [&](std::span<const std::size_t> drawn) {
         return partial_spearman(reordered(a, drawn), reordered(b, drawn), reordered(given, drawn));
     });
 }

@@ -18,6 +18,7 @@
 #include "model/common/quantile.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/dissimilarity/permutation.h"
+#include "model/dissimilarity/resampling.h"
 
 namespace tact {
 
@@ -51,8 +52,9 @@ struct BootstrapParams {
     int threads = 0;  // 0: all cores
 };
 
-// Percentile interval of Spearman's rho when objects are drawn with replacement; pairs of an object
-// with its own copy are dropped. NaN where rho is, or is in more than half of the draws.
+// Spearman's rho and a normal quantile times its standard error when objects are drawn with
+// replacement; pairs of an object with its own copy are dropped. NaN where rho is, where most draws
+// leave it undefined, or where none moves it.
 Interval bootstrap_interval(const Dissimilarity& a, const Dissimilarity& b,
                             const BootstrapParams& params);
 

@@ -44,6 +44,8 @@ Mapped mapped(const Dissimilarity& dissimilarity, const EvaluationParams& params
     if (!has_map(result.space)) return result;
     result.maps.push_back(result.space.points);
     if (result.space.verdict == MdsVerdict::trivial) return result;
+    // Descents by order alone would end in the map that this one was taken in place of.
+    mds.is_interval = result.space.is_interval;
     std::vector<PerceptualSpace> others(params.spread_starts);
     const auto n = static_cast<Eigen::Index>(dissimilarity.size);
     parallel_for(others.size(), params.threads, {}, [&](std::size_t start) {
@@ -69,7 +71,8 @@ void evaluate_order(const Dissimilarity& metric, const Dissimilarity& ratings,
     if (std::isnan(result.rho)) {
         result.remarks.push_back("no rho: the rated pairs are all equally dissimilar");
     } else if (std::isnan(result.rho_interval.low)) {
-        result.remarks.push_back("no interval: too few pairs differ");
+        result.remarks.push_back(
+            "no interval: no other patterns move rho, or most leave it undefined");
     }
 }
 
@@ -133,6 +136,9 @@ bool has_map(const PerceptualSpace& space) {
 
 std::string remark_on_people_map(const RatedSet& rated) {
     const Mapped& people = rated_part(rated).people;
+    if (people.space.is_interval) {
+        return "the map of the ratings: " + remark_on(people.space);
+    }
     if (!people.maps.empty()) return {};
     return "no metric has a K, as the map of the ratings is " + remark_on(people.space);
 }
@@ -194,9 +200,10 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     if (own.maps.empty()) {
         result.stress1 = kNone;
         result.remarks.push_back(remark_of_failure(own.space));
-    } else if (!rated.people.maps.empty()) {
-        evaluate_shape(own, rated, params, result);
+        return result;
     }
+    if (own.space.is_interval) result.remarks.push_back(remark_on(own.space));
+    if (!rated.people.maps.empty()) evaluate_shape(own, rated, params, result);
     return result;
 }
 

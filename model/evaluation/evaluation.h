@@ -72,14 +72,14 @@ Dissimilarity among_rated(const Dissimilarity& all, const RatedSet& rated);
 // Errors: fewer than three patterns; no order among the ratings.
 Expected<RatedSet> rated_set(const Dissimilarity& ratings, const EvaluationParams& params);
 
-// Why no metric has a K, as the map of the ratings has collapsed: a sentence without a full stop,
-// to be said once for all metrics; empty: they may have one.
+// Why no metric has a K, as the map of the ratings has collapsed, or that this map is of interval
+// scaling: a sentence without a full stop, to be said once for all metrics; empty: neither.
 std::string remark_on_people_map(const RatedSet& rated);
 
 // NaN: undefined, and a remark says why, or remark_on_people_map().
 struct Evaluation {
     double rho = 0.0;
-    Interval rho_interval;  // 95 %
+    Interval rho_interval;  // 95 %, if other patterns had been taken
     double rho_p = 1.0;
     double tau_b = 0.0;
     double k = 0.0;

@@ -108,6 +108,11 @@ MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
     resampling.threads = params.threads;
     table.uncertainty =
         uncertainty(study, people.rated, table.matrices, table.evaluations, reference, resampling);
+    // One interval a number: where a metric does not know every pair, the pairs that all know.
+    constexpr auto kPatterns = static_cast<std::size_t>(Resampled::patterns);
+    for (std::size_t m = 0; m < table.evaluations.size(); ++m) {
+        table.evaluations[m].rho_interval = table.uncertainty.rho[m].interval[kPatterns];
+    }
     step();
     BootstrapParams bootstrap;
     bootstrap.draws = params.bootstrap_draws;

@@ -1,7 +1,7 @@
 // What a metric says of people's ratings beyond something simple that may carry the agreement
 // alone: how long patterns last, how strong they are, or any matrix of one's own.
 //
-// Source    partial rank correlation: Kendall 1942; interval by bootstrap over patterns
+// Source    partial rank correlation: Kendall 1942; interval by standard error over drawn patterns
 // Input     dissimilarities of the patterns of the ratings; NaN pairs are left out
 // Exact     same input, same bits, on any number of threads.
 #pragma once

@@ -9,7 +9,6 @@
 #include "model/common/distributions.h"
 #include "model/common/mean.h"
 #include "model/common/parallel.h"
-#include "model/common/random.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/dissimilarity/holm.h"
 
@@ -45,58 +44,6 @@ Places all_of(std::size_t count) {
     Places places(count);
     std::iota(places.begin(), places.end(), std::size_t{0});
     return places;
-}
-
-Places drawn_of(std::size_t count, std::uint64_t seed, std::size_t draw) {
-    RandomStream random{random_bits(seed, draw)};
-    Places drawn(count);
-    for (std::size_t& place : drawn) place = next_index(random, count);
-    return drawn;
-}
-
-struct Draw {
-    Places places;
-    double weight = 1.0;
-};
-
-// Every multiset of `count` out of as many with its share of all ordered draws:
-// count! / prod m_i! / count^count.
-void add_multisets(std::size_t count, std::size_t next, double share, Places& taken,
-                   std::vector<Draw>& all) {
-    const std::size_t room = count - taken.size();
-    if (next + 1 == count || room == 0) {
-        Places whole = taken;
-        for (std::size_t k = 1; k <= room; ++k) {
-            whole.push_back(next);
-            share /= static_cast<double>(k);
-        }
-        all.push_back({std::move(whole), share});
-        return;
-    }
-    const std::size_t size = taken.size();
-    for (std::size_t copies = 0; copies <= room; ++copies) {
-        add_multisets(count, next + 1, share, taken, all);
-        taken.push_back(next);
-        share /= static_cast<double>(copies + 1);
-    }
-    taken.resize(size);
-}
-
-std::vector<Draw> draws_of_patterns(std::size_t count, const UncertaintyParams& params) {
-    std::vector<Draw> all;
-    if (count > 0 && count <= kExactPatterns) {
-        double share = 1.0;
-        for (std::size_t k = 1; k <= count; ++k) {
-            share *= static_cast<double>(k) / static_cast<double>(count);
-        }
-        Places taken;
-        add_multisets(count, 0, share, taken, all);
-        return all;
-    }
-    for (std::size_t draw = 0; draw < params.draws; ++draw) {
-        all.push_back({drawn_of(count, params.pattern_seed, draw)});
-    }
-    return all;
 }
 
 std::vector<double> mean_over(const Sample& sample, const Places& people) {
@@ -189,69 +136,26 @@ Sample sample_of(const RatingStudy& study, const RatedSet& rated,
         sample.mds =
             standard_mds_params(sample.patterns, static_cast<int>(sample.people_map.cols()));
         sample.mds.tolerance = 1e-7;  // far below what another person changes
+        sample.mds.is_interval = part.people.space.is_interval;
     }
     return sample;
 }
 
-struct Weighed {
-    double value = 0.0;  // NaN: undefined
-    double weight = 1.0;
-};
-
-struct StandardError {
-    double value = kUnknown;
-    NotKnown why = NotKnown::undefined;
-};
-
-// Numbers of at most 2 that differ by less differ by rounding alone.
-constexpr double kRounding = 1e-12;
-
-// Half of the draws at least have to know it.
-StandardError deviation(const std::vector<Weighed>& draws) {
-    double all = 0.0;
-    double known = 0.0;
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const Weighed& draw : draws) {
-        all += draw.weight;
-        if (std::isnan(draw.value)) continue;
-        known += draw.weight;
-        sum += draw.weight * draw.value;
-        ++count;
-    }
-    if (count < 2 || 2.0 * known < all) return {};
-    double squares = 0.0;
-    for (const Weighed& draw : draws) {
-        if (std::isnan(draw.value)) continue;
-        const double off = draw.value - sum / known;
-        squares += draw.weight * off * off;
-    }
-    const double error = std::sqrt(squares / known);
-    if (error <= kRounding) return {kUnknown, NotKnown::still};
-    return {error, NotKnown::known};
-}
-
-// Tukey 1958: of each left out once.
-StandardError jackknife_error(const std::vector<Weighed>& without) {
-    const auto is_undefined = [](const Weighed& one) { return std::isnan(one.value); };
-    if (without.empty()) return {kUnknown, NotKnown::one_person};
-    if (std::ranges::any_of(without, is_undefined)) return {};
-    StandardError error = deviation(without);
-    error.value *= std::sqrt(static_cast<double>(without.size()) - 1.0);
-    return error;
-}
-
 struct Resamples {
+    std::size_t pattern_count = 0;
     std::vector<Resample> patterns;
     std::vector<Resample> people;  // each left out once
-    std::vector<Resample> both;    // K of the first ones only
+    std::vector<Resample> drawn;   // people with replacement, of all patterns
+    std::vector<Resample> both;    // the same people, of drawn patterns; K of the first ones only
 };
 
 Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
     const std::size_t people = sample.people.size() > 1 ? sample.people.size() : 0;
-    const std::vector<Draw> draws = draws_of_patterns(sample.patterns, params);
-    Resamples result{std::vector<Resample>(draws.size()), std::vector<Resample>(people),
-                     std::vector<Resample>(people > 0 ? params.draws : 0)};
+    const std::vector<ObjectDraw> draws =
+        object_draws(sample.patterns, params.draws, params.pattern_seed);
+    const std::vector<Resample> none(people > 0 ? params.draws : 0);
+    Resamples result{sample.patterns, std::vector<Resample>(draws.size()),
+                     std::vector<Resample>(people), none, none};
     const Places everything = all_of(sample.patterns);
     parallel_for(draws.size(), params.threads, {}, [&](std::size_t draw) {
         const auto& [patterns, weight] = draws[draw];
@@ -259,11 +163,16 @@ Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
                                  ks(sample, patterns, sample.people_map), weight};
     });
     parallel_for(result.both.size(), params.threads, {}, [&](std::size_t draw) {
-        const Places patterns = drawn_of(sample.patterns, params.pattern_seed, draw);
-        const auto said = mean_over(sample, drawn_of(people, params.people_seed, draw));
+        const Places patterns = drawn_objects(sample.patterns, params.pattern_seed, draw);
+        const auto said = mean_over(sample, drawn_objects(people, params.people_seed, draw));
+        Resample& drawn = result.drawn[draw];
         Resample& both = result.both[draw];
+        drawn.rho = rhos(sample, pairs_of(sample, everything, said), said);
         both.rho = rhos(sample, pairs_of(sample, patterns, said), said);
-        if (draw < params.map_draws) both.k = ks(sample, patterns, people_map_of(sample, said));
+        if (draw >= params.map_draws) return;
+        const MatrixXd map = people_map_of(sample, said);
+        drawn.k = ks(sample, everything, map);
+        both.k = ks(sample, patterns, map);
     });
     parallel_for(people, params.threads, {}, [&](std::size_t left_out) {
         Places others = all_of(people);
@@ -273,6 +182,14 @@ Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
                                    ks(sample, everything, people_map_of(sample, said))};
     });
     return result;
+}
+
+// The degrees of freedom of Student's t; 0: the normal distribution. Over both they are those of
+// the fewer of the two, as rsatoolbox has it.
+std::size_t freedom_of(Resampled by, const Resamples& resamples) {
+    const std::size_t people = resamples.people.size();
+    if (by == Resampled::patterns || people < 2) return 0;
+    return (by == Resampled::people ? people : std::min(people, resamples.pattern_count)) - 1;
 }
 
 // `of` takes a number out of an outcome.
@@ -288,23 +205,20 @@ Uncertain uncertain(double value, Interval limits, const Resamples& resamples,
         return outcomes;
     };
     const bool is_alone = resamples.people.empty();
+    const StandardError of_patterns = bootstrap_error(column(resamples.patterns));
     const std::array<StandardError, kResampledCount> errors{
-        deviation(column(resamples.patterns)), jackknife_error(column(resamples.people)),
+        of_patterns, jackknife_error(column(resamples.people)),
         is_alone ? StandardError{kUnknown, NotKnown::one_person}
-                 : deviation(column(resamples.both))};
+                 : two_way_error(bootstrap_error(column(resamples.both)), of_patterns,
+                                 bootstrap_error(column(resamples.drawn)))};
     Uncertain result;
     result.value = value;
     for (std::size_t r = 0; r < kResampledCount; ++r) {
         result.error[r] = errors[r].value;
         result.why[r] = std::isnan(value) ? NotKnown::no_value : errors[r].why;
-        const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
-        const std::size_t freedom = is_jackknife ? resamples.people.size() - 1 : 0;
-        const double reach =
-            result.error[r] *
-            (std::isnan(result.error[r]) ? 1.0 : two_sided_quantile(params.coverage, freedom));
-        result.interval[r] = {
-            std::isnan(value + reach) ? kUnknown : std::max(value - reach, limits.low),
-            std::isnan(value + reach) ? kUnknown : std::min(value + reach, limits.high)};
+        result.freedom[r] = freedom_of(static_cast<Resampled>(r), resamples);
+        result.interval[r] =
+            interval_about(value, result.error[r], params.coverage, result.freedom[r], limits);
     }
     return result;
 }
@@ -329,12 +243,11 @@ MetricDifference difference(std::size_t reference, std::size_t metric, bool are_
                                return std::optional(outcome.rho[reference] - outcome.rho[metric]);
                            });
     for (std::size_t r = 0; r < kResampledCount; ++r) {
-        const bool is_jackknife = static_cast<Resampled>(r) == Resampled::people;
         if (result.rho.why[r] == NotKnown::still && are_alike) result.rho.why[r] = NotKnown::alike;
-        result.p[r] = result.rho.why[r] == NotKnown::known
-                          ? two_sided_p(result.rho.value / result.rho.error[r],
-                                        is_jackknife ? resamples.people.size() - 1 : 0)
-                          : kUnknown;
+        result.p[r] =
+            result.rho.why[r] == NotKnown::known
+                ? two_sided_p(result.rho.value / result.rho.error[r], result.rho.freedom[r])
+                : kUnknown;
     }
     return result;
 }
@@ -349,24 +262,6 @@ void correct(std::vector<MetricDifference>& differences) {
 }
 
 }  // namespace
-
-const char* words(NotKnown why) {
-    switch (why) {
-        case NotKnown::known:
-            return "";
-        case NotKnown::no_value:
-            return "the number itself is undefined";
-        case NotKnown::one_person:
-            return "there are not two people";
-        case NotKnown::still:
-            return "no resample moves it: pairs are too few or answers equal";
-        case NotKnown::alike:
-            return "both rank every pair alike";
-        case NotKnown::undefined:
-            return "undefined in most resamples";
-    }
-    return "";
-}
 
 Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
                         std::span<const Dissimilarity> metrics,

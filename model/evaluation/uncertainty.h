@@ -2,16 +2,19 @@
 // had been taken: Table 2 as what a sample says of all.
 //
 // Patterns  paired bootstrap over patterns: the same are drawn for every metric, the maps stay; of
-//           up to kExactPatterns all ways to draw are counted in place of some
+//           up to kExactObjects all ways to draw are counted in place of some
 // People    jackknife: each left out once, the map of the rest made again. A bootstrap would not
 //           do: drawn twice, a person's noise weighs twice, and the mean agrees less with
 //           everything than that of as many people does; in simulations its intervals of rho held
 //           the truth in 0 to 80 of 100 cases.
-// Both      bootstrap over both at once, which overstates what is not known (Owen 2007)
+// Both      bootstrap over both at once, corrected by those over either alone (two_way_error), as
+//           the plain one overstates what is not known (Owen 2007)
 //
-// Output    standard errors; intervals of Student's t (people less one) times the error, or of the
-//           normal distribution without people; p two-sided by the same
-// Source    Efron 1979; Tukey 1958; Holm 1979. Truth is what as many patterns and people would
+// Output    standard errors; intervals of Student's t (people less one, over both the fewer of
+//           people and patterns less one) times the error, over patterns of the normal
+//           distribution; p two-sided by the same
+// Source    Efron 1979; Tukey 1958; Schütt et al. 2023; Holm 1979. Truth is what as many patterns
+// and people would
 //           have on average: noise lowers every rho, and no interval takes that back.
 // Valid     rated pairs that are known of every metric. What cannot be known is NaN with its
 // reason:
@@ -29,6 +32,7 @@
 
 #include "model/common/quantile.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/dissimilarity/resampling.h"
 #include "model/evaluation/evaluation.h"
 #include "model/study/ratings.h"
 
@@ -38,22 +42,6 @@ enum class Resampled { patterns, people, both };
 inline constexpr std::size_t kResampledCount = 3;
 inline constexpr std::array<const char*, kResampledCount> kResampledNames{"patterns", "people",
                                                                           "both"};
-
-// Why an error is not known.
-enum class NotKnown {
-    known,
-    no_value,    // the number itself is undefined
-    one_person,  // nobody else to compare with
-    still,       // no resample moved the number
-    alike,       // of a difference: both metrics rank every pair alike
-    undefined    // the number is undefined in most resamples, or without one of the people
-};
-
-// A clause, as in "not known: ..."; empty: known.
-const char* words(NotKnown why);
-
-// Sets of up to this many patterns are drawn in all ways: 462 multisets of six.
-inline constexpr std::size_t kExactPatterns = 6;
 
 struct UncertaintyParams {
     std::size_t draws = 2000;
@@ -69,6 +57,7 @@ struct Uncertain {
     double value = 0.0;
     std::array<double, kResampledCount> error{};  // standard error
     std::array<NotKnown, kResampledCount> why{};
+    std::array<std::size_t, kResampledCount> freedom{};  // of Student's t; 0: normal
     std::array<Interval, kResampledCount> interval{};
 };
 

@@ -154,6 +154,36 @@ FitScratch fit_scratch(const PairOrder& order) {
     return scratch;
 }
 
+// The least squares of two generators of a cone, of which either may be left out.
+void fit_interval(const PairOrder& order, std::span<const double> dissimilarities,
+                  std::span<const double> distances, std::span<double> fitted) {
+    if (order.ascending.empty()) return;
+    const double least = dissimilarities[order.ascending.front()];
+    const auto count = static_cast<double>(order.ascending.size());
+    double sum = 0.0;
+    double squares = 0.0;
+    double sum_d = 0.0;
+    double product = 0.0;
+    for (const std::size_t p : order.ascending) {
+        const double above = dissimilarities[p] - least;
+        sum += above;
+        squares += above * above;
+        sum_d += distances[p];
+        product += above * distances[p];
+    }
+    const double apart = count * squares - sum * sum;
+    double slope = apart > 0.0 ? (count * product - sum * sum_d) / apart : 0.0;
+    slope = std::max(slope, 0.0);
+    double constant = (sum_d - slope * sum) / count;
+    if (constant < 0.0) {
+        constant = 0.0;
+        slope = product / squares;
+    }
+    for (const std::size_t p : order.ascending) {
+        fitted[p] = constant + slope * (dissimilarities[p] - least);
+    }
+}
+
 void fit_disparities(const PairOrder& order, std::span<const double> distances, FitScratch& scratch,
                      std::span<double> fitted) {
     // Primary ties: equal dissimilarities may take any order, so they take that of the distances,

@@ -63,6 +63,11 @@ struct FitScratch {
 
 FitScratch fit_scratch(const PairOrder& order);
 
+// Interval scaling: the disparities are a constant and a multiple of the dissimilarities, both not
+// negative, where these are counted from the least. Writes those of the known pairs into `fitted`.
+void fit_interval(const PairOrder& order, std::span<const double> dissimilarities,
+                  std::span<const double> distances, std::span<double> fitted);
+
 // Writes the disparities of the known pairs into `fitted`, leaves the unknown ones alone.
 // `scratch` comes from fit_scratch(order) and carries nothing that changes the result.
 void fit_disparities(const PairOrder& order, std::span<const double> distances, FitScratch& scratch,

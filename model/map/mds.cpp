@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -135,12 +136,17 @@ bool colocated(const PairOrder& order, std::span<const double> d) {
 constexpr double kSuspiciousStress = 1e-3;
 constexpr double kCollapsedShare = 1e-3;
 
+bool has_groups_on_spots(const PairOrder& order, std::span<const double> d) {
+    const double mean = std::accumulate(d.begin(), d.end(), 0.0) / static_cast<double>(d.size());
+    return nearest_unlike(order, d) < kCollapsedShare * mean;
+}
+
+bool is_of_few(const MatrixXd& points) { return points.rows() <= 2 * points.cols() + 1; }
+
 bool degenerate(const PairOrder& order, std::span<const double> d, const PerceptualSpace& space) {
     if (space.verdict == MdsVerdict::colocated) return true;
     if (space.stress1 >= kSuspiciousStress || d.empty()) return false;
-    if (space.points.rows() <= 2 * space.points.cols() + 1) return true;
-    const double mean = std::accumulate(d.begin(), d.end(), 0.0) / static_cast<double>(d.size());
-    return nearest_unlike(order, d) < kCollapsedShare * mean;
+    return is_of_few(space.points) || has_groups_on_spots(order, d);
 }
 
 struct Task {
@@ -199,6 +205,35 @@ PerceptualSpace space_at_once(const Task& task) {
 MatrixXd torgerson_start(const Task& task) {
     return classical(task.dissimilarity.size, tame(task.dissimilarity.condensed, task.order),
                      task.dimensions);
+}
+
+// The best map by interval scaling, from the starts of a search; `collapsed` is what ordinal
+// scaling found, and stays where groups collapse in this as well.
+PerceptualSpace by_interval_scaling(const Task& task, PerceptualSpace collapsed,
+                                    const MdsParams& params, const std::stop_token& stop) {
+    constexpr int kStarts = 20;  // metric scaling has few local minima
+    const std::vector<double> values = tame(task.dissimilarity.condensed, task.order);
+    const DescentParams how{params.tolerance, params.max_steps, values};
+    const auto n = static_cast<Index>(task.dissimilarity.size);
+    const int starts = std::clamp(params.random_starts, 0, kStarts);
+    std::vector<Descent> descents(static_cast<std::size_t>(starts) + 1);
+    parallel_for(descents.size(), params.threads, stop, [&](std::size_t index) {
+        descents[index] = descend(task.order,
+                                  index == 0 ? torgerson_start(task)
+                                             : random_start(n, task.dimensions, params.seed, index),
+                                  how, stop);
+    });
+    const Descent* best = nullptr;
+    for (const Descent& descent : descents) {
+        if (descent.points.size() == 0) continue;
+        if (best == nullptr || descent.stress1 < best->stress1) best = &descent;
+    }
+    if (best == nullptr) return collapsed;
+    PerceptualSpace space = space_of(task, best->points);
+    if (has_groups_on_spots(task.order, distances(space.points))) return collapsed;
+    space.is_interval = true;
+    space.collapsed_stress1 = collapsed.stress1;
+    return space;
 }
 
 // The share of each point in the squared misfit of its map.
@@ -277,8 +312,13 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const MatrixXd& start
     const Task task = task_of(dissimilarity, params);
     if (task.verdict != MdsVerdict::fine) return space_at_once(task);
     const MatrixXd& first = usable(start, task) ? start : torgerson_start(task);
-    const Descent descent = descend(task.order, first, {params.tolerance, params.max_steps}, stop);
+    DescentParams how{params.tolerance, params.max_steps};
+    std::vector<double> values;
+    if (params.is_interval) values = tame(dissimilarity.condensed, task.order);
+    how.interval_of = values;
+    const Descent descent = descend(task.order, first, how, stop);
     PerceptualSpace space = space_of(task, descent.points);
+    space.is_interval = params.is_interval;
     space.start_stress = {space.stress1};
     space.stopped = stop.stop_requested();
     return space;
@@ -316,6 +356,9 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
     }
     const Descent settled = with_points_turned(task, *best, params, stop);
     PerceptualSpace space = space_of(task, settled.points);
+    if (space.is_degenerate && has_groups_on_spots(task.order, distances(space.points))) {
+        space = by_interval_scaling(task, std::move(space), params, stop);
+    }
     space.start_stress = std::move(stresses);
     space.stopped = stop.stop_requested();
     return space;
@@ -361,6 +404,15 @@ std::string remark_on(const PerceptualSpace& space) {
         case MdsVerdict::too_few:
         case MdsVerdict::fine:
             break;
+    }
+    if (space.is_interval) {
+        char stress[32] = "";
+        if (!std::isnan(space.collapsed_stress1)) {
+            std::snprintf(stress, sizeof stress, " of stress-1 %.3f", space.collapsed_stress1);
+        }
+        return std::string("groups of patterns collapse in the best map by order") + stress +
+               ", which meets the order without showing it: this map is of interval scaling, by "
+               "the size of the dissimilarities";
     }
     if (!space.is_degenerate) return {};
     if (space.points.rows() > 2 * space.points.cols() + 1) {

@@ -4,7 +4,7 @@
 //           Torgerson 1952 (classical start).
 // Input     a dissimilarity matrix; NaN pairs are ignored
 // Output    coordinates, centred, on principal axes, mean squared distance 1, with stress-1
-// Left out  metric and secondary-ties variants, weights, individual differences.
+// Left out  ratio scaling, secondary ties, weights, individual differences.
 // Exact     same input, same bits, on any number of threads.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct MdsParams {
     std::uint64_t seed = 1;
     double tolerance = 1e-10;  // stop when stress-1 falls by less in a step
     int max_steps = 3000;
+    // smacof(): distances are to be a constant and a multiple of the dissimilarities.
+    bool is_interval = false;
     int threads = 0;  // 0: all cores
 
     bool operator==(const MdsParams&) const = default;
@@ -57,6 +60,10 @@ struct PerceptualSpace {
     // Stress says nothing although it is near 0: groups collapsed onto points (Kruskal 1964 names
     // this trap), or there are so few patterns (2k + 1 at most) that nearly any order fits.
     bool is_degenerate = false;
+    // Distances go by the size of dissimilarities, as groups collapse in the best map by their
+    // order; the stress-1 of that is here, NaN where it was not searched for.
+    bool is_interval = false;
+    double collapsed_stress1 = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Classical scaling: n x k coordinates, columns of vanished eigenvalues zero. NaN pairs count as
@@ -72,7 +79,9 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd
                        const MdsParams& params, std::stop_token stop = {});
 
 // The best of Torgerson's and the random starts, of equals the first; then with the points turned
-// that make it better. `progress` gets the number of
+// that make it better. Where groups collapse in that, the best by interval scaling, whose distances
+// are a constant and a multiple of the dissimilarities (Borg & Groenen 2005, 13.3: a stronger model
+// in place of a degenerate one), unless they collapse in that too. `progress` gets the number of
 // starts done, from any thread but never from two at once.
 PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
                               std::stop_token stop = {},

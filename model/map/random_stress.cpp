@@ -27,7 +27,8 @@ RandomStress random_stress(std::size_t objects, int dimensions, const RandomStre
         for (const std::size_t rank : order) {
             dissimilarity.condensed.push_back(static_cast<double>(rank + 1));
         }
-        stress[draw] = nonmetric_mds(dissimilarity, mds).stress1;
+        const PerceptualSpace best = nonmetric_mds(dissimilarity, mds);
+        stress[draw] = best.is_interval ? best.collapsed_stress1 : best.stress1;
     });
     std::ranges::sort(stress);
     const double sum = std::accumulate(stress.begin(), stress.end(), 0.0);

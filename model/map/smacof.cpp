@@ -44,12 +44,18 @@ void measure(const Eigen::MatrixXd& points, std::span<double> result) {
     for (double& value : result) value = std::sqrt(value);
 }
 
-// dhat is the projection of d on the cone of ordered vectors, so sum d dhat = sum dhat^2 and
+// dhat is the projection of d on a cone, of the ordered vectors or of an interval scale, so sum d
+// dhat = sum dhat^2 and
 //     stress-1^2 = sum (d - dhat)^2 / sum d^2 = 1 - b.
 // The first form is kept for the value: 1 - b loses half the digits of a small stress.
-void judge(const PairOrder& order, FitScratch& scratch, Fit& fit) {
+void judge(const PairOrder& order, std::span<const double> interval_of, FitScratch& scratch,
+           Fit& fit) {
     measure(fit.points, fit.distances);
-    fit_disparities(order, fit.distances, scratch, fit.fitted);
+    if (interval_of.empty()) {
+        fit_disparities(order, fit.distances, scratch, fit.fitted);
+    } else {
+        fit_interval(order, interval_of, fit.distances, fit.fitted);
+    }
     double residual = 0.0;
     double size = 0.0;
     fit.size = 0.0;
@@ -124,10 +130,10 @@ Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const Desc
     FitScratch scratch = fit_scratch(order);
     std::vector<double> ratio(pairs);
     Fit here{start, std::vector<double>(pairs), std::vector<double>(pairs)};
-    judge(order, scratch, here);
+    judge(order, params.interval_of, scratch, here);
     if (here.size > 0.0) {
         here.points *= std::sqrt(known * here.share / here.size);
-        judge(order, scratch, here);
+        judge(order, params.interval_of, scratch, here);
     }
     Fit there = here;
     Eigen::MatrixXd image = start;
@@ -140,12 +146,12 @@ Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const Desc
         image *= unit / n;
         bool plain = relaxation <= 1.0;
         there.points = unit * here.share * (1.0 - relaxation) * here.points + relaxation * image;
-        judge(order, scratch, there);
+        judge(order, params.interval_of, scratch, there);
         if (!plain && there.stress1 > here.stress1) {
             plain = true;
             relaxation = 1.0;
             there.points = image;
-            judge(order, scratch, there);
+            judge(order, params.interval_of, scratch, there);
         } else {
             relaxation *= kRelaxationGrowth;
         }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace tact {
 struct DescentParams {
     double tolerance = 1e-10;  // stop when stress-1 falls by less in a step
     int max_steps = 3000;
+    // Not empty: disparities by interval scaling of these dissimilarities, a value a pair; the
+    // stress is of that, too.
+    std::span<const double> interval_of{};
 };
 
 struct Descent {

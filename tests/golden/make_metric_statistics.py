@@ -8,7 +8,7 @@ What     student: two-sided p and quantiles of Student's t.
          people: matrices of six people of eight patterns, and three metrics. Rho of each person with
          the mean of the others and of all, and with the metrics, with quartiles; jackknife over
          people of rho and of differences from the first metric; standard errors by 6,000 draws of
-         patterns, and of patterns and people; partial rho given a fourth matrix as the correlation
+         patterns, of people, and of both at once, corrected (two_way); partial rho given a fourth matrix as the correlation
          of what regression leaves of ranks, with its bootstrap interval.
 Run      /usr/bin/python3 tests/golden/make_metric_statistics.py
 """
@@ -119,24 +119,37 @@ def people():
     squares = [squareform(m) for m in metrics]
     voices = np.array([squareform(s) for s in said])
     generator = np.random.default_rng(5)
-    patterns, both, partials = [], [], []
+    patterns, drawn_people, both, partials = [], [], [], []
     of_given = squareform(given)
     for _ in range(6000):
         drawn = generator.integers(0, size, size)
         i, j = drawn[upper[0]], drawn[upper[1]]
         i, j = i[i != j], j[i != j]
         one = voices.mean(0)[i, j]
-        other = voices[generator.integers(0, count, count)].mean(0)[i, j]
+        then = voices[generator.integers(0, count, count)].mean(0)
+        other = then[i, j]
         ranks = [rankdata(m[i, j]) for m in squares]
+        said_then = rankdata(then[upper])
+        drawn_people.append([np.corrcoef(rankdata(m), said_then)[0, 1] for m in metrics])
         patterns.append([np.corrcoef(r, rankdata(one))[0, 1] for r in ranks])
         both.append([np.corrcoef(r, rankdata(other))[0, 1] for r in ranks])
         if len(partials) < 1500:
             partials.append(partial(squares[1][i, j], one, of_given[i, j]))
-    patterns, both = np.array(patterns), np.array(both)
+    of_second = partial(metrics[1], mean, given)
+    reach = 1.959963984540054 * float(np.nanstd(partials))
+    patterns, drawn_people, both = np.array(patterns), np.array(drawn_people), np.array(both)
 
     def errors(values):
         return {"rho": np.nanstd(values, 0).tolist(),
                 "difference": np.nanstd(values[:, :1] - values[:, 1:], 0).tolist()}
+
+    def two_way(plain, one, other):
+        """Of three standard errors: Schütt et al. 2023, as rsatoolbox's _dual_bootstrap has it."""
+        plain, one, other = [np.square(v) for v in (plain, one, other)]
+        corrected = np.maximum(np.maximum(2 * (one + other) - plain, one), other)
+        return np.sqrt(np.minimum(corrected, plain)).tolist()
+
+    three = errors(both), errors(drawn_people), errors(patterns)
     return {"size": size, "said": [s.tolist() for s in said],
             "metrics": [m.tolist() for m in metrics], "given": given.tolist(),
             "with_others": spread(others), "with_all": spread(everyone),
@@ -145,8 +158,10 @@ def people():
                           "difference": [jackknife(without[:, 0] - without[:, k])
                                          for k in (1, 2)]},
             "t": float(t.ppf(0.975, count - 1)), "patterns": errors(patterns),
-            "both": errors(both), "partial_of_second": partial(metrics[1], mean, given),
-            "partial_interval": np.nanquantile(partials, [0.025, 0.975]).tolist()}
+            "plain_both": three[0], "drawn_people": three[1],
+            "both": {key: two_way(*[one[key] for one in three]) for key in three[0]},
+            "partial_of_second": of_second,
+            "partial_interval": [of_second - reach, min(of_second + reach, 1.0)]}
 
 
 def main():

@@ -269,8 +269,10 @@ std::string remarks_text(const SetAgreement& set, bool is_paper) {
             text += remark + "\n";
         }
     }
-    if (set.patterns <= 7) {
-        text += "K and stress of so few patterns say little: any ratings fit in three dimensions\n";
+    const auto dimensions = static_cast<std::size_t>(rated_of(set).people.space.points.cols());
+    if (set.patterns <= 2 * dimensions + 1) {
+        text += "K and stress of so few patterns say little: any ratings fit in " +
+                std::to_string(dimensions) + " dimensions\n";
     }
     return text + verdict_on_pm(set) + foreign_text(set);
 }
@@ -298,7 +300,7 @@ std::string ceilings_text(const Ceilings& ceilings) {
 std::string agreement_text(const SetAgreement& set, bool is_paper) {
     const std::string head = head_of(set) + "\n";
     if (is_paper) {
-        return head + paper_table_of(set) + foot_of_paper_table() + paper_remarks(set) +
+        return head + paper_table_of(set) + foot_of_paper_table(set) + paper_remarks(set) +
                remarks_text(set, true);
     }
     return head + table_of(set) + foot_of_table(set) + remarks_text(set, false) +

@@ -17,7 +17,7 @@ std::string foot_of_uncertainty(const SetAgreement& set);
 std::string foot_of_differences(const SetAgreement& set);
 std::string foot_of_people(const SetAgreement& set);
 std::string foot_of_given(const SetAgreement& set);
-std::string foot_of_paper_table();
+std::string foot_of_paper_table(const SetAgreement& set);
 
 std::string methods_text(std::span<const SetAgreement> sets);
 

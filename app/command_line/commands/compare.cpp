@@ -65,6 +65,7 @@ Expected<SetAgreement> compared(const CompareCommand& command, std::span<const M
     }
     EvaluationParams params;
     params.threads = command.common.threads;
+    params.dimensions = command.dimensions;
     Expected<RatedPeople> people = rated_people(patterns.study, params);
     if (!people) return Error{patterns.name + ": " + people.error().message};
     MetricOptions options;

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line/agreement/study_report_files.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/command_line/people/people_words.h"

@@ -1,5 +1,4 @@
-// What a command makes of a study's folder: who counts by its options, and a folder of tables, a
-// page, and the scripts that compute their numbers again.
+// What a command makes of a study's folder: who counts by its options.
 #pragma once
 
 #include <vector>
@@ -24,9 +23,5 @@ Expected<CollectedStudy> collected_study(const StudyCommand& command, const Patt
 // Where participants of a set are looked for: where the command says, or beside the set's file, as
 // the window has it.
 std::filesystem::path study_folder_of(const StudyCommand& command);
-
-// Into the folder `command.report`, which is made; files that are there are replaced.
-Expected<Done> write_study_report(const StudyCommand& command, const PatternSet& set,
-                                  CollectedStudy study);
 
 }  // namespace tact

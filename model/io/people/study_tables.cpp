@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <ostream>
 
@@ -33,6 +34,10 @@ void write_row(std::ostream& stream, const std::string& first, const Cells&... c
     stream << first;
     ((stream << ',' << cells), ...);
     stream << '\n';
+}
+
+void write_cells(std::ostream& stream, std::initializer_list<double> values) {
+    for (const double value : values) stream << ',' << cell(value);
 }
 
 // What participants were asked beside their code, in the order in which it came.
@@ -192,14 +197,63 @@ void write_pairs_csv(std::ostream& stream, const StudyTables& tables) {
 
 void write_metrics_csv(std::ostream& stream, const StudyTables& tables) {
     stream << "metric,rho,rho_low,rho_high,p,tau_b,K,K_low,K_high,K_p,K_corrected,K_procrustes,"
-              "K_chance,stress1,participants,synthetic,left_out,rehearsals\n";
-    for (const MetricOfStudy& metric : tables.metrics) {
+              "K_chance,stress1,K_published";
+    for (const char* quantity : {"rho", "K"}) {
+        for (const char* by : kResampledNames) {
+            for (const char* part : {"_se", "_low", "_high"}) {
+                stream << ',' << quantity << '_' << by << part;
+            }
+        }
+    }
+    for (const char* quantity : {"rho", "K"}) {
+        for (const char* part : {"median", "q1", "q3"}) {
+            stream << ',' << quantity << "_person_" << part;
+        }
+    }
+    for (const Given& one : tables.given) {
+        for (const char* part : {"", "_low", "_high"}) {
+            stream << ",rho_given_" << one.name << part;
+        }
+    }
+    stream << ",participants,synthetic,left_out,rehearsals\n";
+    for (std::size_t m = 0; m < tables.metrics.size(); ++m) {
+        const MetricOfStudy& metric = tables.metrics[m];
         const Evaluation& e = metric.evaluation;
-        write_row(stream, csv_field(metric.key), cell(e.rho), cell(e.rho_interval.low),
-                  cell(e.rho_interval.high), cell(e.rho_p), cell(e.tau_b), cell(e.k),
-                  cell(e.k_spread.low), cell(e.k_spread.high), cell(e.k_p), cell(e.k_corrected),
-                  cell(e.k_procrustes), cell(tables.k_chance.mean), cell(e.stress1),
-                  participant_means(tables.results.study).size(), marks_of(tables));
+        stream << csv_field(metric.key);
+        write_cells(stream, {e.rho, e.rho_interval.low, e.rho_interval.high, e.rho_p, e.tau_b, e.k,
+                             e.k_spread.low, e.k_spread.high, e.k_p, e.k_corrected, e.k_procrustes,
+                             tables.k_chance.mean, e.stress1, e.k_published});
+        for (const Uncertain* one : {&tables.uncertainty.rho[m], &tables.uncertainty.k[m]}) {
+            for (std::size_t r = 0; r < kResampledCount; ++r) {
+                write_cells(stream, {one->error[r], one->interval[r].low, one->interval[r].high});
+            }
+        }
+        const bool has_people = !tables.individuals.rho.empty();
+        const Spread none = spread_of({});
+        for (const Spread& one : {has_people ? tables.individuals.rho[m] : none,
+                                  has_people ? tables.individuals.k[m] : none}) {
+            write_cells(stream, {one.median, one.low, one.high});
+        }
+        for (const Given& one : tables.given) {
+            const PartialRho& partial = one.metrics[m];
+            write_cells(stream, {partial.rho, partial.interval.low, partial.interval.high});
+        }
+        stream << ',' << participant_means(tables.results.study).size() << ',' << marks_of(tables)
+               << '\n';
+    }
+}
+
+void write_differences_csv(std::ostream& stream, const StudyTables& tables) {
+    stream << "metric,against,resampled,rho_difference,se,low,high,p,p_holm,not_known,synthetic,"
+              "left_out,rehearsals\n";
+    const Uncertainty& all = tables.uncertainty;
+    for (const MetricDifference& one : all.differences) {
+        for (std::size_t r = 0; r < (all.people > 0 ? kResampledCount : 1); ++r) {
+            write_row(stream, "pm", csv_field(tables.metrics[one.metric].key), kResampledNames[r],
+                      cell(one.rho.value), cell(one.rho.error[r]), cell(one.rho.interval[r].low),
+                      cell(one.rho.interval[r].high), cell(one.p[r]), cell(one.p_holm[r]),
+                      cell(std::string(words(one.rho.why[r]))), marks_of(tables));
+        }
     }
 }
 

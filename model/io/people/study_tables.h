@@ -5,6 +5,7 @@
 //     reliability.csv   statistic,value,low,high,p,people,n,how,<marks>
 //     pairs.csv         a,b,people,<a column a metric>,<marks>
 //     table.csv         metric,rho,rho_low,rho_high,p,tau_b,K,..,<marks>
+//     differences.csv   metric,against,resampled,rho_difference,se,low,high,p,p_holm,..,<marks>
 //     maps.csv          map,pattern,x,y,z,<marks>
 //     weights.csv       participant,dimension_1,..,explained,<marks>
 //     dimensions.csv    pattern,dimension_1,..,<marks>: the map that the weights are of
@@ -23,6 +24,9 @@
 
 #include "model/evaluation/evaluation.h"
 #include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
+#include "model/evaluation/nuisance.h"
+#include "model/evaluation/uncertainty.h"
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 
@@ -45,6 +49,9 @@ struct StudyTables {
     Mapped people;                    // mean ratings of these
     AlienationChance k_chance;
     std::vector<MetricOfStudy> metrics;
+    Individuals individuals;   // of these metrics, in their order
+    Uncertainty uncertainty;   // differences: from PM
+    std::vector<Given> given;  // what of their agreement is left beside something simple
     IndividualWeights weights;
 };
 
@@ -52,6 +59,7 @@ void write_participants_csv(std::ostream& stream, const StudyTables& tables);
 void write_reliability_csv(std::ostream& stream, const StudyTables& tables);
 void write_pairs_csv(std::ostream& stream, const StudyTables& tables);
 void write_metrics_csv(std::ostream& stream, const StudyTables& tables);
+void write_differences_csv(std::ostream& stream, const StudyTables& tables);
 void write_maps_csv(std::ostream& stream, const StudyTables& tables);
 void write_weights_csv(std::ostream& stream, const StudyTables& tables);
 void write_dimensions_csv(std::ostream& stream, const StudyTables& tables);

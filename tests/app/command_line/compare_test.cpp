@@ -136,7 +136,7 @@ TEST_CASE("compare: a table for people, with remarks apart, the same for any num
     CHECK(ran.out.starts_with("five: 5 patterns, 10 of 10 pairs rated\n"));
     CHECK(contains(ran.out, "\nmetric "));
     CHECK(contains(ran.out, "\nnc      1.000"));
-    CHECK(contains(ran.out, "any ratings fit in three dimensions"));
+    CHECK(contains(ran.out, "any ratings fit in 3 dimensions"));
     CHECK(contains(ran.err, "mean.csv: taken as dissimilarities"));
     CHECK(output_of({"compare", study.set, "--ratings", study.ratings, "--metric", "pm", "nc", "oc",
                      "--threads", "1"}) == ran.out);

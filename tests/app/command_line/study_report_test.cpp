@@ -19,9 +19,9 @@ constexpr const char* kSet = R"({"tactspace": 1, "name": "five", "duration_s": 0
     "study": {"repetitions": 2, "attention_pairs": 3,
               "patterns": ["v 1", "v, 2", "v 3", "v 4", "v 5"]}})";
 
-constexpr const char* kFiles[] = {"participants.csv", "answers.csv",   "reliability.csv",
-                                  "pairs.csv",        "table.csv",     "maps.csv",
-                                  "weights.csv",      "dimensions.csv"};
+constexpr const char* kFiles[] = {"participants.csv", "answers.csv", "reliability.csv",
+                                  "pairs.csv",        "table.csv",   "maps.csv",
+                                  "differences.csv",  "weights.csv", "dimensions.csv"};
 
 struct Reported {
     TemporaryFolder folder;

@@ -87,7 +87,8 @@ TEST_CASE("evaluation: a metric that says what people say agrees in every way") 
     const Evaluation e = evaluate(same, set, quick());
     CHECK(e.rho == 1.0);
     CHECK(e.tau_b == 1.0);
-    CHECK(e.rho_interval.low == 1.0);
+    // No draw of patterns moves it: an interval of no width would say that nothing could be surer.
+    CHECK(std::isnan(e.rho_interval.low));
     CHECK(e.rho_p == 1.0 / 201.0);
     // Many maps fit the order of 36 distances; which one is found hangs on the start.
     CHECK(e.k < 0.15);
@@ -98,7 +99,8 @@ TEST_CASE("evaluation: a metric that says what people say agrees in every way") 
     CHECK(e.k_corrected > 0.7);
     CHECK(evaluate(people, set, quick()).k <= 1e-14);
     CHECK(e.stress1 < 1e-3);
-    CHECK(e.remarks.empty());
+    CHECK(e.remarks == std::vector<std::string>{"no interval: no other patterns move rho, or most "
+                                                "leave it undefined"});
     CHECK_FALSE(e.is_failed_map);
     CHECK_FALSE(e.is_failed_start);
 }
@@ -142,13 +144,32 @@ TEST_CASE("evaluation: what is undefined is NaN and says why") {
     CHECK(std::isnan(agreement_of(e, Bookkeeping::paper).k));
 }
 
-TEST_CASE("evaluation: where the people's map collapses it is said once, and the paper has its K") {
-    // Two groups of people's ratings, as of a set of two kinds of vibrations.
+TEST_CASE("evaluation: two groups of patterns have a K, by a map in which they do not collapse") {
     Dissimilarity people{10, {}};
     for (std::size_t p = 0; p < pair_count(10); ++p) {
         const auto [i, j] = pair_at(10, p);
         people.condensed.push_back(((i < 5) == (j < 5) ? 10.0 : 70.0) +
                                    static_cast<double>((p * 7) % 13));
+    }
+    const RatedSet set = rated(people);
+    CHECK(remark_on_people_map(set).starts_with("the map of the ratings: groups of patterns"));
+    const Evaluation e = evaluate(of_random_points(10, 3), set, quick());
+    CHECK(e.k > 0.0);
+    CHECK(e.k < 1.0);
+    const Evaluation same = evaluate(people, set, quick());
+    CHECK(same.k < 1e-6);
+    REQUIRE(same.remarks.size() == 2);
+    CHECK(same.remarks[0].starts_with("no interval"));
+    CHECK(same.remarks[1].starts_with("groups of patterns collapse"));
+}
+
+TEST_CASE("evaluation: where the people's map collapses it is said once, and the paper has its K") {
+    // Two groups within which nothing differs by what a map could show.
+    Dissimilarity people{10, {}};
+    for (std::size_t p = 0; p < pair_count(10); ++p) {
+        const auto [i, j] = pair_at(10, p);
+        people.condensed.push_back(((i < 5) == (j < 5) ? 10.0 : 70.0) +
+                                   1e-3 * static_cast<double>((p * 7) % 13));
     }
     const RatedSet set = rated(people);
     REQUIRE(set.people.maps.empty());

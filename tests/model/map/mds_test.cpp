@@ -232,9 +232,78 @@ TEST_CASE("mds: the published procedure stops before groups collapse") {
     }
     const PerceptualSpace early = smacof(groups, torgerson(groups, 1), published_mds_params(1));
     const PerceptualSpace best = nonmetric_mds(groups, mds_with(1, 50));
-    CHECK(best.stress1 < early.stress1);
+    CHECK(best.collapsed_stress1 < early.stress1);
     CHECK(early.verdict == MdsVerdict::fine);
     CHECK(early.stress1 < 0.2);
+}
+
+TEST_CASE("mds: where groups collapse in the best map by order, the map is by size, and says so") {
+    Dissimilarity groups{10, {}};
+    for (std::size_t p = 0; p < pair_count(10); ++p) {
+        const auto [i, j] = pair_at(10, p);
+        groups.condensed.push_back(((i < 5) == (j < 5) ? 10.0 : 70.0) +
+                                   static_cast<double>((p * 7) % 13));
+    }
+    for (const int dimensions : {2, 3}) {
+        const PerceptualSpace space = nonmetric_mds(groups, mds_with(dimensions, 50));
+        check_drawable(space, 10, dimensions);
+        CHECK(space.collapsed_stress1 < 1e-3);
+        CHECK(space.verdict == MdsVerdict::fine);
+        CHECK_FALSE(space.is_degenerate);
+        CHECK(space.stress1 > space.collapsed_stress1);
+        CHECK(remark_on(space).find("interval scaling") != std::string::npos);
+        const std::vector<double> d = distances(space.points);
+        const auto [least, most] = std::ranges::minmax(d);
+        CHECK(least > 0.02 * most);
+        // The groups stay apart: no pair within one is as far as the nearest of both.
+        double widest_within = 0.0;
+        double nearest_between = most;
+        for (std::size_t p = 0; p < d.size(); ++p) {
+            const auto [i, j] = pair_at(10, p);
+            if ((i < 5) == (j < 5)) {
+                widest_within = std::max(widest_within, d[p]);
+            } else {
+                nearest_between = std::min(nearest_between, d[p]);
+            }
+        }
+        CHECK(widest_within < nearest_between);
+    }
+    // A map that is not degenerate is not touched.
+    const PerceptualSpace plain = nonmetric_mds(random_dissimilarity(10, 31), mds_with(2, 20));
+    CHECK(std::isnan(plain.collapsed_stress1));
+}
+
+TEST_CASE("mds: interval scaling finds points whose distances are a constant and a multiple") {
+    const MatrixXd points = random_map(9, 2, 12);
+    Dissimilarity scaled = of_points(points);
+    const PairOrder order = order_pairs(scaled.condensed);
+    std::vector<double> fitted(scaled.condensed.size(), -1.0);
+    std::vector<double> measured = scaled.condensed;
+    for (double& value : measured) value = 3.0 + 0.5 * value;
+    fit_interval(order, scaled.condensed, measured, fitted);
+    for (std::size_t p = 0; p < fitted.size(); ++p)
+        CHECK(std::abs(fitted[p] - measured[p]) < 1e-12);
+    // Where distances fall, the constant alone; where a line would begin below 0, it begins at 0.
+    for (std::size_t p = 0; p < fitted.size(); ++p) measured[p] = 9.0 - scaled.condensed[p];
+    fit_interval(order, scaled.condensed, measured, fitted);
+    CHECK(*std::ranges::max_element(fitted) - *std::ranges::min_element(fitted) < 1e-12);
+    const std::vector<double> three{1.0, 2.0, 3.0};
+    const PairOrder of_three = order_pairs(three);
+    std::vector<double> line(3);
+    fit_interval(of_three, three, std::vector<double>{0.0, 0.0, 3.0}, line);
+    CHECK(line[0] == 0.0);
+    CHECK(std::abs(line[1] - 1.2) < 1e-12);  // sum of above * d / sum of above^2 = 6 / 5
+    CHECK(std::abs(line[2] - 2.4) < 1e-12);
+    const Descent end = descend(order, random_map(9, 2, 13), {1e-12, 3000, scaled.condensed});
+    const std::vector<double> d = distances(end.points);
+    fit_interval(order, scaled.condensed, d, fitted);
+    double miss = 0.0;
+    double size = 0.0;
+    for (std::size_t p = 0; p < d.size(); ++p) {
+        miss += (d[p] - fitted[p]) * (d[p] - fitted[p]);
+        size += d[p] * d[p];
+    }
+    CHECK(std::abs(std::sqrt(miss / size) - end.stress1) < 1e-12);
 }
 
 TEST_CASE("mds: twins on one spot are right there") {

@@ -1,0 +1,190 @@
+#include "app/command_line/agreement/study_report_files.h"
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+#include "app/command_line/agreement/methods.h"
+#include "app/command_line/output.h"
+#include "app/document/pattern_looks.h"
+#include "app/report/study_report.h"
+#include "app/session/folders.h"
+#include "app/session/program_version.h"
+#include "assets/assets.h"
+#include "model/evaluation/metric_comparison.h"
+#include "model/io/people/ratings_file.h"
+#include "model/io/people/study_csv.h"
+#include "model/io/people/study_tables.h"
+#include "model/set/set_study.h"
+#include "model/text/atomic_file.h"
+#include "model/text/utc_time.h"
+
+namespace tact {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+PatternSet rated_patterns_of(const PatternSet& set, const RatedSet& rated) {
+    if (!rated.part) return set;
+    PatternSet part = set;
+    part.vibrations.clear();
+    for (const std::size_t place : rated.rated) part.vibrations.push_back(set.vibrations[place]);
+    return part;
+}
+
+// The matrices of what may carry a metric's agreement alone, where patterns differ in it.
+std::vector<Nuisance> simple_reasons(const PatternSet& set) {
+    std::vector<Nuisance> reasons;
+    for (const char* name : {"level", "duration"}) {
+        auto apart = nuisance_named(name, set);
+        if (apart && order_pairs(apart->condensed).levels > 1) {
+            reasons.push_back({name, *std::move(apart)});
+        }
+    }
+    return reasons;
+}
+
+struct ReportedStudy {
+    StudyTables tables;
+    std::string methods;
+};
+
+// As tactspace compare has them.
+Expected<ReportedStudy> reported_study(const StudyCommand& command, const PatternSet& set,
+                                       CollectedStudy study) {
+    EvaluationParams params;
+    params.threads = command.common.threads;
+    const Expected<RatingStudy> spread = matched(study.results.study, names_of(set));
+    if (!spread) return spread.error();
+    Expected<RatedPeople> people = rated_people(*spread, params);
+    if (!people) return people.error();
+    ReportedStudy reported;
+    StudyTables& tables = reported.tables;
+    tables.raters = inter_rater(study.results.study);
+    tables.weights = individual_weights(study.results.study,
+                                        command.weights.value_or(shown_weight_dimensions(
+                                            rated_part(people->rated).people.dissimilarity.size)));
+    tables.effects = order_effects(counted_records(study.records, study.results));
+    tables.records = std::move(study.records);
+    tables.results = std::move(study.results);
+    tables.people = rated_part(people->rated).people;
+    tables.k_chance = rated_part(people->rated).k_chance;
+    tables.labels = names_of(rated_patterns_of(set, people->rated));
+    MetricOptions options;
+    options.threads = command.common.threads;
+    options.progress = progress_line("comparing metrics");
+    MetricTable table = metric_table(*spread, *people, kMetrics,
+                                     *compared_matrices(set, kMetrics, nullptr, options),
+                                     simple_reasons(set), params, progress_line("resampling"));
+    for (std::size_t k = 0; k < kMetrics.size(); ++k) {
+        MetricOfStudy metric;
+        metric.key = traits(kMetrics[k]).key;
+        metric.matrix = among_rated(table.matrices[k], people->rated);
+        metric.evaluation = table.evaluations[k];
+        MdsParams map = standard_mds_params(metric.matrix.size, params.dimensions);
+        map.threads = params.threads;
+        metric.space = nonmetric_mds(metric.matrix, map);
+        tables.metrics.push_back(std::move(metric));
+    }
+    tables.individuals = table.individuals;
+    tables.uncertainty = table.uncertainty;
+    tables.given = table.given;
+    std::vector<LeftOutParticipant> left_out;
+    for (const ParticipantSummary& person : tables.results.people) {
+        if (!person.excluded.empty()) left_out.push_back({person.code, person.excluded});
+    }
+    const SetAgreement agreement{set.name.empty() ? "this study" : set.name,
+                                 tables.labels.size(),
+                                 *std::move(people),
+                                 std::move(left_out),
+                                 {},
+                                 std::move(table),
+                                 tables.raters};
+    reported.methods = methods_text({&agreement, 1});
+    return reported;
+}
+
+std::vector<std::string> labels_of(const StudyTables& tables) {
+    std::vector<std::string> labels;
+    for (const std::string& said : sentences_of(tables.results.mark)) labels.push_back(said + ".");
+    if (tables.results.order == StudyOrder::adaptive) {
+        labels.emplace_back("Pairs were asked in adaptive order, not the publication's design.");
+    }
+    if (tables.results.scaling != RatingScaling::none) {
+        labels.push_back(std::string("Each one's similarities are scaled: ") +
+                         kScalingNames[static_cast<std::size_t>(tables.results.scaling)] + ".");
+    }
+    return labels;
+}
+
+template <class Write>
+Expected<Done> write_table(const fs::path& file, const Write& write) {
+    std::ostringstream text;
+    write(text);
+    return write_atomically(file, text.str());
+}
+
+Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
+                           const std::string& page) {
+    using Writer = void (*)(std::ostream&, const StudyTables&);
+    for (const auto& [file, write] :
+         {std::pair<const char*, Writer>{"participants.csv", write_participants_csv},
+          {"reliability.csv", write_reliability_csv},
+          {"pairs.csv", write_pairs_csv},
+          {"table.csv", write_metrics_csv},
+          {"differences.csv", write_differences_csv},
+          {"maps.csv", write_maps_csv},
+          {"weights.csv", write_weights_csv},
+          {"dimensions.csv", write_dimensions_csv}}) {
+        const auto written =
+            write_table(folder / file, [&](std::ostream& stream) { write(stream, tables); });
+        if (!written) return written;
+    }
+    const auto answers = write_table(folder / kAnswersFile, [&](std::ostream& stream) {
+        write_study_csv(stream, tables.records, tables.results, StudyRows::everyone);
+    });
+    if (!answers) return answers;
+    for (const char* script : {"reproduce.py", "reproduce.R"}) {
+        const auto written =
+            write_atomically(folder / script, asset(std::string("study/") + script));
+        if (!written) return written;
+    }
+    return write_atomically(folder / "report.html", page);
+}
+
+}  // namespace
+
+Expected<Done> write_study_report(const StudyCommand& command, const PatternSet& set,
+                                  CollectedStudy study) {
+    std::vector<std::string> remarks = study.results.remarks;
+    const bool has_changed = study.has_changed;
+    const Expected<ReportedStudy> reported = reported_study(command, set, std::move(study));
+    if (!reported) return reported.error();
+    const StudyTables* const tables = &reported->tables;
+    PatternSet rated = set;
+    std::erase_if(rated.vibrations, [&tables](const Vibration& one) {
+        return std::ranges::find(tables->labels, one.name) == tables->labels.end();
+    });
+    give_looks(rated);
+    const std::string unrated =
+        remark_on_unrated(unrated_patterns(*spread_over(tables->results.study, names_of(set))),
+                          set.vibrations.size());
+    if (!unrated.empty()) remarks.push_back(unrated);
+    StudyReport report{.tables = *tables, .set = rated, .name = set.name};
+    report.labels = labels_of(*tables);
+    if (has_changed) {
+        report.labels.emplace_back(
+            "The patterns have changed since they were felt: what is "
+            "compared with the ratings is of others.");
+    }
+    report.remarks = std::move(remarks);
+    report.methods = reported->methods;
+    report.program = kProgramVersion;
+    report.date = utc_today();
+    if (const auto made = make_folder(command.report); !made) return made;
+    return write_files(command.report, *tables, study_report_page(report));
+}
+
+}  // namespace tact

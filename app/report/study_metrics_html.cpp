@@ -1,0 +1,237 @@
+#include "app/report/study_metrics_html.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+#include "app/report/html.h"
+#include "model/text/numbers.h"
+
+namespace tact {
+
+namespace {
+
+constexpr const char* kUnknown = "\u2013";
+
+// How many kinds of resamples there are.
+std::size_t kinds_of(const Uncertainty& all) { return all.people > 0 ? kResampledCount : 1; }
+
+// "over patterns", for a heading.
+std::string over(std::size_t resampled) {
+    return std::string("over ") + kResampledNames[resampled];
+}
+
+std::string agreement_table(const StudyReport& report) {
+    HtmlTable table{{{"metric"},
+                     {"rho", true},
+                     {"95 % interval", true},
+                     {"p", true},
+                     {"tau-b", true},
+                     {"K", true},
+                     {"K p", true},
+                     {"stress-1", true}},
+                    {},
+                    {}};
+    for (const MetricOfStudy& metric : report.tables.metrics) {
+        const Evaluation& e = metric.evaluation;
+        table.rows.push_back({html_escaped(metric.key), shown(e.rho), shown(e.rho_interval),
+                              probability(e.rho_p), shown(e.tau_b), shown(e.k), probability(e.k_p),
+                              shown(e.stress1)});
+    }
+    const AlienationChance& chance = report.tables.k_chance;
+    std::vector<std::string> remarks;
+    for (const MetricOfStudy& metric : report.tables.metrics) {
+        for (const std::string& remark : metric.evaluation.remarks) {
+            remarks.push_back(metric.key + ": " + remark);
+        }
+    }
+    return html_of(table) +
+           "<p class=\"dim\">rho: Spearman, with the mean of those who count; interval: if other "
+           "patterns had been taken; p: Mantel, one-sided. K: alienation of maps of three "
+           "dimensions, 0 is the same shape; unrelated maps have " +
+           shown(chance.mean) +
+           " on average; p: permuted patterns, one-sided. Not corrected for how many metrics "
+           "there are.</p>\n" +
+           (remarks.empty() ? std::string() : items(remarks));
+}
+
+// Why a number of this quantity is missing: each reason once, with its metrics.
+std::string reasons_html(const std::vector<std::pair<std::string, std::string>>& missing) {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto& [why, metric] : missing) {
+        const auto known = std::ranges::find(all, why, &std::pair<std::string, std::string>::first);
+        if (known == all.end()) {
+            all.emplace_back(why, metric);
+        } else {
+            known->second += ", " + metric;
+        }
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [why, metrics] : all) sentences.push_back(why + " (" + metrics + ")");
+    return sentences.empty() ? std::string() : items(sentences);
+}
+
+void add_reasons(std::vector<std::pair<std::string, std::string>>& missing,
+                 const std::string& quantity, const std::string& metric, const Uncertain& value,
+                 std::size_t kinds) {
+    for (std::size_t r = 0; r < kinds; ++r) {
+        if (value.why[r] == NotKnown::known || value.why[r] == NotKnown::no_value) continue;
+        missing.emplace_back(quantity + " " + over(r) + " not known: " + words(value.why[r]),
+                             metric);
+    }
+}
+
+std::string intervals_table(const StudyReport& report) {
+    const Uncertainty& all = report.tables.uncertainty;
+    const std::size_t kinds = kinds_of(all);
+    HtmlTable table{{{"95 % intervals"}}, {}, {}};
+    for (const char* quantity : {"rho ", "K "}) {
+        for (std::size_t r = 0; r < kinds; ++r) {
+            table.columns.push_back({quantity + over(r), true});
+        }
+    }
+    std::vector<std::pair<std::string, std::string>> missing;
+    for (std::size_t m = 0; m < report.tables.metrics.size(); ++m) {
+        const std::string& key = report.tables.metrics[m].key;
+        std::vector<std::string> row{html_escaped(key)};
+        for (const Uncertain* one : {&all.rho[m], &all.k[m]}) {
+            for (std::size_t r = 0; r < kinds; ++r) row.push_back(shown(one->interval[r]));
+        }
+        table.rows.push_back(row);
+        add_reasons(missing, "rho", key, all.rho[m], kinds);
+        add_reasons(missing, "K", key, all.k[m], kinds);
+    }
+    return "<h3>If other patterns or other people had been taken</h3>\n" + html_of(table) +
+           reasons_html(missing);
+}
+
+std::string differences_table(const StudyReport& report) {
+    const Uncertainty& all = report.tables.uncertainty;
+    if (all.differences.empty()) return {};
+    const std::size_t kinds = kinds_of(all);
+    HtmlTable table{{{"rho of pm less"}, {"difference", true}}, {}, {}};
+    for (std::size_t r = 0; r < kinds; ++r) {
+        table.columns.push_back({over(r), true});
+        table.columns.push_back({"p", true});
+        table.columns.push_back({"Holm", true});
+    }
+    std::vector<std::pair<std::string, std::string>> missing;
+    for (const MetricDifference& one : all.differences) {
+        const std::string& key = report.tables.metrics[one.metric].key;
+        std::vector<std::string> row{html_escaped(key), shown(one.rho.value)};
+        for (std::size_t r = 0; r < kinds; ++r) {
+            row.push_back(shown(one.rho.interval[r]));
+            row.push_back(probability(one.p[r]));
+            row.push_back(probability(one.p_holm[r]));
+        }
+        table.rows.push_back(row);
+        add_reasons(missing, "difference", key, one.rho, kinds);
+    }
+    return "<h3>Is PM better than the others</h3>\n" + html_of(table) + reasons_html(missing) +
+           "<p class=\"dim\">Paired, over the same draws; p two-sided; Holm: corrected for " +
+           counted(all.differences.size(), "difference", "differences") + ".</p>\n";
+}
+
+std::string given_table(const StudyReport& report) {
+    if (report.tables.given.empty()) return {};
+    HtmlTable table{{{"partial rho"}}, {}, {}};
+    std::vector<std::string> alone{"(that alone)"};
+    for (const Given& one : report.tables.given) {
+        table.columns.push_back({"given " + one.name, true});
+        table.columns.push_back({"95 % interval", true});
+        alone.insert(alone.end(), {shown(one.rho_alone), ""});
+    }
+    for (std::size_t m = 0; m < report.tables.metrics.size(); ++m) {
+        std::vector<std::string> row{html_escaped(report.tables.metrics[m].key)};
+        for (const Given& one : report.tables.given) {
+            row.push_back(shown(one.metrics[m].rho));
+            row.push_back(shown(one.metrics[m].interval));
+        }
+        table.rows.push_back(row);
+    }
+    table.rows.push_back(alone);
+    return "<h3>What is left beside something simple</h3>\n" + html_of(table) +
+           "<p class=\"dim\">Partial rank correlation, given by how many dB one pattern is "
+           "stronger "
+           "than the other, or by how many seconds it is longer.</p>\n";
+}
+
+std::string persons_table(const StudyReport& report) {
+    const Individuals& all = report.tables.individuals;
+    if (all.people.empty()) return {};
+    HtmlTable table{{{"with one person"},
+                     {"median rho", true},
+                     {"quartiles", true},
+                     {"median K", true},
+                     {"quartiles", true}},
+                    {},
+                    {}};
+    for (std::size_t m = 0; m < report.tables.metrics.size(); ++m) {
+        const Spread& rho = all.rho[m];
+        const Spread& k = all.k[m];
+        table.rows.push_back({html_escaped(report.tables.metrics[m].key), shown(rho.median),
+                              shown(Interval{rho.low, rho.high}), shown(k.median),
+                              shown(Interval{k.low, k.high})});
+    }
+    return "<h3>With each person alone</h3>\n" + html_of(table);
+}
+
+}  // namespace
+
+std::string shown(double value, int decimals) {
+    if (std::isnan(value)) return kUnknown;
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
+    const bool is_below = value < 0.0 && std::strtod(text, nullptr) > 0.0;
+    return (is_below ? "\u2212" : "") + std::string(text);
+}
+
+std::string shown(const Interval& interval) {
+    if (std::isnan(interval.low)) return kUnknown;
+    return shown(interval.low) + " to " + shown(interval.high);
+}
+
+std::string probability(double p) { return p < 0.0001 ? "&lt; 0.0001" : shown(p, 4); }
+
+std::string items(const std::vector<std::string>& sentences) {
+    std::string html = "<ul>\n";
+    for (const std::string& one : sentences) html += "<li>" + html_escaped(one) + "</li>\n";
+    return html + "</ul>\n";
+}
+
+std::string metrics_section(const StudyReport& report) {
+    const Mapped& people = report.tables.people;
+    const std::string no_k = people.maps.empty()
+                                 ? "<p class=\"warning\">No metric has a K: the map of the "
+                                   "ratings is " +
+                                       html_escaped(remark_on(people.space)) + ".</p>\n"
+                                 : std::string();
+    return html_section("metrics", "Which metric agrees with them",
+                        no_k + agreement_table(report) + intervals_table(report) +
+                            differences_table(report) + given_table(report) +
+                            persons_table(report));
+}
+
+std::string methods_section(const StudyReport& report) {
+    std::string html;
+    bool is_list = false;
+    std::istringstream lines(report.methods);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line == "Methods") continue;
+        if (line == "References") {
+            html += "<ul>\n";
+            is_list = true;
+        } else {
+            html +=
+                (is_list ? "<li>" : "<p>") + html_escaped(line) + (is_list ? "</li>\n" : "</p>\n");
+        }
+    }
+    if (html.empty()) return {};
+    return html_section("methods", "How it was computed, for a paper",
+                        html + (is_list ? "</ul>\n" : ""));
+}
+
+}  // namespace tact
