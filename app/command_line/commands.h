@@ -157,12 +157,33 @@ struct GenerateCommand {
 };
 Expected<Done> run(const GenerateCommand& command);
 
+// A study that is not run yet: how many people, which patterns.
+struct PlanCommand {
+    CommonOptions common;
+    std::string people = "5..40";  // A..B, or numbers with commas between
+    std::string pairs = "all";     // that each person rates, or a number
+    std::string rival = "msm";     // a key of model/evaluation/metric.h
+    RatingFiles pilot;             // what is assumed is as these people have it
+    std::optional<double> rho;     // or as it is stated
+    std::optional<double> reliability;
+    int studies = 200;  // simulated, of each number of people
+    int seed = 12;
+    int decide = 0;             // patterns on which the two disagree most; 0: all
+    std::filesystem::path out;  // a set of these
+    std::filesystem::path csv;
+    std::filesystem::path preregister;  // a folder: the plan frozen, and a page
+};
+Expected<Done> run(const PlanCommand& command);
+
 struct StudyCommand {
     CommonOptions common;
-    int simulate = 0;               // number of simulated participants ...
-    std::filesystem::path collect;  // ... or what is in this folder
-    std::filesystem::path out;      // folder for participants, or file for ratings
-    bool sorting = false;           // into groups, instead of rating pairs
+    int simulate = 0;                           // number of simulated participants ...
+    std::filesystem::path collect;              // ... or what is in this folder
+    std::string pack;                           // ... or this program is to ask: jspsych, psychopy
+    int participants = 40;                      // that a pack has trials for
+    std::vector<std::filesystem::path> unpack;  // ... or its answers become participants
+    std::filesystem::path out;                  // folder for participants, or file for ratings
+    bool sorting = false;                       // into groups, instead of rating pairs
     // In place of the design in the set.
     std::optional<int> seed;
     std::optional<int> repetitions;
@@ -184,8 +205,11 @@ struct StudyCommand {
     CountRule who;                 // participants by name
     std::string scaling = "none";  // none, min-max, standard
     std::filesystem::path matrix;
-    std::optional<int> weights;    // of each participant, in a map of this many dimensions
-    std::filesystem::path report;  // a folder of tables, a page and scripts
+    std::optional<int> weights;      // of each participant, in a map of this many dimensions
+    std::filesystem::path report;    // a folder of tables, a page and scripts
+    std::filesystem::path planned;   // its preregistration: what departs from it is marked
+    std::filesystem::path psych_ds;  // a folder: a dataset for an archive
+    std::filesystem::path rdms;      // .npz: each person's matrix
 };
 Expected<Done> run(const StudyCommand& command);
 

@@ -70,6 +70,53 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
                      "digits and averages as in Table 2 of Lim & Park 2023");
 }
 
+void add_plan_command(CLI::App& app, PlanCommand& command, Chosen& chosen) {
+    CLI::App& plan = add_command(
+        app, "plan",
+        "a study before it is run: how many people, which patterns, and a preregistration", command,
+        chosen);
+    plan.add_option("--people", command.people,
+                    "numbers of people to try, A..B or 8,12,20; default: 5..40");
+    plan.add_option("--pairs", command.pairs,
+                    "that each person rates, dealt so that all are rated as often: all, or a "
+                    "number; default: all");
+    plan.add_option("--rival", command.rival, "the metric that pm is to be told from; default: msm")
+        ->check(fault_of_metric);
+    CLI::App& assumed = *plan.add_option_group("Assumed", "of people who were not asked yet");
+    CLI::Option* pilot = assumed.add_option(
+        "--pilot", command.pilot.files,
+        "ratings of a few people, as for compare: how alike they rate and how far pm agrees");
+    assumed.add_option("--scale", command.pilot.scale, "of the pilot's ratings; default: guess")
+        ->check(CLI::IsMember({"guess", "similarity", "dissimilarity"}));
+    assumed.add_option("--columns", command.pilot.columns, kAnswerColumnsHelp);
+    assumed
+        .add_option("--rho", command.rho,
+                    "of pm with what people feel on average, without noise; default: 0.67, the "
+                    "publication's mean, a guess for any other set")
+        ->check(within(0.0, 1.0));
+    assumed
+        .add_option("--reliability", command.reliability,
+                    "of one person's ratings, the share that is not their own noise; default: "
+                    "0.4, a guess")
+        ->check(within(0.01, 1.0))
+        ->excludes(pilot);
+    plan.add_option("--studies", command.studies,
+                    "simulated for each number of people; default: 200")
+        ->check(within(20, 10'000));
+    plan.add_option("--seed", command.seed, "of the simulation; default: 12")
+        ->check(within(limits::kStudySeed));
+    plan.add_option("--decide", command.decide,
+                    "plan with this many patterns of the set only: those on which pm and the rival "
+                    "disagree most, so that their ratings can decide")
+        ->check(within(3, static_cast<double>(limits::kMaxStudyPatterns)));
+    plan.add_option("--out", command.out, "file for the set of the patterns that are planned with");
+    plan.add_option("--csv", command.csv, "file for the table, a row a number of people");
+    plan.add_option("--preregister", command.preregister,
+                    "folder for a preregistration, which needs one number of --people: a page, and "
+                    "a file that \"study --report DIR --planned FILE\" holds the study against");
+    plan.footer(list_of_metrics());
+}
+
 void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     CLI::App& study = add_command(
         app, "study", "a rating study: simulate participants, or collect what they said", command,
@@ -87,7 +134,26 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
                     "folder for all of a study: participants, answers, reliability, metrics and "
                     "maps as CSV, a page, scripts in R and Python that compute its numbers again")
         ->excludes(simulate);
+    CLI::Option* pack =
+        task.add_option("--pack", command.pack,
+                        "writes the study into --out DIR for another program to ask: stimuli, "
+                        "trials and a script, jspsych or psychopy")
+            ->check(CLI::IsMember({"jspsych", "psychopy"}))
+            ->excludes("--report", "--collect", "--simulate");
+    task.add_option("--unpack", command.unpack,
+                    "turns answers of a packed study, files or folders of .csv, into participants "
+                    "in --out DIR")
+        ->excludes(pack)
+        ->excludes("--report", "--collect", "--simulate");
+    study
+        .add_option("--participants", command.participants,
+                    "that a pack has trials for; default: 40")
+        ->check(within(1, 1000))
+        ->needs(pack);
     task.require_option(1, 2);
+    study.add_option("--planned", command.planned,
+                     "the preregistration.json of \"plan --preregister\": the report marks what "
+                     "departs from it");
     simulate->needs(
         study.add_option("--out", command.out,
                          "folder for simulated participants; file for collected ratings, .csv"));
@@ -124,6 +190,12 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
                     "(INDSCAL); in --report 3")
         ->check(within(1, kMostWeightedDimensions));
     rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
+    rule.add_option("--psych-ds", command.psych_ds,
+                    "folder for a Psych-DS dataset, as archives of psychology read it: answers and "
+                    "participants with every column described, and the set");
+    rule.add_option("--rdms", command.rdms,
+                    "file for the matrix of each person as NumPy arrays, .npz, as rsatoolbox takes "
+                    "them");
 }
 
 void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen) {

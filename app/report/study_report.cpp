@@ -5,6 +5,7 @@
 
 #include "app/report/html.h"
 #include "app/report/html_map.h"
+#include "app/report/preregistration_page.h"
 #include "app/report/report_parts.h"
 #include "app/report/study_metrics_html.h"
 #include "app/report/weights_html.h"
@@ -202,7 +203,8 @@ std::string study_report_page(const StudyReport& report) {
     page.lead = report.tables.results.kind == StudyKind::pairwise
                     ? "How alike people said these vibrations feel, pair by pair."
                     : "How alike people said these vibrations feel, by sorting them.";
-    page.body = labels_html(report) + tiles(report) + people_section(report) +
+    page.body = labels_html(report) + tiles(report) +
+                planned_section(report.planned_on, report.planned) + people_section(report) +
                 agreement_section(report) + weights_section(report.tables.weights) +
                 metrics_section(report) + maps_section(report) + methods_section(report) +
                 files_section();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/io/people/study_tables.h"
+#include "model/planning/preregistration.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -23,6 +24,8 @@ struct StudyReport {
     std::vector<std::string> labels{};   // sentences that every number is to be read with
     std::vector<std::string> remarks{};  // who is left out, which rules were on, who fell by them
     std::string methods{};               // a paragraph for a paper and its references, lines
+    std::string planned_on{};             // of its preregistration; empty: none
+    std::vector<PlannedAndDone> planned{};
     std::string program{};               // "tactspace 0.1.0"
     std::string date{};                  // of the page
 };

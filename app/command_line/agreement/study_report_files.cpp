@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -12,11 +13,14 @@
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
 #include "assets/assets.h"
+#include "model/common/fingerprint.h"
 #include "model/evaluation/metric_comparison.h"
+#include "model/io/people/exclusions_file.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_tables.h"
-#include "model/set/set_study.h"
+#include "model/io/set/set_fingerprint.h"
+#include "model/io/studies_out/preregistration_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utc_time.h"
 
@@ -44,6 +48,31 @@ std::vector<Nuisance> simple_reasons(const PatternSet& set) {
         }
     }
     return reasons;
+}
+
+// As it was done, to be held against its preregistration.
+DoneStudy done_study(const StudyCommand& command, const PatternSet& set, const CollectRule& rule,
+                     const StudyTables& tables) {
+    const StudyHeader& header = tables.records.front().header;
+    DoneStudy done;
+    done.set_fingerprint = header.set_fingerprint;
+    done.model_fingerprint = fingerprint_text(model_fingerprint(set));
+    done.patterns = header.patterns;
+    done.people = participant_means(tables.results.study).size();
+    done.repetitions = header.design.repetitions;
+    done.attention_pairs = header.design.attention_pairs;
+    done.attention = rule.attention;
+    done.order = tables.results.order;
+    done.scaling = tables.results.scaling;
+    done.left_out_by_hand = command.who.exclude;
+    const auto recorded = read_exclusions(study_folder_of(command));
+    for (const Exclusion& one : recorded ? *recorded : std::vector<Exclusion>{}) {
+        const auto& known = done.left_out_by_hand;
+        if (std::ranges::find(known, one.participant) == known.end()) {
+            done.left_out_by_hand.push_back(one.participant);
+        }
+    }
+    return done;
 }
 
 struct ReportedStudy {
@@ -158,6 +187,13 @@ Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
 
 Expected<Done> write_study_report(const StudyCommand& command, const PatternSet& set,
                                   CollectedStudy study) {
+    std::optional<Preregistration> planned;
+    if (!command.planned.empty()) {
+        Expected<Preregistration> read = read_preregistration(command.planned);
+        if (!read) return read.error();
+        planned = *std::move(read);
+    }
+    const CollectRule rule = study.rule;
     std::vector<std::string> remarks = study.results.remarks;
     const bool has_changed = study.has_changed;
     const Expected<ReportedStudy> reported = reported_study(command, set, std::move(study));
@@ -181,6 +217,10 @@ Expected<Done> write_study_report(const StudyCommand& command, const PatternSet&
     }
     report.remarks = std::move(remarks);
     report.methods = reported->methods;
+    if (planned) {
+        report.planned_on = planned->date;
+        report.planned = planned_and_done(*planned, done_study(command, set, rule, *tables));
+    }
     report.program = kProgramVersion;
     report.date = utc_today();
     if (const auto made = make_folder(command.report); !made) return made;

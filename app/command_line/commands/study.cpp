@@ -11,12 +11,15 @@
 #include "app/command_line/output.h"
 #include "app/command_line/people/people_words.h"
 #include "app/command_line/people/study_files.h"
+#include "app/command_line/people/study_packs.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_file.h"
+#include "model/io/studies_out/psych_ds.h"
+#include "model/io/studies_out/rdm_npz.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/map/smacof.h"
 #include "model/perceptual_model/perceptual_model.h"
@@ -25,6 +28,7 @@
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 #include "model/study/synthetic_study.h"
+#include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
@@ -298,6 +302,15 @@ Expected<Done> collect(const StudyCommand& command, const PatternSet& set) {
         });
         if (!written) return written.error();
     }
+    if (!command.rdms.empty()) {
+        const auto written = write_atomically(command.rdms, rdm_npz(results.study));
+        if (!written) return written;
+    }
+    if (!command.psych_ds.empty()) {
+        const auto written =
+            write_new_folder(command.psych_ds, psych_ds_files(dataset_of(set, *study)));
+        if (!written) return written;
+    }
     const OrderEffects effects = order_effects(counted_records(study->records, results));
     std::optional<IndividualWeights> weights;
     if (command.weights) weights = individual_weights(results.study, *command.weights);
@@ -323,6 +336,13 @@ Expected<Done> run(const StudyCommand& command) {
     Expected<PatternSet> set = load_for(command.common);
     if (!set) return set.error();
     if (const auto pair = need_a_pair(*set, command.common); !pair) return pair.error();
+    if (!command.pack.empty() || !command.unpack.empty()) {
+        set->study = design_of(command, *set);
+        if (!command.pack.empty()) return pack_study(command, *set);
+        StudyHeader header = simulated_header(command, *set);
+        header.synthetic = false;
+        return unpack_study(command, std::move(header));
+    }
     return command.simulate > 0 ? simulate(command, *std::move(set)) : collect(command, *set);
 }
 

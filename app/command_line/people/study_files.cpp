@@ -8,6 +8,7 @@
 #include "app/session/program_version.h"
 #include "model/io/people/study_file.h"
 #include "model/set/set_study.h"
+#include "model/text/utc_time.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -70,6 +71,7 @@ Expected<CollectedStudy> collected_study(const StudyCommand& command, const Patt
     rule.unfinished_too = command.unfinished;
     rule.scaling = scaling_of(command.scaling);
     rule.who = command.who;
+    study.rule = rule;
     Expected<StudyResults> results = study_results(study.records, rule);
     if (!results) return results.error();
     study.results = *std::move(results);
@@ -78,6 +80,15 @@ Expected<CollectedStudy> collected_study(const StudyCommand& command, const Patt
         return recorded.error();
     }
     return study;
+}
+
+StudyDataset dataset_of(const PatternSet& set, const CollectedStudy& study) {
+    return {set.name.empty() ? "A rating study" : set.name,
+            kProgramVersion,
+            utc_today(),
+            study.records,
+            study.results,
+            set};
 }
 
 }  // namespace tact

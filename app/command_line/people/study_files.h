@@ -5,6 +5,7 @@
 
 #include "app/command_line/commands.h"
 #include "model/common/expected.h"
+#include "model/io/studies_out/psych_ds.h"
 #include "model/set/pattern_set.h"
 #include "model/study/study_results.h"
 
@@ -13,6 +14,7 @@ namespace tact {
 struct CollectedStudy {
     std::vector<StudyRecord> records;  // of one kind, felt from this set
     StudyResults results;
+    CollectRule rule;          // by which
     bool has_changed = false;  // the patterns, since they were felt
 };
 
@@ -23,5 +25,8 @@ Expected<CollectedStudy> collected_study(const StudyCommand& command, const Patt
 // Where participants of a set are looked for: where the command says, or beside the set's file, as
 // the window has it.
 std::filesystem::path study_folder_of(const StudyCommand& command);
+
+// What an archive takes of it.
+StudyDataset dataset_of(const PatternSet& set, const CollectedStudy& study);
 
 }  // namespace tact

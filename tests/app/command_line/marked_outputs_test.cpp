@@ -314,6 +314,17 @@ const Checks& checks() {
                  b.check_says(words);
              }
          }},
+        {"plan",
+         [](const Bench& b) {
+             for (const Words& more : {Words{}, Words{"--json"}}) {
+                 Words words{"plan", b.plain,     "--pilot", b.people, "--people",
+                             "3",    "--studies", "20",      "--csv",  b.at("p.csv")};
+                 words.insert(words.end(), more.begin(), more.end());
+                 b.check_says(words);
+             }
+             b.check_says({"plan", b.plain, "--pilot", b.people, "--people", "3", "--studies", "20",
+                           "--preregister", b.at("plan")});
+         }},
         {"export",
          [](const Bench& b) {
              b.check_says({"export", b.modelled, "--format", "ahap", "--out", b.at("one")});
@@ -418,6 +429,17 @@ const Checks& left_out_checks() {
              files.insert(files.end(),
                           {"--json", "--csv", b.at("t.csv"), "--out", b.at("model.json")});
              b.check_says_left_out(files);
+         }},
+        {"plan",
+         [](const Bench& b) {
+             const Words words{"plan",     b.plain, "--pilot",   b.mixed,
+                               "--people", "3",     "--studies", "20"};
+             Words files = words;
+             files.insert(files.end(), {"--csv", b.at("p.csv"), "--preregister", b.at("plan")});
+             b.check_says_left_out(files);
+             Words json = words;
+             json.push_back("--json");
+             b.check_says_left_out(json);
          }},
         {"study",
          [](const Bench& b) {

@@ -138,6 +138,15 @@ const Checks& checks() {
                   {"maps.csv", all},
                   {"weights.csv", {"@P2"}},
                   {"dimensions.csv", all}});
+             b.check({"study", b.set, "--pack", "psychopy", "--participants", "1", "--out",
+                      b.out_at("pack")},
+                     {{"trials.csv", all}});
+         }},
+        {"plan",
+         [](const Bench& b) {
+             b.check({"plan", b.set, "--people", "3", "--studies", "20", "--csv", b.out_at("p.csv"),
+                      "--preregister", b.out_at("plan")},
+                     {{"p.csv", {}}});
          }},
         {"render",
          [](const Bench& b) {
