@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_train_command(app, commands.train, chosen);
     add_findings_command(app, commands.findings, chosen);
     add_generate_command(app, commands.generate, chosen);
+    add_paper_command(app, commands.paper, chosen);
     add_plan_command(app, commands.plan, chosen);
     add_study_command(app, commands.study, chosen);
     add_import_command(app, commands.import, chosen);

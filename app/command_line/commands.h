@@ -157,6 +157,16 @@ struct GenerateCommand {
 };
 Expected<Done> run(const GenerateCommand& command);
 
+// The tables and figures of the publication, of one's own sets.
+struct PaperCommand {
+    CommonOptions common;  // sets are not merged: each has its own ratings
+    RatingFiles ratings;
+    std::vector<std::string> metrics_from;  // as in CompareCommand
+    std::string along;          // a parameter that the maps are joined along; empty: by the set
+    std::filesystem::path out;  // a folder
+};
+Expected<Done> run(const PaperCommand& command);
+
 // A study that is not run yet: how many people, which patterns.
 struct PlanCommand {
     CommonOptions common;

@@ -88,6 +88,7 @@ void add_from_sound_command(CLI::App& app, FromSoundCommand& command, Chosen& ch
 void add_library_command(CLI::App& app, LibraryCommand& command, Chosen& chosen);
 
 // people_options.cpp
+void add_paper_command(CLI::App& app, PaperCommand& command, Chosen& chosen);
 void add_plan_command(CLI::App& app, PlanCommand& command, Chosen& chosen);
 void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen);
 void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen);
@@ -110,6 +111,7 @@ struct Commands {
     SeparateCommand separate;
     StepsCommand steps;
     PlanCommand plan;
+    PaperCommand paper;
     EditCommand edit;
     FindingsCommand findings;
     DevicesCommand devices;

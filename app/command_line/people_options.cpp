@@ -2,6 +2,7 @@
 #include "app/command_line/options.h"
 
 #include "model/evaluation/individual_weights.h"
+#include "model/pattern/pattern_parameter.h"
 #include "model/study/study_design.h"
 #include "model/text/numbers.h"
 
@@ -68,6 +69,27 @@ void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen)
     methods->excludes("--json");
     compare.add_flag("--paper-mode", options.paper_mode,
                      "digits and averages as in Table 2 of Lim & Park 2023");
+}
+
+void add_paper_command(CLI::App& app, PaperCommand& command, Chosen& chosen) {
+    CLI::App& paper = add_command(
+        app, "paper",
+        "the publication's Table 2 and its figures, of your sets and ratings: a page, pictures, "
+        "tables and scripts",
+        command, chosen);
+    add_ratings(paper, command.ratings);
+    paper.add_option("--metric-from", command.metrics_from,
+                     "also a metric of your own, as for compare");
+    std::vector<std::string> parameters;
+    for (const PatternParameter parameter : kPatternParameters) {
+        parameters.emplace_back(traits(parameter).key);
+    }
+    paper
+        .add_option("--along", command.along,
+                    "the number along which patterns are joined in the maps; default: the one that "
+                    "joins most")
+        ->check(CLI::IsMember(parameters));
+    paper.add_option("--out", command.out, "folder that is empty or not there")->required();
 }
 
 void add_plan_command(CLI::App& app, PlanCommand& command, Chosen& chosen) {

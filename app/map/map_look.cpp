@@ -9,6 +9,7 @@
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
 #include "model/map/explained_share.h"
+#include "model/set/parameter_paths.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -21,11 +22,6 @@ constexpr int kMostClusters = 20;
 
 const std::vector<Vibration>& shown_vibrations(const ShownMap& shown_map) {
     return shown_map.transition.shown->request.set->vibrations;
-}
-
-std::optional<double> value_of(const Vibration& vibration, PatternParameter parameter) {
-    const auto* pattern = std::get_if<Pattern>(&vibration.source);
-    return pattern == nullptr ? std::nullopt : value_of(*pattern, parameter);
 }
 
 // The smallest and largest in the set; none has it: nothing.
@@ -106,34 +102,6 @@ void colour_clusters(const Ui& ui, ShownMap& shown_map, std::vector<PatternLook>
     for (std::size_t k = 0; k < looks.size() && k < known.group.size(); ++k) {
         looks[k] = pattern_look(ui.theme, known.group[k]);
     }
-}
-
-// Patterns that differ in one number alone, in its order.
-std::vector<std::vector<std::size_t>> paths_along(const ShownMap& shown_map,
-                                                  PatternParameter parameter) {
-    struct Place {
-        double value;
-        std::size_t row;
-    };
-    std::vector<std::pair<Pattern, std::vector<Place>>> groups;
-    const auto& all = shown_vibrations(shown_map);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const auto value = value_of(all[k], parameter);
-        if (!value) continue;
-        const Pattern rest = with_value(std::get<Pattern>(all[k].source), parameter, 1.0);
-        auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.first == rest; });
-        if (group == groups.end()) group = groups.insert(groups.end(), {rest, {}});
-        group->second.push_back({*value, k});
-    }
-    std::vector<std::vector<std::size_t>> paths;
-    for (auto& [rest, group] : groups) {
-        if (group.size() < 2) continue;
-        std::ranges::stable_sort(group, {}, &Place::value);
-        std::vector<std::size_t> path;
-        for (const Place& place : group) path.push_back(place.row);
-        paths.push_back(std::move(path));
-    }
-    return paths;
 }
 
 const char* parameter_name(const std::optional<PatternParameter>& parameter, const char* none) {
@@ -227,7 +195,7 @@ MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
         if (shown_map.paths.of != shown_map.transition.shown ||
             shown_map.paths.along != look.path) {
             shown_map.paths = {shown_map.transition.shown, look.path,
-                               paths_along(shown_map, *look.path)};
+                               paths_along(shown_vibrations(shown_map), *look.path)};
         }
         decor.paths = shown_map.paths.paths;
     }

@@ -88,6 +88,7 @@ Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const Perc
         scene.points = &space.points;
         scene.chosen = marks.chosen;
         scene.links = marks.links;
+        scene.paths = marks.paths;
         scene.ghosts = marks.before;
         scene.ghost_opacity = 1.0;
         scene.arrows = true;

@@ -48,8 +48,9 @@ Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilari
 
 // What a space is drawn with besides its points.
 struct SpaceMarks {
-    std::span<const std::size_t> chosen{};    // a subset, ringed
-    std::span<const SpaceLink> links{};       // pairs that are too close
+    std::span<const std::size_t> chosen{};              // a subset, ringed
+    std::span<const SpaceLink> links{};                 // pairs that are too close
+    std::span<const std::vector<std::size_t>> paths{};  // patterns to join, along a parameter
     const Eigen::MatrixXd* before = nullptr;  // where the points were, n x k: arrows from there
     std::string quantity = "PM";              // what the matrix is
     std::string source{};                     // where it is from; empty: predicted by that

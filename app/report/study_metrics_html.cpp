@@ -42,12 +42,13 @@ std::string agreement_table(const StudyReport& report) {
                               shown(e.stress1)});
     }
     const AlienationChance& chance = report.tables.k_chance;
-    std::vector<std::string> remarks;
+    std::vector<std::string> keys;
+    std::vector<Evaluation> evaluations;
     for (const MetricOfStudy& metric : report.tables.metrics) {
-        for (const std::string& remark : metric.evaluation.remarks) {
-            remarks.push_back(metric.key + ": " + remark);
-        }
+        keys.push_back(metric.key);
+        evaluations.push_back(metric.evaluation);
     }
+    const std::vector<std::string> remarks = remarks_by_metric(keys, evaluations);
     return html_of(table) +
            "<p class=\"dim\">rho: Spearman, with the mean of those who count; interval: if other "
            "patterns had been taken; p: Mantel, one-sided. K: alienation of maps of three "
@@ -215,23 +216,27 @@ std::string metrics_section(const StudyReport& report) {
                             persons_table(report));
 }
 
-std::string methods_section(const StudyReport& report) {
+std::string methods_html(const std::string& text) {
     std::string html;
     bool is_list = false;
-    std::istringstream lines(report.methods);
+    std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         if (line.empty() || line == "Methods") continue;
         if (line == "References") {
-            html += "<ul>\n";
+            html += "<h3>References</h3>\n<ul>\n";
             is_list = true;
         } else {
             html +=
                 (is_list ? "<li>" : "<p>") + html_escaped(line) + (is_list ? "</li>\n" : "</p>\n");
         }
     }
-    if (html.empty()) return {};
+    return html + (is_list ? "</ul>\n" : "");
+}
+
+std::string methods_section(const StudyReport& report) {
+    if (report.methods.empty()) return {};
     return html_section("methods", "How it was computed, for a paper",
-                        html + (is_list ? "</ul>\n" : ""));
+                        methods_html(report.methods));
 }
 
 }  // namespace tact

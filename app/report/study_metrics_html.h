@@ -17,7 +17,8 @@ namespace tact {
 // Agreement, intervals, differences from PM, partial correlations, single people.
 std::string metrics_section(const StudyReport& report);
 
-// The paragraph, and the list of what it cites.
+// A paragraph for a paper and the list of what it cites, of lines as methods_text() has them.
+std::string methods_html(const std::string& text);
 std::string methods_section(const StudyReport& report);
 
 // With `decimals` digits after the point, aligned in a column; with a true minus.

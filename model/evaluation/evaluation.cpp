@@ -195,6 +195,8 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     result.stress1 = own.space.stress1;
     result.is_failed_map = own.maps.empty();
     if (!own.maps.empty()) result.map = own.maps.front();
+    result.is_degenerate = own.space.is_degenerate;
+    result.published_map = own.published_map;
     result.is_failed_start = own.is_failed_start;
     result.k_published = k_between(own.published_map, rated.people.published_map);
     if (own.maps.empty()) {
@@ -205,6 +207,26 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
     if (own.space.is_interval) result.remarks.push_back(remark_on(own.space));
     if (!rated.people.maps.empty()) evaluate_shape(own, rated, params, result);
     return result;
+}
+
+std::vector<std::string> remarks_by_metric(std::span<const std::string> keys,
+                                           std::span<const Evaluation> evaluations) {
+    assert(keys.size() == evaluations.size() && "a key of each evaluation");
+    std::vector<std::pair<std::string, std::string>> all;  // remark and keys
+    for (std::size_t m = 0; m < keys.size(); ++m) {
+        for (const std::string& remark : evaluations[m].remarks) {
+            const auto known =
+                std::ranges::find(all, remark, &std::pair<std::string, std::string>::first);
+            if (known == all.end()) {
+                all.emplace_back(remark, keys[m]);
+            } else {
+                known->second += ", " + keys[m];
+            }
+        }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [remark, of] : all) lines.push_back(of + ": " + remark);
+    return lines;
 }
 
 MeanAgreement mean_agreement(std::span<const Agreement> agreements, Bookkeeping bookkeeping) {

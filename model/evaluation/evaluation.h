@@ -86,11 +86,13 @@ struct Evaluation {
     Interval k_spread;       // over maps that fit practically as well
     std::size_t k_maps = 0;  // pairs of such maps
     double k_p = 1.0;
-    double k_corrected = 0.0;   // 1 - K / chance
-    double k_procrustes = 0.0;  // another measure, not that of Table 2
-    double protest_p = 1.0;     // of that
-    double stress1 = 0.0;       // of the metric's map
-    Eigen::MatrixXd map;        // which has the rated patterns; none: 0 x 0
+    double k_corrected = 0.0;       // 1 - K / chance
+    double k_procrustes = 0.0;      // another measure, not that of Table 2
+    double protest_p = 1.0;         // of that
+    double stress1 = 0.0;           // of the metric's map
+    Eigen::MatrixXd map;            // which has the rated patterns; none: 0 x 0
+    bool is_degenerate = false;     // its stress says nothing
+    Eigen::MatrixXd published_map;  // by the paper's own procedure; none: 0 x 0
     bool is_failed_map = false;
     // MATLAB's mdscale gives up: its classical start has two patterns on one spot.
     bool is_failed_start = false;
@@ -101,6 +103,10 @@ struct Evaluation {
 // `metric` has the patterns of the ratings, in their order; those without ratings are ignored.
 Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
                     const EvaluationParams& params);
+
+// Each remark once, after the keys of all metrics that it is on: "st-sim, spqi: groups of ..".
+std::vector<std::string> remarks_by_metric(std::span<const std::string> keys,
+                                           std::span<const Evaluation> evaluations);
 
 // What goes into a mean over sets.
 struct Agreement {

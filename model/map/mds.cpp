@@ -408,7 +408,7 @@ std::string remark_on(const PerceptualSpace& space) {
     if (space.is_interval) {
         char stress[32] = "";
         if (!std::isnan(space.collapsed_stress1)) {
-            std::snprintf(stress, sizeof stress, " of stress-1 %.3f", space.collapsed_stress1);
+            std::snprintf(stress, sizeof stress, " (stress-1 %.3f)", space.collapsed_stress1);
         }
         return std::string("groups of patterns collapse in the best map by order") + stress +
                ", which meets the order without showing it: this map is of interval scaling, by "

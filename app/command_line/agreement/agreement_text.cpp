@@ -258,17 +258,18 @@ std::string foreign_text(const SetAgreement& set) {
 }
 
 std::string remarks_text(const SetAgreement& set, bool is_paper) {
-    std::string text;
+    std::vector<std::string> keys;
+    std::vector<Evaluation> evaluations = set.table.evaluations;
     for (std::size_t m = 0; m < metric_count(set); ++m) {
-        const Evaluation& e = set.table.evaluations[m];
-        for (const std::string& remark : e.remarks) {
-            text += std::string(key_of(set, m)) + ": ";
-            if (is_paper && !std::isnan(e.k_published) && remark.starts_with("no K")) {
-                text += "K by the publication's procedure alone; by the best map ";
+        keys.emplace_back(key_of(set, m));
+        for (std::string& remark : evaluations[m].remarks) {
+            if (is_paper && !std::isnan(evaluations[m].k_published) && remark.starts_with("no K")) {
+                remark = "K by the publication's procedure alone; by the best map " + remark;
             }
-            text += remark + "\n";
         }
     }
+    std::string text;
+    for (const std::string& line : remarks_by_metric(keys, evaluations)) text += line + "\n";
     const auto dimensions = static_cast<std::size_t>(rated_of(set).people.space.points.cols());
     if (set.patterns <= 2 * dimensions + 1) {
         text += "K and stress of so few patterns say little: any ratings fit in " +

@@ -8,7 +8,7 @@
 
 #include "app/command_line/agreement/agreement_csv.h"
 #include "app/command_line/agreement/agreement_text.h"
-#include "app/command_line/agreement/foreign_metric.h"
+#include "app/command_line/agreement/compared_sets.h"
 #include "app/command_line/agreement/methods.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
@@ -20,71 +20,6 @@
 namespace tact {
 
 namespace {
-
-// Those asked for, or all.
-Expected<std::vector<Metric>> metrics_of(const CompareCommand& command) {
-    if (command.metrics.empty()) return std::vector<Metric>(kMetrics.begin(), kMetrics.end());
-    std::vector<Metric> metrics;
-    for (const std::string& key : command.metrics) {
-        const Expected<Metric> metric = metric_named(key);
-        if (!metric) return metric.error();
-        metrics.push_back(*metric);
-    }
-    return metrics;
-}
-
-// "duration", "level", or a matrix in a file by the names of the set.
-Expected<std::vector<Nuisance>> nuisances_of(const CompareCommand& command, const PatternSet& set) {
-    std::vector<Nuisance> nuisances;
-    for (const std::string& given : command.given) {
-        if (auto named = nuisance_named(given, set)) {
-            nuisances.push_back({given, *std::move(named)});
-            continue;
-        }
-        Expected<Dissimilarity> read =
-            dissimilarities_in(given, names_of(set), command.ratings.written);
-        if (!read) return read.error();
-        nuisances.push_back({std::filesystem::path(given).stem().string(), *std::move(read)});
-    }
-    return nuisances;
-}
-
-Expected<SetAgreement> compared(const CompareCommand& command, std::span<const Metric> metrics,
-                                const RatedPatterns& patterns) {
-    const Expected<std::vector<Nuisance>> nuisances = nuisances_of(command, patterns.set);
-    if (!nuisances) return nuisances.error();
-    // Before all that takes long: what is wrong with them is told at once.
-    std::vector<ForeignMetric> foreign;
-    std::vector<Dissimilarity> theirs;
-    for (const std::string& from : command.metrics_from) {
-        Expected<Dissimilarity> matrix =
-            foreign_matrix(from, patterns.set, command.ratings.written);
-        if (!matrix) return matrix.error();
-        theirs.push_back(*std::move(matrix));
-        foreign.push_back(foreign_metric(from));
-    }
-    EvaluationParams params;
-    params.threads = command.common.threads;
-    params.dimensions = command.dimensions;
-    Expected<RatedPeople> people = rated_people(patterns.study, params);
-    if (!people) return Error{patterns.name + ": " + people.error().message};
-    MetricOptions options;
-    options.threads = command.common.threads;
-    options.progress = progress_line("comparing metrics");
-    auto matrices = *compared_matrices(patterns.set, metrics, nullptr, options);
-    std::ranges::move(theirs, std::back_inserter(matrices));
-    MetricTable table = metric_table(patterns.study, *people, metrics, std::move(matrices),
-                                     *nuisances, params, progress_line("resampling"));
-    const std::size_t rated = patterns.set.vibrations.size() - people->unrated.size();
-    return SetAgreement{patterns.name,
-                        rated,
-                        *std::move(people),
-                        patterns.left_out,
-                        patterns.labels,
-                        std::move(table),
-                        inter_rater(patterns.study),
-                        std::move(foreign)};
-}
 
 nlohmann::json json_of(const Uncertain& value) {
     nlohmann::json json;
@@ -230,16 +165,10 @@ Expected<Done> can_write(const CompareCommand& command) {
 
 Expected<Done> run(const CompareCommand& command) {
     if (const auto writable = can_write(command); !writable) return writable;
-    const Expected<std::vector<Metric>> metrics = metrics_of(command);
-    if (!metrics) return metrics.error();
-    const Expected<std::vector<RatedPatterns>> all = load_rated(command.common, command.ratings);
-    if (!all) return all.error();
+    Expected<std::vector<ComparedSet>> compared = compared_sets(command);
+    if (!compared) return compared.error();
     std::vector<SetAgreement> sets;
-    for (const RatedPatterns& patterns : *all) {
-        Expected<SetAgreement> set = compared(command, *metrics, patterns);
-        if (!set) return set.error();
-        sets.push_back(*std::move(set));
-    }
+    for (ComparedSet& one : *compared) sets.push_back(std::move(one.agreement));
     const Bookkeeping books = command.paper_mode ? Bookkeeping::paper : Bookkeeping::plain;
     for (const CsvOut& table : tables_of(command)) {
         const auto written =

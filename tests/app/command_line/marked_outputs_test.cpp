@@ -314,6 +314,13 @@ const Checks& checks() {
                  b.check_says(words);
              }
          }},
+        {"paper",
+         [](const Bench& b) {
+             Bench::ran({"paper", b.plain, "--ratings", b.people, "--out", b.at("paper")});
+             for (const char* file : {"paper.html", "table2.csv", "pairs.csv"}) {
+                 CHECK(contains(lower_case(bytes_of(b.at("paper") + "/" + file)), "synthetic"));
+             }
+         }},
         {"plan",
          [](const Bench& b) {
              for (const Words& more : {Words{}, Words{"--json"}}) {
@@ -429,6 +436,12 @@ const Checks& left_out_checks() {
              files.insert(files.end(),
                           {"--json", "--csv", b.at("t.csv"), "--out", b.at("model.json")});
              b.check_says_left_out(files);
+         }},
+        {"paper",
+         [](const Bench& b) {
+             fs::remove_all(b.out);
+             Bench::ran({"paper", b.plain, "--ratings", b.mixed, "--out", b.at("paper")});
+             CHECK(says_left_out(bytes_of(b.at("paper") + "/paper.html")));
          }},
         {"plan",
          [](const Bench& b) {

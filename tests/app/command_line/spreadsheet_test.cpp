@@ -142,6 +142,11 @@ const Checks& checks() {
                       b.out_at("pack")},
                      {{"trials.csv", all}});
          }},
+        {"paper",
+         [](const Bench& b) {
+             b.check({"paper", b.set, "--ratings", b.people, "--out", b.out_at("paper")},
+                     {{"pairs.csv", pattern_names()}, {"maps.csv", pattern_names()}});
+         }},
         {"plan",
          [](const Bench& b) {
              b.check({"plan", b.set, "--people", "3", "--studies", "20", "--csv", b.out_at("p.csv"),

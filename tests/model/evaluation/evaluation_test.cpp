@@ -188,6 +188,14 @@ TEST_CASE("evaluation: where the people's map collapses it is said once, and the
     CHECK(remark_on_people_map(rated(of_random_points(8, 3))).empty());
 }
 
+TEST_CASE("evaluation: what holds for several metrics is said once") {
+    std::vector<Evaluation> all(3);
+    all[0].remarks = {"no rho", "no K"};
+    all[2].remarks = {"no K"};
+    const std::vector<std::string> keys{"a", "b", "c"};
+    CHECK(remarks_by_metric(keys, all) == std::vector<std::string>{"a: no rho", "a, c: no K"});
+}
+
 TEST_CASE("evaluation: pairs that nobody rated have no say") {
     Dissimilarity people = of_random_points(9, 5);
     const Dissimilarity metric = disturbed(people, 0.5);
