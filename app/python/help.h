@@ -120,7 +120,7 @@ metric   which D is by, where known. Only "spqi" needs it: its values are so clo
 threads  0: all cores. Ctrl+C is heeded once the running part is done, mostly within seconds
 
 Returns a dict, without units, NaN where undefined:
-rho, rho_low, rho_high  Spearman's, its 95 % interval (bootstrap over patterns)
+rho, rho_low, rho_high  Spearman's, its 95 % interval (1.96 standard errors, bootstrap over patterns)
 p                       one-sided, Mantel's permutation of patterns
 tau_b                   Kendall's
 K, K_low, K_high        alienation between the two maps; over maps that fit practically as well
@@ -133,6 +133,28 @@ reliability             of the mean of people: split halves, Spearman-Brown
 one_with_others         mean rho of one of them with the mean of the others
 ceiling_of_mean         rho that a metric can reach with their mean
 participants, synthetic, participants_left_out, rehearsals_left_out, unrated_patterns, remarks)";
+
+inline constexpr const char* kPlan =
+    R"(plan(D, rival, people, rho=None, reliability=None, pilot=None, pairs=0, studies=200, seed=12, threads=0)
+--
+
+What a rating study could find, before anybody is asked: whole studies are simulated and analysed.
+
+D, rival     (n, n) or condensed, as predict() gives them, of the same n patterns
+people       numbers of people to try
+rho          of D with what people feel on average, without noise, 0 to 1; None: the pilot's, or a guess (0.67)
+reliability  of one person's ratings, the share that is not their own noise, 0.01 to 1; None: the pilot's,
+             or a guess (0.4)
+pilot        ratings of a few people, as compare() takes them
+pairs        that each person rates; 0: all
+studies      simulated for each number of people
+seed         of the simulation
+threads      0: all cores. Ctrl+C is heeded at once
+
+Returns a dict: simulated (True: nobody was asked), assumed (rho, reliability, source: a pilot, stated or a
+guess) and studies, a dict each of people, rho and rho_rival (means), rho_sd, reliability (of the mean
+ratings), half_width (of the 95 % interval of rho) and power (the share that finds D above the rival, p < .05,
+two-sided), both over "patterns", "people" and "both", NaN where not known)";
 
 inline constexpr const char* kTrain =
     R"(train(sets, objective="mean-rho", step=0.1, leave_out="", rate_hz=10000.0, threads=0, model=None)

@@ -10,6 +10,7 @@
 #include "model/evaluation/metric_comparison.h"
 #include "model/io/set/model_file.h"
 #include "model/io/set/model_json.h"
+#include "model/planning/study_plan.h"
 #include "model/training/training.h"
 
 namespace tact {
@@ -60,6 +61,82 @@ py::dict compare(const py::object& matrix, const py::object& ratings, const std:
     const Evaluation evaluation = beside_python(
         [&](const std::stop_token&) { return evaluate(dissimilarity, people.rated, params); });
     return dict_of(evaluation, people);
+}
+
+namespace {
+
+py::dict by_resample(const std::array<double, kResampledCount>& values) {
+    py::dict dict;
+    for (std::size_t r = 0; r < kResampledCount; ++r) dict[kResampledNames[r]] = values[r];
+    return dict;
+}
+
+PlanAssumptions assumed_of(const py::object& pilot, const Dissimilarity& metric,
+                           const std::optional<double>& rho,
+                           const std::optional<double>& reliability) {
+    PlanAssumptions assumed = guessed_assumptions();
+    if (!pilot.is_none()) {
+        const RatingStudy study = study_of(pilot);
+        if (study.labels.size() != metric.size) {
+            throw py::value_error("pilot: expected ratings of the " + std::to_string(metric.size) +
+                                  " patterns of D, got those of " +
+                                  std::to_string(study.labels.size()));
+        }
+        assumed = value_of(assumptions_of(study, metric));
+    }
+    if (rho) assumed.rho = within(*rho, "rho", {0.0, 1.0});
+    if (reliability) assumed.reliability = within(*reliability, "reliability", {0.01, 1.0});
+    if (rho || reliability) {
+        const bool are_all = rho && (reliability || !pilot.is_none());
+        assumed.source = pilot.is_none() ? (are_all ? "stated" : "stated, and the rest guessed")
+                                         : "stated, and " + assumed.source;
+    }
+    return assumed;
+}
+
+}  // namespace
+
+py::dict plan_study(const py::object& matrix, const py::object& rival,
+                    const std::vector<int>& people, const std::optional<double>& rho,
+                    const std::optional<double>& reliability, const py::object& pilot, int pairs,
+                    int studies, int seed, int threads) {
+    constexpr int kMostPeople = 1000;
+    StudyPlan plan;
+    plan.metric = dissimilarities_of(matrix, "D");
+    plan.rival = dissimilarities_of(rival, "rival");
+    if (plan.rival.size != plan.metric.size || plan.metric.size < kLeastRated) {
+        throw py::value_error("rival: expected the patterns of D, three at least, got " +
+                              std::to_string(plan.rival.size) + " for " +
+                              std::to_string(plan.metric.size));
+    }
+    if (people.empty()) throw py::value_error("people: expected at least one number");
+    std::vector<std::size_t> counts;
+    for (const int one : people) {
+        counts.push_back(static_cast<std::size_t>(whole_within(one, "people", {1.0, kMostPeople})));
+    }
+    const auto all = static_cast<double>(pair_count(plan.metric.size));
+    plan.pairs = static_cast<std::size_t>(whole_within(pairs, "pairs", {0.0, all}));
+    plan.assumed = assumed_of(pilot, plan.metric, rho, reliability);
+    PlanParams params;
+    params.studies = static_cast<std::size_t>(whole_within(studies, "studies", {20.0, 1e4}));
+    params.seed = static_cast<std::uint64_t>(whole_within(seed, "seed", {0.0, 1e9}));
+    params.threads = threads_of(threads);
+    const auto planned = beside_python([&](std::stop_token stop) {
+        params.stop = stop;
+        return planned_studies(plan, counts, params);
+    });
+    py::list rows;
+    for (const PlannedStudy& one : *planned) {
+        rows.append(py::dict("people"_a = one.people, "rho"_a = one.rho, "rho_sd"_a = one.rho_sd,
+                             "rho_rival"_a = one.rho_rival, "reliability"_a = one.reliability,
+                             "half_width"_a = by_resample(one.half_width),
+                             "power"_a = by_resample(one.power)));
+    }
+    return py::dict("simulated"_a = true,
+                    "assumed"_a = py::dict("rho"_a = plan.assumed.rho,
+                                           "reliability"_a = plan.assumed.reliability,
+                                           "source"_a = plan.assumed.source),
+                    "studies"_a = rows);
 }
 
 namespace {

@@ -255,6 +255,9 @@ PYBIND11_MODULE(tactspace, module) {
                "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0);
     module.def("compare", compare, help::kCompare, "D"_a, "ratings"_a, "metric"_a = "",
                "threads"_a = 0);
+    module.def("plan", plan_study, help::kPlan, "D"_a, "rival"_a, "people"_a, "rho"_a = none,
+               "reliability"_a = none, "pilot"_a = none, "pairs"_a = 0, "studies"_a = 200,
+               "seed"_a = 12, "threads"_a = 0);
     module.def("train", train_sets, help::kTrain, "sets"_a, "objective"_a = "mean-rho",
                "step"_a = 0.1, "leave_out"_a = "", "rate_hz"_a = kModelRateHz, "threads"_a = 0,
                "model"_a = none);

@@ -96,6 +96,18 @@ def subset(
 def compare(
     D: ArrayLike, ratings: Ratings | ArrayLike, metric: str = "", threads: int = 0
 ) -> dict[str, Any]: ...
+def plan(
+    D: ArrayLike,
+    rival: ArrayLike,
+    people: Sequence[int],
+    rho: float | None = None,
+    reliability: float | None = None,
+    pilot: Ratings | ArrayLike | None = None,
+    pairs: int = 0,
+    studies: int = 200,
+    seed: int = 12,
+    threads: int = 0,
+) -> dict[str, Any]: ...
 def train(
     sets: Sequence[Mapping[str, Any]],
     objective: str = "mean-rho",

@@ -51,6 +51,21 @@ class SameBits(unittest.TestCase):
                 self.same(condensed(pm(path)), run_json("predict", path)["condensed"])
                 self.same(pm(path), pm(path).T)
 
+    def test_the_plan_of_a_study(self):
+        rival = tactspace.predict(read(twelve)["waves"], metric="msm", model=read(twelve)["model"])
+        ours = tactspace.plan(pm(twelve), rival, [3, 5], studies=20, rho=0.7, reliability=0.5, pairs=40)
+        theirs = run_json("plan", twelve, "--people", "3,5", "--studies", "20", "--rho", "0.7", "--reliability",
+                          "0.5", "--pairs", "40")
+        self.assertEqual(ours["assumed"], theirs["assumed"])
+        for mine, other in zip(ours["studies"], theirs["studies"], strict=True):
+            self.same([mine[key] for key in ("people", "rho", "rho_sd", "rho_rival", "reliability")],
+                      [other[key] for key in ("people", "rho", "rho_sd", "rho_rival", "reliability")])
+            for key in ("half_width", "power"):
+                self.assertEqual(mine[key], other[key])
+        for wrong in ({"people": []}, {"people": [0]}, {"people": [3], "pairs": 67}, {"people": [3], "rho": 2.0}):
+            with self.subTest(wrong), self.assertRaisesRegex(ValueError, next(reversed(wrong))):
+                tactspace.plan(pm(twelve), rival, **wrong)
+
     def test_maps_of_every_bundled_set(self):
         for path in sets:
             with self.subTest(path.name):
