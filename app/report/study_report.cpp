@@ -192,7 +192,8 @@ std::string files_section() {
         html_of(table) +
             "<p>Beside them, <b>reproduce.py</b> (Python with NumPy) and <b>reproduce.R</b> "
             "compute "
-            "the numbers of this page from these files alone, and say where they differ.</p>\n");
+            "the numbers of this page from these files alone, and say where they differ. "
+            "<b>mixed.R</b> fits a mixed model of single answers (lme4, or brms).</p>\n");
 }
 
 }  // namespace

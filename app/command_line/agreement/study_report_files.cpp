@@ -175,7 +175,7 @@ Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
         write_study_csv(stream, tables.records, tables.results, StudyRows::everyone);
     });
     if (!answers) return answers;
-    for (const char* script : {"reproduce.py", "reproduce.R"}) {
+    for (const char* script : {"reproduce.py", "reproduce.R", "mixed.R"}) {
         const auto written =
             write_atomically(folder / script, asset(std::string("study/") + script));
         if (!written) return written;

@@ -142,6 +142,15 @@ TEST_CASE("study report: its scripts find every number again, and notice one tha
     REQUIRE(study.simulated().exit_code == 0);
     REQUIRE(study.reported({"--scaling", "standard"}).exit_code == 0);
     check_reproduced(study, true);
+    if (shell("Rscript -e 'library(lme4)'").exit_code == 0) {
+        const Ran mixed = shell("Rscript '" + study.report + "/mixed.R'");
+        CHECK_MESSAGE(mixed.exit_code == 0, mixed.err);
+        CHECK(contains(mixed.out, "SYNTHETIC"));
+        CHECK(contains(mixed.out, "slope of pm"));
+        CHECK(
+            shell("Rscript '" + study.report + "/mixed.R' '" + study.report + "' none").exit_code !=
+            0);
+    }
     // A rating that was changed by hand.
     std::string answers = study.file("answers.csv");
     const std::size_t line = answers.find("\nS03,2,");
