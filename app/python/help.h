@@ -151,7 +151,7 @@ studies      simulated for each number of people
 seed         of the simulation
 threads      0: all cores. Ctrl+C is heeded at once
 
-Returns a dict: simulated (True: nobody was asked), assumed (rho, reliability, source: a pilot, stated or a
+Returns a dict, without units: simulated (True: nobody was asked), assumed (rho, reliability, source: a pilot, stated or a
 guess) and studies, a dict each of people, rho and rho_rival (means), rho_sd, reliability (of the mean
 ratings), half_width (of the 95 % interval of rho) and power (the share that finds D above the rival, p < .05,
 two-sided), both over "patterns", "people" and "both", NaN where not known)";
