@@ -24,10 +24,10 @@ struct StudyReport {
     std::vector<std::string> labels{};   // sentences that every number is to be read with
     std::vector<std::string> remarks{};  // who is left out, which rules were on, who fell by them
     std::string methods{};               // a paragraph for a paper and its references, lines
-    std::string planned_on{};             // of its preregistration; empty: none
+    std::string planned_on{};            // of its preregistration; empty: none
     std::vector<PlannedAndDone> planned{};
-    std::string program{};               // "tactspace 0.1.0"
-    std::string date{};                  // of the page
+    std::string program{};  // "tactspace 0.1.0"
+    std::string date{};     // of the page
 };
 
 std::string study_report_page(const StudyReport& report);

@@ -93,8 +93,7 @@ std::optional<DecidingPatterns> deciding_patterns(const Dissimilarity& one,
     if (params.stop.stop_requested()) return std::nullopt;
     const Chosen& best = *std::ranges::min_element(found, {}, &Chosen::rho);
     return DecidingPatterns{
-        best.places,
-        best.rho == kNothing ? std::numeric_limits<double>::quiet_NaN() : best.rho,
+        best.places, best.rho == kNothing ? std::numeric_limits<double>::quiet_NaN() : best.rho,
         spearman(one.condensed, other.condensed)};
 }
 

@@ -8,7 +8,9 @@ namespace tact {
 
 namespace {
 
-std::string word_of(RatingScaling scaling) { return kScalingNames[static_cast<std::size_t>(scaling)]; }
+std::string word_of(RatingScaling scaling) {
+    return kScalingNames[static_cast<std::size_t>(scaling)];
+}
 
 std::string word_of(StudyOrder order) {
     return order == StudyOrder::full ? "every pair as often, in random order" : "adaptive";
