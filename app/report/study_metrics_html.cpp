@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/report/html.h"
+#include "model/evaluation/said_once.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -59,29 +60,18 @@ std::string agreement_table(const StudyReport& report) {
            (remarks.empty() ? std::string() : items(remarks));
 }
 
-// Why a number of this quantity is missing: each reason once, with its metrics.
-std::string reasons_html(const std::vector<std::pair<std::string, std::string>>& missing) {
-    std::vector<std::pair<std::string, std::string>> all;
-    for (const auto& [why, metric] : missing) {
-        const auto known = std::ranges::find(all, why, &std::pair<std::string, std::string>::first);
-        if (known == all.end()) {
-            all.emplace_back(why, metric);
-        } else {
-            known->second += ", " + metric;
-        }
-    }
+// Why numbers are missing.
+std::string reasons_html(const SaidOnce& missing) {
     std::vector<std::string> sentences;
-    for (const auto& [why, metrics] : all) sentences.push_back(why + " (" + metrics + ")");
+    for (const auto& [why, metrics] : missing.said) sentences.push_back(why + " (" + metrics + ")");
     return sentences.empty() ? std::string() : items(sentences);
 }
 
-void add_reasons(std::vector<std::pair<std::string, std::string>>& missing,
-                 const std::string& quantity, const std::string& metric, const Uncertain& value,
-                 std::size_t kinds) {
+void add_reasons(SaidOnce& missing, const std::string& quantity, const std::string& metric,
+                 const Uncertain& value, std::size_t kinds) {
     for (std::size_t r = 0; r < kinds; ++r) {
         if (value.why[r] == NotKnown::known || value.why[r] == NotKnown::no_value) continue;
-        missing.emplace_back(quantity + " " + over(r) + " not known: " + words(value.why[r]),
-                             metric);
+        missing.add(quantity + " " + over(r) + " not known: " + words(value.why[r]), metric);
     }
 }
 
@@ -94,7 +84,7 @@ std::string intervals_table(const StudyReport& report) {
             table.columns.push_back({quantity + over(r), true});
         }
     }
-    std::vector<std::pair<std::string, std::string>> missing;
+    SaidOnce missing;
     for (std::size_t m = 0; m < report.tables.metrics.size(); ++m) {
         const std::string& key = report.tables.metrics[m].key;
         std::vector<std::string> row{html_escaped(key)};
@@ -119,7 +109,7 @@ std::string differences_table(const StudyReport& report) {
         table.columns.push_back({"p", true});
         table.columns.push_back({"Holm", true});
     }
-    std::vector<std::pair<std::string, std::string>> missing;
+    SaidOnce missing;
     for (const MetricDifference& one : all.differences) {
         const std::string& key = report.tables.metrics[one.metric].key;
         std::vector<std::string> row{html_escaped(key), shown(one.rho.value)};

@@ -8,6 +8,7 @@
 
 #include "model/common/mean.h"
 #include "model/common/parallel.h"
+#include "model/evaluation/said_once.h"
 #include "model/map/smacof.h"
 
 namespace tact {
@@ -212,20 +213,12 @@ Evaluation evaluate(const Dissimilarity& metric, const RatedSet& rated,
 std::vector<std::string> remarks_by_metric(std::span<const std::string> keys,
                                            std::span<const Evaluation> evaluations) {
     assert(keys.size() == evaluations.size() && "a key of each evaluation");
-    std::vector<std::pair<std::string, std::string>> all;  // remark and keys
+    SaidOnce all;
     for (std::size_t m = 0; m < keys.size(); ++m) {
-        for (const std::string& remark : evaluations[m].remarks) {
-            const auto known =
-                std::ranges::find(all, remark, &std::pair<std::string, std::string>::first);
-            if (known == all.end()) {
-                all.emplace_back(remark, keys[m]);
-            } else {
-                known->second += ", " + keys[m];
-            }
-        }
+        for (const std::string& remark : evaluations[m].remarks) all.add(remark, keys[m]);
     }
     std::vector<std::string> lines;
-    for (const auto& [remark, of] : all) lines.push_back(of + ": " + remark);
+    for (const auto& [remark, of] : all.said) lines.push_back(of + ": " + remark);
     return lines;
 }
 

@@ -9,6 +9,7 @@
 #include "app/command_line/people/people_words.h"
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
+#include "model/evaluation/said_once.h"
 #include "model/text/shown_text.h"
 
 namespace tact {
@@ -113,25 +114,19 @@ void add_resampled(TextRow& row, const Uncertain& value, bool has_people) {
 // remarks of its own.
 struct NotKnownWords {
     bool has_people = false;
-    std::vector<std::pair<std::string, std::string>> reasons;  // which, and the metrics
+    SaidOnce reasons;
 
     void add(const std::string& quantity, const std::string& metric, const Uncertain& value) {
         for (std::size_t r = 0; r < (has_people ? kResampledCount : 1); ++r) {
             if (value.why[r] == NotKnown::known || value.why[r] == NotKnown::no_value) continue;
-            const std::string which =
-                quantity + " over " + kResampledNames[r] + " not known: " + words(value.why[r]);
-            const auto found =
-                std::ranges::find(reasons, which, [](const auto& one) { return one.first; });
-            if (found == reasons.end()) {
-                reasons.emplace_back(which, metric);
-            } else {
-                found->second += ", " + metric;
-            }
+            reasons.add(
+                quantity + " over " + kResampledNames[r] + " not known: " + words(value.why[r]),
+                metric);
         }
     }
     std::string text() const {
         std::string all;
-        for (const auto& [which, metrics] : reasons) all += which + " (" + metrics + ")\n";
+        for (const auto& [which, metrics] : reasons.said) all += which + " (" + metrics + ")\n";
         return all;
     }
 };
@@ -258,18 +253,20 @@ std::string foreign_text(const SetAgreement& set) {
 }
 
 std::string remarks_text(const SetAgreement& set, bool is_paper) {
-    std::vector<std::string> keys;
-    std::vector<Evaluation> evaluations = set.table.evaluations;
+    SaidOnce remarks;
     for (std::size_t m = 0; m < metric_count(set); ++m) {
-        keys.emplace_back(key_of(set, m));
-        for (std::string& remark : evaluations[m].remarks) {
-            if (is_paper && !std::isnan(evaluations[m].k_published) && remark.starts_with("no K")) {
-                remark = "K by the publication's procedure alone; by the best map " + remark;
-            }
+        const Evaluation& e = set.table.evaluations[m];
+        for (const std::string& remark : e.remarks) {
+            const bool is_of_best_map =
+                is_paper && !std::isnan(e.k_published) && remark.starts_with("no K");
+            remarks.add(
+                (is_of_best_map ? "K by the publication's procedure alone; by the best map " : "") +
+                    remark,
+                key_of(set, m));
         }
     }
     std::string text;
-    for (const std::string& line : remarks_by_metric(keys, evaluations)) text += line + "\n";
+    for (const auto& [remark, of] : remarks.said) text += of + ": " + remark + "\n";
     const auto dimensions = static_cast<std::size_t>(rated_of(set).people.space.points.cols());
     if (set.patterns <= 2 * dimensions + 1) {
         text += "K and stress of so few patterns say little: any ratings fit in " +

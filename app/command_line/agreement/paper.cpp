@@ -154,13 +154,6 @@ std::string labels_html(const ComparedSet& one) {
     return html;
 }
 
-template <class Write>
-Expected<Done> write_text(const fs::path& file, const Write& write) {
-    std::ostringstream text;
-    write(text);
-    return write_atomically(file, text.str());
-}
-
 Expected<Done> write_tables(const fs::path& folder, const std::vector<ComparedSet>& sets) {
     using Writer = void (*)(std::ostream&, std::span<const ComparedSet>);
     for (const auto& [file, write] :
@@ -168,7 +161,7 @@ Expected<Done> write_tables(const fs::path& folder, const std::vector<ComparedSe
           {"pairs.csv", write_table2_pairs_csv},
           {"maps.csv", write_table2_maps_csv}}) {
         const auto written =
-            write_text(folder / file, [&](std::ostream& stream) { write(stream, sets); });
+            write_result(folder / file, [&](std::ostream& stream) { write(stream, sets); });
         if (!written) return written;
     }
     for (const char* script : {"table2.py", "table2.R"}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "app/command_line/agreement/methods.h"
@@ -148,13 +147,6 @@ std::vector<std::string> labels_of(const StudyTables& tables) {
     return labels;
 }
 
-template <class Write>
-Expected<Done> write_table(const fs::path& file, const Write& write) {
-    std::ostringstream text;
-    write(text);
-    return write_atomically(file, text.str());
-}
-
 Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
                            const std::string& page) {
     using Writer = void (*)(std::ostream&, const StudyTables&);
@@ -168,10 +160,10 @@ Expected<Done> write_files(const fs::path& folder, const StudyTables& tables,
           {"weights.csv", write_weights_csv},
           {"dimensions.csv", write_dimensions_csv}}) {
         const auto written =
-            write_table(folder / file, [&](std::ostream& stream) { write(stream, tables); });
+            write_result(folder / file, [&](std::ostream& stream) { write(stream, tables); });
         if (!written) return written;
     }
-    const auto answers = write_table(folder / kAnswersFile, [&](std::ostream& stream) {
+    const auto answers = write_result(folder / kAnswersFile, [&](std::ostream& stream) {
         write_study_csv(stream, tables.records, tables.results, StudyRows::everyone);
     });
     if (!answers) return answers;
