@@ -1,11 +1,13 @@
 // Controllers through the real hidapi, on devices that umockdev makes: run by umockdev-wrapper.
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <memory>
 #include <numbers>
 
 #include "devices/hid/haptic_page.h"
@@ -253,5 +255,23 @@ TEST_CASE(
     const auto written = bench.written("hidraw0");
     REQUIRE(written.size() == 2);
     CHECK(written[0].packet == neutral);
+}
+
+TEST_CASE("umockdev: a program may write on while its bench is taken down") {
+    for (int round = 0; round < 30; ++round) {
+        auto bench = std::make_unique<MockBench>(std::vector<MockPad>{knob()});
+        const pid_t child = fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            const int pad = open("/dev/hidraw4", O_RDWR);
+            const Packet report{1, 3};
+            while (write(pad, report.data(), report.size()) > 0) continue;
+            _exit(0);
+        }
+        CHECK(soon([&] { return bench->written("hidraw4").size() > 3; }));
+        bench.reset();
+        kill(child, SIGKILL);
+        CHECK(waitpid(child, nullptr, 0) == child);
+    }
 }
 #endif

@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <iostream>
-#include <semaphore>
+#include <mutex>
+#include <utility>
 
 namespace tact {
 
@@ -61,52 +63,72 @@ void put(UMockdevIoctlData* argument, std::size_t offset, const void* bytes, std
 
 }  // namespace
 
-MockBench::MockBench(std::vector<MockPad> pads) {
-    testbed_ = umockdev_testbed_new();
-    context_ = g_main_context_new();
-    loop_ = g_main_loop_new(context_, FALSE);
-    for (MockPad& pad : pads) plugged_.push_back({this, std::move(pad), nullptr, {}, false});
-    std::binary_semaphore ready{0};
-    thread_ = std::thread([this, &ready] {
-        g_main_context_push_thread_default(context_);
-        for (Plugged& plugged : plugged_) add(plugged);
-        ready.release();
-        g_main_loop_run(loop_);
-        g_main_context_pop_thread_default(context_);
-    });
-    ready.acquire();
+struct MockBench::Plugged {
+    struct Held {
+        UMockdevIoctlClient* client = nullptr;
+        Packet packet;
+    };
+
+    MockPad pad;
+    UMockdevIoctlBase* handler = nullptr;
+    std::vector<Written> written{};
+    bool gone = false;
+    int refuses = 0;
+    bool holds = false;
+    std::vector<Held> held{};
+};
+
+struct MockBench::Desk {
+    std::mutex mutex;  // guards all below
+    UMockdevTestbed* testbed = nullptr;
+    std::deque<Plugged> plugged{};
+};
+
+// What a handler is given: its node, and what keeps that alive.
+struct MockBench::Line {
+    std::shared_ptr<Desk> desk;
+    Plugged* plugged = nullptr;
+};
+
+MockBench::MockBench(const std::vector<MockPad>& pads) : desk_(std::make_shared<Desk>()) {
+    desk_->testbed = umockdev_testbed_new();
+    for (const MockPad& pad : pads) desk_->plugged.push_back({pad});
+    for (Plugged& plugged : desk_->plugged) connect(plugged);
 }
 
 MockBench::~MockBench() {
-    // In the loop's own turn: one that does not run yet would forget that it is to end.
-    const auto quit = [](gpointer loop) -> gboolean {
-        g_main_loop_quit(static_cast<GMainLoop*>(loop));
-        return G_SOURCE_REMOVE;
-    };
-    g_main_context_invoke(context_, quit, loop_);
-    thread_.join();
-    for (const Plugged& plugged : plugged_) {
-        umockdev_testbed_detach_ioctl(testbed_, ("/dev/" + plugged.pad.node).c_str(), nullptr);
+    const std::lock_guard lock(desk_->mutex);
+    for (Plugged& plugged : desk_->plugged) {
+        plugged.gone = true;
+        for (const Plugged::Held& held : plugged.held) {
+            umockdev_ioctl_client_complete(held.client, -1, ENODEV);
+            g_object_unref(held.client);
+        }
+        umockdev_testbed_detach_ioctl(desk_->testbed, ("/dev/" + plugged.pad.node).c_str(),
+                                      nullptr);
         g_object_unref(plugged.handler);
     }
-    g_object_unref(testbed_);
-    g_main_loop_unref(loop_);
-    g_main_context_unref(context_);
+    g_object_unref(desk_->testbed);
 }
 
-void MockBench::add(Plugged& plugged) {
-    require(umockdev_testbed_add_from_string(testbed_, description(plugged.pad).c_str(), nullptr),
-            "the description is not understood");
+void MockBench::connect(Plugged& plugged) {
+    require(
+        umockdev_testbed_add_from_string(desk_->testbed, description(plugged.pad).c_str(), nullptr),
+        "the description is not understood");
     plugged.handler = umockdev_ioctl_base_new();
-    g_signal_connect(plugged.handler, "handle-ioctl", G_CALLBACK(on_ioctl), &plugged);
-    g_signal_connect(plugged.handler, "handle-write", G_CALLBACK(on_write), &plugged);
-    require(umockdev_testbed_attach_ioctl(testbed_, ("/dev/" + plugged.pad.node).c_str(),
+    const auto forget = [](gpointer line, GClosure*) { delete static_cast<Line*>(line); };
+    for (const auto& [signal, answers] : {std::pair{"handle-ioctl", G_CALLBACK(on_ioctl)},
+                                          {"handle-write", G_CALLBACK(on_write)}}) {
+        g_signal_connect_data(plugged.handler, signal, answers, new Line{desk_, &plugged}, forget,
+                              GConnectFlags{});
+    }
+    require(umockdev_testbed_attach_ioctl(desk_->testbed, ("/dev/" + plugged.pad.node).c_str(),
                                           plugged.handler, nullptr),
             "no handler can be attached");
 }
 
-gboolean MockBench::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data) {
-    const Plugged& plugged = *static_cast<const Plugged*>(data);
+gboolean MockBench::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer line) {
+    const Plugged& plugged = *static_cast<const Line*>(line)->plugged;
     const unsigned long request = umockdev_ioctl_client_get_request(client);
     UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
     const std::size_t size = _IOC_SIZE(request);
@@ -131,35 +153,35 @@ gboolean MockBench::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gp
     return TRUE;
 }
 
-gboolean MockBench::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data) {
-    Plugged& plugged = *static_cast<Plugged*>(data);
+gboolean MockBench::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer line) {
+    const auto& [desk, of] = *static_cast<const Line*>(line);
+    Plugged& plugged = *of;
     UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
     const Packet packet(argument->data, argument->data + argument->data_len);
-    const std::lock_guard lock(plugged.bench->mutex_);
+    const std::lock_guard lock(desk->mutex);
     if (plugged.gone) {
         umockdev_ioctl_client_complete(client, -1, ENODEV);
-        return TRUE;
-    }
-    if (plugged.refuses > 0) {
+    } else if (plugged.refuses > 0) {
         --plugged.refuses;
         umockdev_ioctl_client_complete(client, -1, EIO);
     } else if (plugged.holds) {
         plugged.held.push_back({UMOCKDEV_IOCTL_CLIENT(g_object_ref(client)), packet});
     } else {
-        take(plugged, client, packet);
+        take(*desk, plugged, client, packet);
     }
     return TRUE;
 }
 
-void MockBench::take(Plugged& plugged, UMockdevIoctlClient* client, const Packet& packet) {
+void MockBench::take(const Desk& desk, Plugged& plugged, UMockdevIoctlClient* client,
+                     const Packet& packet) {
     plugged.written.push_back({packet, std::chrono::steady_clock::now()});
-    if (plugged.pad.answers_switch) plugged.bench->answer(plugged, packet);
+    if (plugged.pad.answers_switch) answer(desk, plugged, packet);
     umockdev_ioctl_client_complete(client, static_cast<long>(packet.size()), 0);
 }
 
-void MockBench::with(const std::string& node, const std::function<void(Plugged&)>& change) {
-    const std::lock_guard lock(mutex_);
-    for (Plugged& plugged : plugged_) {
+void MockBench::with(const std::string& node, const std::function<void(Plugged&)>& change) const {
+    const std::lock_guard lock(desk_->mutex);
+    for (Plugged& plugged : desk_->plugged) {
         if (plugged.pad.node == node) change(plugged);
     }
 }
@@ -178,28 +200,19 @@ void MockBench::hold(const std::string& node) {
     with(node, [](Plugged& plugged) { plugged.holds = true; });
 }
 
-// In the loop's own turn, where all else is answered.
 void MockBench::let_go(const std::string& node) {
-    with(node, [](Plugged& plugged) { plugged.holds = false; });
-    g_main_context_invoke(context_, &MockBench::let_all_go, this);
-}
-
-gboolean MockBench::let_all_go(gpointer data) {
-    auto& bench = *static_cast<MockBench*>(data);
-    const std::lock_guard lock(bench.mutex_);
-    for (Plugged& plugged : bench.plugged_) {
-        if (plugged.holds) continue;
-        for (const Held& held : plugged.held) {
-            take(plugged, held.client, held.packet);
+    with(node, [this](Plugged& plugged) {
+        plugged.holds = false;
+        for (const Plugged::Held& held : plugged.held) {
+            take(*desk_, plugged, held.client, held.packet);
             g_object_unref(held.client);
         }
         plugged.held.clear();
-    }
-    return G_SOURCE_REMOVE;
+    });
 }
 
 // One report at a time: the node is a stream here, without borders between them.
-void MockBench::answer(const Plugged& plugged, const Packet& packet) {
+void MockBench::answer(const Desk& desk, const Plugged& plugged, const Packet& packet) {
     Packet report;
     if (packet[0] == 0x80 && packet[1] != 0x04) report = {0x81, packet[1]};
     if (packet[0] == 0x01) {
@@ -209,23 +222,22 @@ void MockBench::answer(const Plugged& plugged, const Packet& packet) {
         report[14] = packet[10];
     }
     if (report.empty()) return;
-    const int node = umockdev_testbed_get_dev_fd(testbed_, ("/dev/" + plugged.pad.node).c_str());
+    const int node =
+        umockdev_testbed_get_dev_fd(desk.testbed, ("/dev/" + plugged.pad.node).c_str());
     require(write(node, report.data(), report.size()) == std::ssize(report), "no answer is taken");
 }
 
 std::vector<Written> MockBench::written(const std::string& node) const {
-    const std::lock_guard lock(mutex_);
-    for (const Plugged& plugged : plugged_) {
-        if (plugged.pad.node == node) return plugged.written;
-    }
-    return {};
+    std::vector<Written> all;
+    with(node, [&all](const Plugged& plugged) { all = plugged.written; });
+    return all;
 }
 
 void MockBench::unplug(const std::string& node) {
     with(node, [](Plugged& plugged) { plugged.gone = true; });
     const std::string hid = "/sys" + folder(node);
-    umockdev_testbed_remove_device(testbed_, (hid + "/hidraw/" + node).c_str());
-    umockdev_testbed_remove_device(testbed_, hid.c_str());
+    umockdev_testbed_remove_device(desk_->testbed, (hid + "/hidraw/" + node).c_str());
+    umockdev_testbed_remove_device(desk_->testbed, hid.c_str());
 }
 
 }  // namespace tact

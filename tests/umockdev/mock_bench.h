@@ -8,13 +8,9 @@
 #include <umockdev.h>
 
 #include <chrono>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "devices/rumble/rumble_packets.h"
@@ -40,7 +36,7 @@ struct Written {
 
 class MockBench {
   public:
-    explicit MockBench(std::vector<MockPad> pads);
+    explicit MockBench(const std::vector<MockPad>& pads);
     ~MockBench();
     MockBench(const MockBench&) = delete;
     MockBench& operator=(const MockBench&) = delete;
@@ -58,37 +54,22 @@ class MockBench {
     void let_go(const std::string& node);
 
   private:
-    struct Held {
-        UMockdevIoctlClient* client = nullptr;
-        Packet packet;
-    };
+    struct Plugged;
+    struct Desk;
+    struct Line;
 
-    struct Plugged {
-        MockBench* bench = nullptr;
-        MockPad pad;
-        UMockdevIoctlBase* handler = nullptr;
-        std::vector<Written> written;
-        bool gone = false;
-        int refuses = 0;
-        bool holds = false;
-        std::vector<Held> held{};
-    };
+    static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer line);
+    static gboolean on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer line);
 
-    static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plugged);
-    static gboolean let_all_go(gpointer bench);
-    static gboolean on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plugged);
+    void connect(Plugged& plugged);
+    void with(const std::string& node, const std::function<void(Plugged&)>& change) const;
+    static void take(const Desk& desk, Plugged& plugged, UMockdevIoctlClient* client,
+                     const Packet& packet);
+    static void answer(const Desk& desk, const Plugged& plugged, const Packet& packet);
 
-    void add(Plugged& plugged);
-    void with(const std::string& node, const std::function<void(Plugged&)>& change);
-    static void take(Plugged& plugged, UMockdevIoctlClient* client, const Packet& packet);
-    void answer(const Plugged& plugged, const Packet& packet);
-
-    UMockdevTestbed* testbed_ = nullptr;
-    GMainContext* context_ = nullptr;
-    GMainLoop* loop_ = nullptr;
-    mutable std::mutex mutex_;  // guards what was written and what is gone
-    std::deque<Plugged> plugged_;
-    std::thread thread_;
+    // The thread that answers is the testbed's. It is never joined, and answers writes that were on
+    // their way when the bench ended: what it needs lives as long as its handlers.
+    std::shared_ptr<Desk> desk_;
 };
 
 }  // namespace tact
