@@ -182,19 +182,13 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
     draw_waiting(ui, work, shown_map, area);
 }
 
-// At the top: the foot has the axes and what the mouse can do.
-void draw_remarks(const Ui& ui, const Rect& area, const std::string& verdict,
-                  const std::string& ghosts) {
-    ImVec2 corner = area.min;
-    const auto line = [&](ImU32 colour, const std::string& text) {
-        if (text.empty()) return;
-        const ImFont* font = ui.theme.fonts.small;
-        draw_text(*ImGui::GetWindowDrawList(), font, corner, colour,
-                  shortened(font, text, area.width()));
-        corner.y += text_size(font, text).y;
-    };
-    line(ui.theme.warning, verdict);
-    line(ui.theme.dim_text, ghosts);
+// At the top: the foot has the axes and what the mouse can do. How high it is.
+float draw_remark(const Ui& ui, const Rect& area, ImU32 colour, const std::string& text) {
+    if (text.empty()) return 0.0F;
+    const ImFont* font = ui.theme.fonts.small;
+    draw_text(*ImGui::GetWindowDrawList(), font, area.min, colour,
+              shortened(font, text, area.width()));
+    return text_size(font, text).y;
 }
 
 // A number in the largest type, and beside it what it is. Where the next one may begin.
@@ -356,6 +350,10 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     const float headline_px = draw_headline(ui, work, shown_map, area, places);
     shown_map.has_headline = headline_px > 0.0F;
     area.min.y += headline_px;
+    // Names of points that lie high do not run into it.
+    area.min.y += draw_remark(ui, area, ui.theme.warning,
+                              verdict_text(shown_map.transition.shown->space, places.size()));
+    if (area.empty()) return {};
     const SpacePaneAction done = draw_space_scene(ui, work, shown_map, marks, places, area);
     draw_map_legend(ui, shown_map, area);
     std::string ghosts_text = marks.people_text;
@@ -367,8 +365,8 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
         ghosts_text = "The other points stay where they were until the next edit.";
         note_rect(ui.rects, "map:held", area.min, area.max);
     }
-    draw_remarks(ui, area, verdict_text(shown_map.transition.shown->space, places.size()),
-                 ghosts_text);
+    // This one comes and goes during a drag, which must not move the map.
+    draw_remark(ui, area, ui.theme.dim_text, ghosts_text);
     return done;
 }
 
