@@ -70,8 +70,11 @@ std::vector<const Command*> palette_matches(const App& app) {
             lower_case(std::string(command.menu) + " " + command.name + " " + command.words);
         if (all.find(wanted) != std::string::npos) found.push_back(&command);
     }
-    // What can be done stands first; the rest says why not.
-    std::ranges::stable_partition(found, [&app](const Command* one) { return one->enabled(app); });
+    // What can be done stands first, the rest says why not; of both what is named so.
+    std::ranges::stable_sort(found, {}, [&](const Command* one) {
+        return std::pair(!one->enabled(app),
+                         lower_case(one->name).find(wanted) == std::string::npos);
+    });
     return found;
 }
 
