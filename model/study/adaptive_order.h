@@ -5,8 +5,10 @@
 //
 // Source    ours, from parts: cyclic designs of incomplete pairs (Spence & Domoney 1974), then the
 //           pair that maps which fit equally well disagree on (query by committee: Seung, Opper &
-//           Sompolinsky 1992), in later passes the pair that fits the map least. Change of shape: K
-//           (model/map/alienation.h).
+//           Sompolinsky 1992), in later passes the pair that fits the map least. The pair whose
+//           distance varies most over the maps is that of the most expected information, which is
+//           log(1 + variance / noise) / 2 of noise that is normal and the same for all pairs
+//           (Lindley 1956; MacKay 1992). Change of shape: K (model/map/alienation.h).
 // Input     answers of one participant so far, in their order
 // Valid     4 to 40 patterns; maps of two dimensions, which few answers can carry
 // Exact     same answers, same pair, on any machine that computes alike.
