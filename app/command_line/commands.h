@@ -107,8 +107,8 @@ Expected<Done> run(const ExportCommand& command);
 
 struct SnapshotCommand {
     CommonOptions common;
-    std::string view = "window";   // window, physiology, wave, spectrum, matrix, space
-    std::string pattern;           // but for matrix and space; empty: the first
+    std::string view = "window";   // also physiology, wave, spectrum, firing, tables, matrix, space
+    std::string pattern;           // but for tables, matrix, space; empty: the first
     std::string with;              // for window and physiology: compared with this one ...
     std::string stage;             // ... at this stage, large; a key of app/physiology/stages.h
     std::optional<double> at_s;    // ... with the playhead there

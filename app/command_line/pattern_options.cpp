@@ -237,8 +237,11 @@ void add_snapshot_command(CLI::App& app, SnapshotCommand& command, Chosen& chose
     CLI::App& snapshot = add_command(app, "snapshot", kSnapshotHelp, command, chosen);
     add_rendering(snapshot, command.common);
     snapshot
-        .add_option("--view", command.view, "window, physiology, wave, spectrum, matrix or space")
-        ->check(CLI::IsMember({"window", "physiology", "wave", "spectrum", "matrix", "space"}));
+        .add_option("--view", command.view,
+                    "window, physiology, wave, spectrum, firing (how one receptor fires), tables "
+                    "(slopes and thresholds), matrix or space")
+        ->check(CLI::IsMember(
+            {"window", "physiology", "wave", "spectrum", "firing", "tables", "matrix", "space"}));
     snapshot.add_option("--pattern", command.pattern, "pattern to show; default: the first");
     snapshot.add_option("--with", command.with, "another pattern to compare it with");
     std::vector<std::string> keys;

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/document/pattern_looks.h"
+#include "app/pictures/picture_parts.h"
 #include "app/rendering/labels.h"
 #include "model/signal/spectrum.h"
 #include "viz/charts/matrix_view.h"
@@ -16,6 +17,64 @@ namespace tact {
 
 namespace {
 
+std::string after_comma(const std::string& mark) { return mark.empty() ? "" : ", " + mark; }
+
+void draw_map(const Theme& theme, const Rect& area, const PatternSet& set, const char* id,
+              const std::vector<std::string>& names, const MapPanel& panel) {
+    std::vector<PatternLook> looks;
+    for (std::size_t k = 0; k < names.size(); ++k) looks.push_back(look_of(theme, set, k));
+    const SpaceMarks& marks = panel.marks;
+    SpaceScene scene;
+    scene.labels = names;
+    scene.looks = looks;
+    scene.points = &panel.space->points;
+    scene.chosen = marks.chosen;
+    scene.links = marks.links;
+    scene.paths = marks.paths;
+    scene.ghosts = marks.before;
+    scene.ghost_opacity = 1.0;
+    scene.arrows = true;
+    scene.dissimilarity = [apart = panel.apart](std::size_t i, std::size_t j) {
+        return (*apart)(i, j);
+    };
+    scene.quantity = marks.quantity;
+    SpaceCamera camera;
+    draw_space(id, theme, area, scene, camera);
+}
+
+std::string stress_text(const PerceptualSpace& space) {
+    char text[64];
+    std::snprintf(text, sizeof text, "stress-1 %.3f, ", space.stress1);
+    return text + fit_label(space);
+}
+
+// Mark and name of every pattern, in as many columns as fit; the rest of the area above.
+Rect draw_legend(const Theme& theme, const Rect& area, const PatternSet& set) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::vector<std::string> names = names_of(set);
+    float widest = 0.0F;
+    for (const std::string& name : names) {
+        widest = std::max(widest, text_size(theme.fonts.small, name).x);
+    }
+    const float column_px = 3.0F * theme.mark_px + widest + 2.0F * theme.gap_px;
+    const auto columns = std::clamp<std::size_t>(static_cast<std::size_t>(area.width() / column_px),
+                                                 1, std::max<std::size_t>(names.size(), 1));
+    const std::size_t rows = (names.size() + columns - 1) / columns;
+    const float row_px = 1.3F * text_size(theme.fonts.small, "L").y;
+    const float top = area.max.y - row_px * static_cast<float>(rows);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const ImVec2 at{area.min.x + column_px * static_cast<float>(k % columns),
+                        top + row_px * static_cast<float>(k / columns)};
+        draw_pattern_mark(list, theme, {at.x + theme.mark_px, at.y + 0.4F * row_px}, theme.mark_px,
+                          look_of(theme, set, k), theme.pane);
+        draw_text(list, theme.fonts.small, {at.x + 3.0F * theme.mark_px, at.y}, theme.text,
+                  names[k]);
+    }
+    return {area.min, {area.max.x, top - theme.gap_px}};
+}
+
+}  // namespace
+
 PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     PictureOptions options;
     options.dark = size.dark;
@@ -25,22 +84,17 @@ PictureOptions options_of(const PictureSize& size, std::string extra_text) {
     return options;
 }
 
-Rect whole() { return rect_at(ImGui::GetWindowPos(), ImGui::GetWindowSize()); }
+Rect whole_picture() { return rect_at(ImGui::GetWindowPos(), ImGui::GetWindowSize()); }
 
-// Title at the top left, a dim detail after it; what is left of the picture.
 Rect draw_title(const Theme& theme, const std::string& title, const std::string& detail) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 corner = ImGui::GetWindowPos();
-    const Rect area = inset(rect_at(corner, ImGui::GetWindowSize()), 1.5F * theme.padding_px);
+    const Rect area = inset(whole_picture(), 1.5F * theme.padding_px);
     draw_text(list, theme.fonts.semibold, area.min, theme.text, title);
     const float width = text_size(theme.fonts.semibold, title + "  ").x;
-    draw_text(list, theme.fonts.regular, {area.min.x + width, area.min.y}, theme.dim_text, detail);
+    draw_text(list, theme.fonts.regular, {area.min.x + width, area.min.y}, theme.dim_text,
+              shortened(theme.fonts.regular, detail, area.width() - width));
     return {{area.min.x, area.min.y + 2.0F * ImGui::GetTextLineHeight()}, area.max};
 }
-
-std::string after_comma(const std::string& mark) { return mark.empty() ? "" : ", " + mark; }
-
-}  // namespace
 
 Picture drawn(const PictureSize& size, const PictureOptions& options,
               const std::function<void(const Theme&)>& draw) {
@@ -68,35 +122,46 @@ Picture matrix_picture(const std::vector<std::string>& labels, const Dissimilari
 
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
                       const PictureSize& size, const SpaceMarks& marks) {
-    const std::vector<std::string> labels = names_of(set);
-    char stress[64];
-    std::snprintf(stress, sizeof stress, ", stress-1 %.3f, ", space.stress1);
     const std::string detail =
-        (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + stress +
-        fit_label(space) +
+        (marks.source.empty() ? "predicted by " + marks.quantity : marks.source) + ", " +
+        stress_text(space) +
         after_comma(marks.mark.empty() && marks.source.empty() ? phrase_of(mark_of(set))
                                                                : marks.mark);
     return drawn(size, options_of(size, drawn_text(set)), [&](const Theme& theme) {
-        const Rect area = size.titled ? draw_title(theme, "Perceptual space", detail) : whole();
-        std::vector<PatternLook> looks;
-        for (std::size_t k = 0; k < labels.size(); ++k) {
-            looks.push_back(look_of(theme, set, k));
-        }
-        SpaceScene scene;
-        scene.labels = labels;
-        scene.looks = looks;
-        scene.points = &space.points;
-        scene.chosen = marks.chosen;
-        scene.links = marks.links;
-        scene.paths = marks.paths;
-        scene.ghosts = marks.before;
-        scene.ghost_opacity = 1.0;
-        scene.arrows = true;
-        scene.dissimilarity = [&pm](std::size_t i, std::size_t j) { return pm(i, j); };
-        scene.quantity = marks.quantity;
-        SpaceCamera camera;
-        draw_space("space", theme, area, scene, camera);
+        const Rect area =
+            size.titled ? draw_title(theme, "Perceptual space", detail) : whole_picture();
+        draw_map(theme, area, set, "space", names_of(set), {&pm, &space, marks});
     });
+}
+
+Picture space_panels_picture(const PatternSet& set, std::span<const MapPanel> panels,
+                             const std::string& title, const std::string& detail,
+                             const PictureSize& size) {
+    return drawn(size, options_of(size, drawn_text(set) + title + detail), [&](const Theme& theme) {
+        const Rect rest = draw_legend(theme, draw_title(theme, title, detail), set);
+        const std::size_t columns = panel_columns(panels.size());
+        const std::size_t rows = (panels.size() + columns - 1) / columns;
+        const ImVec2 cell{rest.width() / static_cast<float>(columns),
+                          rest.height() / static_cast<float>(std::max<std::size_t>(rows, 1))};
+        const float title_px = 1.3F * text_size(theme.fonts.small, "L").y;
+        // The legend has the names.
+        const std::vector<std::string> no_names(set.vibrations.size());
+        for (std::size_t k = 0; k < panels.size(); ++k) {
+            const ImVec2 corner{rest.min.x + cell.x * static_cast<float>(k % columns),
+                                rest.min.y + cell.y * static_cast<float>(k / columns)};
+            const Rect place = inset(rect_at(corner, cell), 0.5F * theme.gap_px);
+            const std::string said =
+                panels[k].marks.quantity + ", " + stress_text(*panels[k].space);
+            draw_text(*ImGui::GetWindowDrawList(), theme.fonts.small, place.min, theme.text,
+                      shortened(theme.fonts.small, said, place.width()));
+            draw_map(theme, {{place.min.x, place.min.y + title_px}, place.max}, set,
+                     ("panel" + std::to_string(k)).c_str(), no_names, panels[k]);
+        }
+    });
+}
+
+std::size_t panel_columns(std::size_t panels) {
+    return panels < 4 ? std::max<std::size_t>(panels, 1) : panels < 5 ? 2 : panels < 10 ? 3 : 4;
 }
 
 Picture wave_picture(const Vibration& vibration, const PictureSize& size) {

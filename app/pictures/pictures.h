@@ -60,6 +60,17 @@ struct SpaceMarks {
 Picture space_picture(const PatternSet& set, const Dissimilarity& pm, const PerceptualSpace& space,
                       const PictureSize& size, const SpaceMarks& marks = {});
 
+// Several maps of one set beside each other, one legend for all of them.
+struct MapPanel {
+    const Dissimilarity* apart = nullptr;  // never null, nor is the other
+    const PerceptualSpace* space = nullptr;
+    SpaceMarks marks{};
+};
+Picture space_panels_picture(const PatternSet& set, std::span<const MapPanel> panels,
+                             const std::string& title, const std::string& detail,
+                             const PictureSize& size);
+std::size_t panel_columns(std::size_t panels);  // that they stand in
+
 Picture wave_picture(const Vibration& vibration, const PictureSize& size);
 
 Picture spectrum_picture(const Vibration& vibration, const NeuralCodingParams& params,

@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "viz/charts/receptor_curves.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
 namespace {
-
-bool is_in_band(Receptor receptor, double frequency_hz) {
-    return frequency_hz >= traits(receptor).low_hz && frequency_hz <= traits(receptor).high_hz;
-}
 
 // The curve under the mouse, within a few pixels.
 std::optional<Receptor> curve_at(const Theme& theme, const Plot& plot, const SpectrumScene& scene,
@@ -39,23 +36,10 @@ double threshold_db(const Curve& threshold, double frequency_hz) {
 
 void draw_threshold(ImDrawList& list, const Theme& theme, const Plot& plot, Receptor receptor,
                     const Curve& threshold, ImU32 colour) {
-    constexpr float kStepPx = 2.0F;
-    const float dash_px = 5.0F * theme.scale;
-    std::vector<ImVec2> points;
-    const auto end_line = [&] {
-        if (points.size() > 1) {
-            list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0,
-                             theme.trace_px);
-        }
-        points.clear();
-    };
-    for (float x = plot.area.min.x; x < plot.area.max.x + kStepPx; x += kStepPx) {
-        const double frequency_hz = to_value(plot.x, x);
-        points.push_back({x, to_pixel(plot.y, threshold_db(threshold, frequency_hz))});
-        const bool in_gap = std::fmod(x - plot.area.min.x, 2.0F * dash_px) >= dash_px;
-        if (in_gap && !is_in_band(receptor, frequency_hz)) end_line();
-    }
-    end_line();
+    draw_over_frequency(
+        list, theme, plot, receptor,
+        [&threshold](double frequency_hz) { return threshold_db(threshold, frequency_hz); },
+        colour);
 }
 
 void draw_ghosts(ImDrawList& list, const Theme& theme, const Plot& plot,

@@ -7,6 +7,7 @@
 #include "app/command_line/output.h"
 #include "app/pictures/film.h"
 #include "app/pictures/frame_sequence.h"
+#include "app/pictures/physiology_pictures.h"
 #include "app/pictures/pictures.h"
 #include "app/session/folders.h"
 #include "app/window/view_pictures.h"
@@ -27,7 +28,8 @@ bool shows_time(const SnapshotCommand& command) {
 }
 
 bool shows_pattern(const SnapshotCommand& command) {
-    return shows_time(command) || command.view == "wave" || command.view == "spectrum";
+    return shows_time(command) || command.view == "wave" || command.view == "spectrum" ||
+           command.view == "firing";
 }
 
 bool is_moving(const SnapshotCommand& command) { return command.frames > 0 || command.slower; }
@@ -39,7 +41,7 @@ Expected<Done> check_options(const SnapshotCommand& command) {
     };
     constexpr const char* kMoving = "--view physiology or window: the others have no such choice";
     if (!command.pattern.empty() && !shows_pattern(command)) {
-        return needs("--pattern", "a view of one pattern; matrix and space show all");
+        return needs("--pattern", "a view of one pattern, which tables, matrix and space are not");
     }
     if (!shows_time(command)) {
         if (!command.with.empty()) return needs("--with", kMoving);
@@ -74,6 +76,7 @@ Expected<Done> check_options(const SnapshotCommand& command) {
 
 Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSet& set,
                                  const PictureSize& size) {
+    if (command.view == "tables") return tables_picture(set.model.coding.tables, size);
     if (const Expected<Done> pair = need_a_pair(set, command.common); !pair) return pair.error();
     PredictOptions options;
     options.threads = command.common.threads;
@@ -100,8 +103,9 @@ Expected<Picture> picture_of_pattern(const SnapshotCommand& command, const Patte
     const Expected<std::size_t> place = pattern_place(command, set);
     if (!place) return place.error();
     const Vibration& vibration = set.vibrations[*place];
-    return command.view == "wave" ? wave_picture(vibration, size)
-                                  : spectrum_picture(vibration, set.model.coding, size);
+    if (command.view == "wave") return wave_picture(vibration, size);
+    return command.view == "firing" ? firing_picture(vibration, set.model.coding, size)
+                                    : spectrum_picture(vibration, set.model.coding, size);
 }
 
 Expected<ViewChoice> view_choice(const SnapshotCommand& command, const PatternSet& set) {

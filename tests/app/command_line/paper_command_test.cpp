@@ -93,7 +93,14 @@ TEST_CASE(
         pictures += entry.path().extension() == ".svg" ? 1 : 0;
     }
     CHECK(pictures > 8);
-    CHECK_FALSE(std::filesystem::is_empty(two.out() + "/stages"));
+    // Each of the publication's is there in both formats, and whole on the page.
+    for (const char* figure :
+         {"figure-4", "figure-5", "figure-6a", "figure-6b", "figure-7", "maps-1", "maps-2"}) {
+        CAPTURE(figure);
+        CHECK(bytes_of(two.out() + "/figures/" + figure + ".png").starts_with("\x89PNG"));
+        CHECK(contains(bytes_of(two.out() + "/figures/" + figure + ".svg"), "</svg>"));
+        CHECK(contains(page, std::string("<figure id=\"") + figure + "\">"));
+    }
     check_scripts(two.out(), 0);
     // A number that is another is found.
     std::string other = table;

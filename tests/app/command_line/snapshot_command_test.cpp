@@ -30,7 +30,8 @@ TEST_CASE("snapshot: every view is a PNG of the size asked for, the same each ti
           doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
-    for (const std::string view : {"window", "wave", "spectrum", "matrix", "space"}) {
+    for (const std::string view :
+         {"window", "wave", "spectrum", "firing", "tables", "matrix", "space"}) {
         CAPTURE(view);
         const fs::path file = folder.path / (view + ".png");
         const auto draw = [&](const char* theme) {
@@ -52,7 +53,8 @@ TEST_CASE("snapshot: a name that ends in .svg gives well-formed SVG, the same ea
           doctest::test_suite("long")) {
     const ShortSet set;
     const TemporaryFolder folder;
-    for (const std::string view : {"window", "wave", "spectrum", "matrix", "space"}) {
+    for (const std::string view :
+         {"window", "wave", "spectrum", "firing", "tables", "matrix", "space"}) {
         CAPTURE(view);
         const fs::path file = folder.path / (view + ".SVG");
         const auto draw = [&](const char* theme) {
