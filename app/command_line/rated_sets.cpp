@@ -196,22 +196,7 @@ Expected<Dissimilarity> dissimilarities_in(const std::filesystem::path& file,
     const Expected<LabelledMatrix> matrix = told_matrix(file, written);
     if (!matrix) return matrix.error();
     if (mark != nullptr) *mark = matrix->mark;
-    std::vector<std::size_t> places;
-    for (const std::string& name : names) {
-        const auto found = std::ranges::find(matrix->labels, name);
-        if (found == matrix->labels.end()) {
-            return Error{file.string() + ": expected a row \"" + name +
-                         "\" as the set has such a pattern"};
-        }
-        places.push_back(static_cast<std::size_t>(found - matrix->labels.begin()));
-    }
-    Dissimilarity result{names.size(), {}};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t j = i + 1; j < places.size(); ++j) {
-            result.condensed.push_back(matrix->dissimilarity(places[i], places[j]));
-        }
-    }
-    return result;
+    return dissimilarities_of(*matrix, names, file.string());
 }
 
 }  // namespace tact

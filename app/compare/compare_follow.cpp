@@ -9,6 +9,7 @@
 #include "app/compare/people_text.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
+#include "app/ui/file_question.h"
 #include "model/map/procrustes.h"
 #include "model/set/set_ratings.h"
 
@@ -50,10 +51,12 @@ std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float
 void follow_comparison(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                        Comparing& comparing) {
     const bool again =
-        !comparison_waits(work, comparing) && comparing.panel.of != shown_map.transition.shown;
+        !comparison_waits(work, comparing) && (comparing.panel.of != shown_map.transition.shown ||
+                                               comparing.panel.of_foreign != comparing.foreign);
     if (!wants_comparison(layout, shown_map) || !has_exact_map(work, shown_map) || !again) return;
     comparing.panel.of = shown_map.transition.shown;
-    comparing.comparison_job.ask({shown_map.transition.shown});
+    comparing.panel.of_foreign = comparing.foreign;
+    comparing.comparison_job.ask({shown_map.transition.shown, comparing.foreign});
 }
 
 void follow_difference(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
@@ -108,6 +111,7 @@ ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_ma
     shown.is_computing = comparing.comparison_job.busy();
     shown.is_stale = !comparing.comparison ||
                      comparing.comparison->request.map != shown_map.transition.shown ||
+                     comparing.comparison->request.foreign != comparing.foreign ||
                      map_state(work, shown_map) != MapState::exact;
     return shown;
 }
@@ -130,6 +134,54 @@ void cancel_comparison(const Workspace& work, Comparing& comparing) {
     comparing.panel.cancelled_at = work.revision;
     comparing.panel.compute_large_of = 0;
     comparing.comparison_job.cancel();
+}
+
+void add_metric_dialog(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::add_metric,
+                  .title = "Add a metric of your own: a matrix, or a function in Python",
+                  .extensions = {".csv", ".txt", ".tsv", ".py"}},
+                 work.document.path.parent_path());
+}
+
+namespace {
+
+void take_metric(Ui& ui, Comparing& comparing, const std::string& from) {
+    const ForeignMetric added = foreign_metric(from);
+    std::erase_if(comparing.foreign,
+                  [&](const ForeignMetric& known) { return known.key == added.key; });
+    comparing.foreign.push_back(added);
+    comparing.panel.metric = added.key;
+    comparing.panel.shepard_of_people = false;
+    say(ui, "Added " + added.key + " to the comparison.");
+}
+
+}  // namespace
+
+void add_metric(Ui& ui, Comparing& comparing, const std::filesystem::path& file) {
+    if (file.extension() != ".py") return take_metric(ui, comparing, file.string());
+    constexpr std::size_t kMostAsked = 6;
+    std::vector<std::string> names = functions_in(file);
+    const std::string of = file.filename().string();
+    if (names.empty()) {
+        return complain(ui, of + ": expected a function of two arrays and a rate, such as "
+                                 "def apart(a, b, rate_hz)");
+    }
+    const auto from = [path = file.string()](const std::string& name) { return path + ":" + name; };
+    if (names.size() == 1) return take_metric(ui, comparing, from(names.front()));
+    names.resize(std::min(names.size(), kMostAsked));
+    Question question{"Add a metric", "Which function of " + of + " is the metric?", {}};
+    for (const std::string& name : names) {
+        question.answers.push_back(
+            {name, [&ui, &comparing, from, name] { take_metric(ui, comparing, from(name)); }});
+    }
+    question.answers.push_back({"None"});
+    ask(ui, std::move(question));
+}
+
+void remove_metric(Comparing& comparing, const std::string& key) {
+    std::erase_if(comparing.foreign, [&](const ForeignMetric& one) { return one.key == key; });
+    if (comparing.panel.metric == key) comparing.panel.metric = "pm";
 }
 
 std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,

@@ -1,6 +1,7 @@
 // Keeping the comparison with people, and of the chosen pair, in step with the map on screen.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,6 +36,11 @@ ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_ma
 bool comparison_waits(const Workspace& work, const Comparing& comparing);
 void ask_for_comparison(const Workspace& work, Comparing& comparing);
 void cancel_comparison(const Workspace& work, Comparing& comparing);
+
+// Metrics of one's own: a matrix in a file, or a function in Python, of which it may have several.
+void add_metric_dialog(Ui& ui, const Workspace& work);
+void add_metric(Ui& ui, Comparing& comparing, const std::filesystem::path& file);
+void remove_metric(Comparing& comparing, const std::string& key);
 
 // The map of the ratings, laid over the one on screen: one row a pattern of the shown map, NaN for
 // those that nobody rated. None without ratings of its patterns, or while their comparison is under

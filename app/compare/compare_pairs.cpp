@@ -79,8 +79,7 @@ void draw_list(Ui& ui, Workspace& work, Layout& layout, const Comparison& compar
 
 void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
                         const Comparison& comparison, const Rect& area) {
-    const ComparedMetric& row =
-        comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
+    const ComparedMetric& row = metric_of_key(comparison, comparing.panel.metric);
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
     const NumberMark mark = mark_of(comparison);
@@ -89,7 +88,7 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     if (!std::isnan(ceiling)) corner += ", at most " + digits(ceiling, 2);
     const std::string y_title = of_people("rated dissimilarity", mark);
     const std::string rated = of_people("rated ", mark);
-    const std::string x_title = std::string("rank by ") + traits(row.metric).name;
+    const std::string x_title = "rank by " + row.name;
     const auto& vibrations = comparison.request.map->request.set->vibrations;
     ScatterScene scene;
     scene.x = rank;
@@ -132,8 +131,7 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
     draw_metric_choice(ui, work, comparing, false);
     const Rect area = rest_of_pane();
     if (area.width() < 40.0F || area.height() < 40.0F) return;
-    const ComparedMetric& row =
-        comparison.metrics[static_cast<std::size_t>(comparing.panel.metric)];
+    const ComparedMetric& row = metric_of_key(comparison, comparing.panel.metric);
     const float s = ui.theme.scale;
     // The list scrolls before the picture becomes a strip.
     const float list_px = whole_rows_px(ui, row.farthest.size(), 0.45F * area.height());

@@ -32,16 +32,44 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     view(CompareView::scatter, "Pairs");
     flow_on(chip_width(ui, "Findings"), gap);
     view(CompareView::findings, "Findings");
+    flow_on(ImGui::CalcTextSize("Add metric...").x, 2.0F * ui.theme.gap_px);
+    const float lower = 2.0F * ui.theme.scale;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    if (link(ui, "add metric", "Add metric...")) add_metric_dialog(ui, work);
+    note_item(ui.rects, "link:add metric");
+    draw_tooltip(ui,
+                 "A metric of your own beside the others: a matrix by the names of the patterns "
+                 "(.csv), or a function of two arrays and a rate (.py).");
     // To put others in their place; without any a button below offers it.
     if (work.document.set.ratings.empty()) return;
     flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
     if (link(ui, "load ratings", "Load ratings...")) load_ratings_dialog(ui, work);
     note_item(ui.rects, "link:load ratings");
     draw_tooltip(ui,
                  "A CSV of what people said of these patterns: a square with names, or a line a "
                  "rating with the participant. Names must be those of the patterns.");
+}
+
+// What each of one's own is from, or why it is not there, with a link that takes it away.
+void draw_foreign(Ui& ui, Comparing& comparing, const Comparison& comparison) {
+    std::string gone;
+    ImGui::PushFont(ui.theme.fonts.small);
+    for (const ForeignMetric& one : comparing.foreign) {
+        ImGui::PushID(one.key.c_str());
+        dim_text(ui, shortened(ui.theme.fonts.small, one.key + ": " + one.from,
+                               0.8F * ImGui::GetContentRegionAvail().x));
+        ImGui::SameLine();
+        if (link(ui, "remove", "Remove")) gone = one.key;
+        note_item(ui.rects, "remove metric:" + one.key);
+        ImGui::PopID();
+    }
+    for (const std::string& fault : comparison.failed) {
+        reading_text(ui.theme.warning, fault + ".");
+        note_item(ui.rects, "compare:failed", fault);
+    }
+    ImGui::PopFont();
+    if (!gone.empty()) remove_metric(comparing, gone);
 }
 
 // Ratings belong to the patterns that were felt: which of those are others by now, or gone.
@@ -90,7 +118,7 @@ void draw_chosen_metric(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
                         const Comparison& comparison, Rect area) {
     const Fonts& fonts = ui.theme.fonts;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::string name = traits(comparing.panel.metric).name;
+    const std::string& name = metric_of_key(comparison, comparing.panel.metric).name;
     const bool has_people = comparison.people.has_value();
     const char* what = has_people ? "pair by pair" : "how well its map keeps its order";
     draw_text(list, fonts.semibold, area.min, ui.theme.text, name);
@@ -200,6 +228,7 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
     if (!draw_comparison_state(ui, work, shown_map, comparing)) return;
     // Kept while it is drawn.
     const std::shared_ptr<const Comparison> comparison = comparing.comparison;
+    draw_foreign(ui, comparing, *comparison);
     if (comparison->people && !work.document.set.ratings.empty()) {
         draw_people(ui, *comparison);
         if (!comparison->people->said.unrated.empty()) draw_sides(ui, work);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/compare/live_comparison.h"
@@ -36,12 +37,13 @@ struct ShepardFit {
 
 struct ComparePanelState {
     CompareView view = CompareView::table;
-    Metric metric = Metric::pm;             // whose scatter is shown, and whose Shepard diagram
+    std::string metric = "pm";              // key: whose scatter and Shepard diagram are shown
     bool shepard_of_people = false;         // instead
     bool cancelled = false;                 // by the person, until the next edit ...
     std::uint64_t cancelled_at = 0;         // ... of this revision
     std::uint64_t compute_large_of = 0;     // the document whose many patterns were asked for
-    std::shared_ptr<const LiveMap> of;      // what was asked for last
+    std::shared_ptr<const LiveMap> of;      // what was asked for last ...
+    std::vector<ForeignMetric> of_foreign;  // ... with these
     std::shared_ptr<const ShepardFit> fit;  // kept while its map stays what it is
 };
 
@@ -53,6 +55,7 @@ struct Comparing {
     Query<FitRequest, ShepardFit> fit_job;
     Query<int, std::vector<Finding>> findings_job;  // asked for by number
     std::shared_ptr<const std::vector<Finding>> findings;
+    std::vector<ForeignMetric> foreign;  // metrics of one's own, of any document
     ComparePanelState panel;
 };
 

@@ -61,33 +61,61 @@ std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationPara
 
 }  // namespace
 
+void ComparisonWork::add_row(ComparedMetric row, Dissimilarity matrix, const Prediction& prediction,
+                             std::stop_token stop) {
+    row.matrix = std::move(matrix);
+    row.ranks = average_ranks(row.matrix.condensed);
+    row.space = space_of(row.matrix, 3, threads_, std::move(stop));
+    row.rho_with_pm = spearman(row.matrix.condensed, prediction.pm.condensed);
+    metrics_.push_back(std::move(row));
+}
+
 // The matrices and maps of the patterns as they are; false when stopped.
 bool ComparisonWork::follow_matrices(const ComparisonRequest& request, std::stop_token stop,
                                      std::atomic<float>& progress) {
     const PatternSet& set = *request.map->played;
-    if (of_ && same_patterns(*of_->played, set)) return true;
-    of_.reset();
-    metrics_.clear();
+    const bool same = of_ && same_patterns(*of_->played, set);
+    if (same && foreign_ == request.foreign) return true;
     const Prediction& prediction = request.map->prediction;
-    MetricOptions options;
-    options.threads = threads_;
-    options.stop = stop;
-    options.progress = [&progress](double share) {
-        progress = kMatrixShare * static_cast<float>(share);
-    };
-    auto matrices = compared_matrices(set, kMetrics, &prediction, options);
-    if (!matrices) return false;
-    for (std::size_t k = 0; k < kMetricCount; ++k) {
-        ComparedMetric compared;
-        compared.metric = kMetrics[k];
-        compared.matrix = std::move((*matrices)[k]);
-        compared.ranks = average_ranks(compared.matrix.condensed);
-        compared.space = space_of(compared.matrix, 3, threads_, stop);
-        compared.rho_with_pm = spearman(compared.matrix.condensed, prediction.pm.condensed);
-        if (stop.stop_requested()) return false;
-        metrics_.push_back(std::move(compared));
-        progress = kMatrixShare + (kMapShare - kMatrixShare) * part_done(k);
+    of_.reset();
+    failed_.clear();
+    if (!same || metrics_.size() < kMetricCount) {
+        metrics_.clear();
+        MetricOptions options;
+        options.threads = threads_;
+        options.stop = stop;
+        options.progress = [&progress](double share) {
+            progress = kMatrixShare * static_cast<float>(share);
+        };
+        auto matrices = compared_matrices(set, kMetrics, &prediction, options);
+        if (!matrices) return false;
+        for (std::size_t k = 0; k < kMetricCount; ++k) {
+            const MetricTraits& about = traits(kMetrics[k]);
+            ComparedMetric row;
+            row.metric = kMetrics[k];
+            row.key = about.key;
+            row.name = about.name;
+            row.help =
+                std::string(about.name) + ": " + about.description + ". " + about.source + ".";
+            add_row(std::move(row), std::move((*matrices)[k]), prediction, stop);
+            if (stop.stop_requested()) return false;
+            progress = kMatrixShare + (kMapShare - kMatrixShare) * part_done(k);
+        }
     }
+    metrics_.resize(kMetricCount);
+    for (const ForeignMetric& one : request.foreign) {
+        Expected<Dissimilarity> matrix = foreign_matrix(one.from, set, {.stop = stop});
+        if (stop.stop_requested()) return false;
+        if (!matrix) {
+            failed_.push_back(matrix.error().message);
+            continue;
+        }
+        ComparedMetric row;
+        row.key = row.name = one.key;
+        row.help = "A metric of your own, from " + one.from + ".";
+        add_row(std::move(row), *std::move(matrix), prediction, stop);
+    }
+    foreign_ = request.foreign;
     of_ = request.map;
     return true;
 }
@@ -99,26 +127,31 @@ std::optional<Comparison> ComparisonWork::operator()(const ComparisonRequest& re
     progress = kMapShare;
     EvaluationParams params;
     params.threads = threads_;
-    Comparison comparison{request, {}, {}, metrics_};
+    Comparison comparison{request, {}, {}, metrics_, failed_};
     comparison.people = people_of(*request.map, params, stop, comparison.fault);
     if (!comparison.people) return comparison;
-    for (std::size_t k = 0; k < kMetricCount; ++k) {
+    for (std::size_t k = 0; k < comparison.metrics.size(); ++k) {
         if (stop.stop_requested()) return std::nullopt;
         ComparedMetric& metric = comparison.metrics[k];
         const RatedSet& rated = comparison.people->said.rated;
         metric.evaluation = evaluate(metric.matrix, rated, params);
         metric.farthest = disagreements(metric.matrix, rated.people.dissimilarity);
         metric.farthest.resize(std::min(metric.farthest.size(), kFarthest));
-        progress = kMapShare + (1.0F - kMapShare) * part_done(k);
+        progress = std::min(1.0F, kMapShare + (1.0F - kMapShare) * part_done(k));
     }
     return comparison;
+}
+
+const ComparedMetric& metric_of_key(const Comparison& comparison, const std::string& key) {
+    const auto found = std::ranges::find(comparison.metrics, key, &ComparedMetric::key);
+    return found == comparison.metrics.end() ? comparison.metrics.front() : *found;
 }
 
 std::string verdict_on_pm(const Comparison& comparison) {
     std::vector<MetricRho> agreements;
     for (const ComparedMetric& row : comparison.metrics) {
         if (!row.evaluation) return {};
-        agreements.push_back({row.metric, row.evaluation->rho});
+        if (row.metric) agreements.push_back({*row.metric, row.evaluation->rho});
     }
     const std::optional<Metric> best = unbeaten_by_pm(agreements);
     if (!best) return {};
@@ -161,7 +194,7 @@ std::string comparison_csv(const Comparison& comparison) {
     std::string csv = csv_row(cells);
     const NumberMark mark = mark_of(comparison) | mark_of(*comparison.request.map->request.set);
     for (const ComparedMetric& row : comparison.metrics) {
-        cells = {traits(row.metric).name, shortest_digits(row.rho_with_pm)};
+        cells = {row.name, shortest_digits(row.rho_with_pm)};
         if (const auto& e = row.evaluation) {
             for (const double value :
                  {e->rho, e->rho_interval.low, e->rho_interval.high, e->rho_p, e->k, e->k_p}) {

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "app/foreign/foreign_metric.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/evaluation.h"
 #include "model/evaluation/metric.h"
@@ -27,6 +28,7 @@ inline constexpr std::size_t kMostUnaskedComparison = 40;
 
 struct ComparisonRequest {
     std::shared_ptr<const LiveMap> map;  // exact; its set has the ratings
+    std::vector<ForeignMetric> foreign{};
 };
 
 // A pair whose rank by a metric is not that of the ratings.
@@ -37,9 +39,12 @@ struct Disagreement {
 };
 
 struct ComparedMetric {
-    Metric metric = Metric::pm;
-    Dissimilarity matrix;       // as it is evaluated
-    std::vector<double> ranks;  // of all pairs
+    std::optional<Metric> metric;  // none: a foreign one
+    std::string key;               // "pm", "mine (foreign)"
+    std::string name;              // "PM", as the key of a foreign one
+    std::string help;              // what it is, with its source
+    Dissimilarity matrix;          // as it is evaluated
+    std::vector<double> ranks;     // of all pairs
     PerceptualSpace space;
     double rho_with_pm = 0.0;
     std::optional<Evaluation> evaluation;  // with ratings
@@ -55,8 +60,12 @@ struct Comparison {
     ComparisonRequest request;
     std::optional<ComparedPeople> people;
     std::string fault;                    // why there is nobody to compare with
-    std::vector<ComparedMetric> metrics;  // in the order of kMetrics
+    std::vector<ComparedMetric> metrics;  // in the order of kMetrics, then the foreign ones
+    std::vector<std::string> failed{};    // why a foreign one is not there, sentences
 };
+
+// The row of this key, else that of PM.
+const ComparedMetric& metric_of_key(const Comparison& comparison, const std::string& key);
 
 // A row a metric in CSV, with all digits; without ratings only how it agrees with PM.
 std::string comparison_csv(const Comparison& comparison);
@@ -73,9 +82,14 @@ class ComparisonWork {
     bool follow_matrices(const ComparisonRequest& request, std::stop_token stop,
                          std::atomic<float>& progress);
 
+    void add_row(ComparedMetric row, Dissimilarity matrix, const Prediction& prediction,
+                 std::stop_token stop);
+
     int threads_;  // 0: all cores
     std::shared_ptr<const LiveMap> of_;
+    std::vector<ForeignMetric> foreign_;   // that are among them, or failed
     std::vector<ComparedMetric> metrics_;  // without evaluations
+    std::vector<std::string> failed_;
 };
 
 // Says so where PM is not better than the best metric that takes no model of the nerves; else

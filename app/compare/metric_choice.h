@@ -15,6 +15,14 @@ namespace tact {
 // "Msm: spectral matching, ... Park & Kuchenbecker 2019.": what its short name stands for.
 std::string metric_help(Metric metric);
 
+// Those of the program, then one's own.
+struct NamedMetric {
+    std::string key;
+    std::string name;
+    std::string help;
+};
+std::vector<NamedMetric> named_metrics(const Comparing& comparing);
+
 // A list to choose from; `with_people`: the ratings' own map too.
 void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people);
 

@@ -67,7 +67,7 @@ std::string interval_text(const Evaluation& e) {
 }
 
 std::string tip_of(const ComparedMetric& row, const NumberMark& mark) {
-    std::string tip = metric_help(row.metric);
+    std::string tip = row.help;
     if (!row.evaluation) return tip;
     const Evaluation& e = *row.evaluation;
     tip += "\n" + of_people("rho ", mark) + digits(e.rho, 2) + ", 95 % " + interval_text(e) +
@@ -85,26 +85,25 @@ enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
               const NumberMark& mark) {
-    const MetricTraits& metric = traits(row.metric);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const float room = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable(metric.name, comparing.panel.metric == row.metric,
+    if (ImGui::Selectable(label_of(row.name).c_str(), comparing.panel.metric == row.key,
                           ImGuiSelectableFlags_SpanAllColumns)) {
-        comparing.panel.metric = row.metric;
+        comparing.panel.metric = row.key;
         comparing.panel.shepard_of_people = false;
     }
-    note_item(ui.rects, std::string("metric:") + metric.key, row_value(row));
+    note_item(ui.rects, "metric:" + row.key, row_value(row));
     draw_tooltip(ui, tip_of(row, mark).c_str());
     constexpr const char* kOurs = "ours";
-    const float beside = ImGui::CalcTextSize(metric.name).x + ImGui::GetStyle().ItemSpacing.x +
+    const float beside = ImGui::CalcTextSize(row.name.c_str()).x + ImGui::GetStyle().ItemSpacing.x +
                          text_size(ui.theme.fonts.small, kOurs).x;
-    if (metric.is_reference && beside <= room) {
+    if (row.metric && traits(*row.metric).is_reference && beside <= room) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
         dim_text(ui, kOurs);
         ImGui::PopFont();
-        note_item(ui.rects, std::string("ours:") + metric.key);
+        note_item(ui.rects, "ours:" + row.key);
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
@@ -198,7 +197,7 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
     for (const ComparedMetric& row : comparison.metrics) {
         if (!row.evaluation) continue;
         for (const std::string& remark : row.evaluation->remarks) {
-            all += std::string(all.empty() ? "" : "\n") + traits(row.metric).name + ": " + remark;
+            all += std::string(all.empty() ? "" : "\n") + row.name + ": " + remark;
         }
     }
     if (comparison.people && comparison.request.map->prediction.pm.size <= 7) {

@@ -34,7 +34,7 @@ struct ShownFit {
 std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_map,
                                   const Comparing& comparing,
                                   const std::shared_ptr<const Comparison>& comparison) {
-    const bool is_pm = comparing.panel.metric == Metric::pm && !comparing.panel.shepard_of_people;
+    const bool is_pm = comparing.panel.metric == "pm" && !comparing.panel.shepard_of_people;
     if (is_pm) {
         return ShownFit{&shown_map.transition.shown->prediction.pm,
                         &shown_map.transition.shown->space, "PM",
@@ -43,9 +43,8 @@ std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_m
     if (comparison == nullptr) return std::nullopt;
     const bool stale = shown_comparison(work, shown_map, comparing).is_stale;
     if (!comparing.panel.shepard_of_people) {
-        const ComparedMetric& row =
-            comparison->metrics[static_cast<std::size_t>(comparing.panel.metric)];
-        return ShownFit{&row.matrix, &row.space, traits(row.metric).name, stale, comparison};
+        const ComparedMetric& row = metric_of_key(*comparison, comparing.panel.metric);
+        return ShownFit{&row.matrix, &row.space, row.name, stale, comparison};
     }
     if (!comparison->people) return std::nullopt;
     const RatedPeople& said = comparison->people->said;
@@ -143,6 +142,17 @@ void choose_clicked(Workspace& work, const std::vector<Vibration>& vibrations,
     choose_pair(work, i, j);
 }
 
+std::vector<NamedMetric> named_metrics(const Comparing& comparing) {
+    std::vector<NamedMetric> all;
+    for (const Metric metric : kMetrics) {
+        all.push_back({traits(metric).key, traits(metric).name, metric_help(metric)});
+    }
+    for (const ForeignMetric& one : comparing.foreign) {
+        all.push_back({one.key, one.key, "A metric of your own, from " + one.from + "."});
+    }
+    return all;
+}
+
 std::string metric_help(Metric metric) {
     const MetricTraits& about = traits(metric);
     return std::string(about.name) + ": " + about.description + ". " + about.source + ".";
@@ -150,17 +160,20 @@ std::string metric_help(Metric metric) {
 
 void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people) {
     const bool people = with_people && comparing.panel.shepard_of_people;
+    const std::vector<NamedMetric> all = named_metrics(comparing);
+    const auto chosen = std::ranges::find(all, comparing.panel.metric, &NamedMetric::key);
+    const NamedMetric& shown = chosen == all.end() ? all.front() : *chosen;
     ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
-    const char* shown = people ? "Ratings" : traits(comparing.panel.metric).name;
-    if (ImGui::BeginCombo("##metric", shown, ImGuiComboFlags_HeightLargest)) {
-        for (const Metric metric : kMetrics) {
-            const bool chosen = !people && comparing.panel.metric == metric;
-            if (ImGui::Selectable(traits(metric).name, chosen)) {
-                comparing.panel.metric = metric;
+    const std::string words = people ? "Ratings" : shown.name;
+    if (ImGui::BeginCombo("##metric", label_of(words).c_str(), ImGuiComboFlags_HeightLargest)) {
+        for (const NamedMetric& metric : all) {
+            if (ImGui::Selectable(label_of(metric.name).c_str(),
+                                  !people && metric.key == shown.key)) {
+                comparing.panel.metric = metric.key;
                 comparing.panel.shepard_of_people = false;
             }
-            note_item(ui.rects, std::string("choose:") + traits(metric).key);
-            draw_tooltip(ui, metric_help(metric).c_str());
+            note_item(ui.rects, "choose:" + metric.key);
+            draw_tooltip(ui, metric.help.c_str());
         }
         if (with_people && !work.document.set.ratings.empty()) {
             if (ImGui::Selectable("Ratings", people)) comparing.panel.shepard_of_people = true;
@@ -168,9 +181,8 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
         }
         ImGui::EndCombo();
     }
-    note_item(ui.rects, "combo:metric", shown);
-    draw_tooltip(
-        ui, people ? "The map of what people said." : metric_help(comparing.panel.metric).c_str());
+    note_item(ui.rects, "combo:metric", words);
+    draw_tooltip(ui, people ? "The map of what people said." : shown.help.c_str());
 }
 
 void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,

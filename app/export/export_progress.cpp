@@ -1,10 +1,10 @@
 #include "app/export/export_progress.h"
 
-#include <cstdio>
 #include <string>
 
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
+#include "model/text/utf8.h"
 
 namespace tact {
 
@@ -18,8 +18,7 @@ std::string time_left(const Ui& ui, const RunningAnimation& running) {
 
 }  // namespace
 
-void draw_export_progress(Ui& ui, ExportState& exports) {
-    const RunningAnimation& running = *exports.animation;
+bool draw_progress_plate(Ui& ui, const ProgressPlate& plate) {
     const Theme& theme = ui.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x - theme.padding_px, screen.y - 34.0F * theme.scale},
@@ -30,22 +29,30 @@ void draw_export_progress(Ui& ui, ExportState& exports) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing)) {
-        char text[96];
-        std::snprintf(text, sizeof text, "Drawing frame %d of %d%s", running.done + 1,
-                      running.sequence.frames, time_left(ui, running).c_str());
-        ImGui::TextUnformatted(text);
-        note_item(ui.rects, "export progress", text);
-        const float share =
-            static_cast<float>(running.done) / static_cast<float>(running.sequence.frames);
-        ImGui::ProgressBar(share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
-        cancelled = ImGui::Button("Cancel export");
-        note_item(ui.rects, "button:cancel export");
-        draw_tooltip(ui, running.film ? "No file is written (Esc)"
-                                      : "Keeps the frames that are drawn (Esc)");
+        ImGui::TextUnformatted(plate.text.c_str());
+        note_item(ui.rects, "export progress", plate.text);
+        if (plate.share) {
+            ImGui::ProgressBar(*plate.share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
+        }
+        cancelled = ImGui::Button(plate.cancel);
+        note_item(ui.rects, std::string("button:") + lower_case(plate.cancel));
+        draw_tooltip(ui, plate.told);
     }
     ImGui::End();
     ImGui::PopStyleColor();
-    exports.cancel_asked |= cancelled;
+    return cancelled;
+}
+
+void draw_export_progress(Ui& ui, ExportState& exports) {
+    const RunningAnimation& running = *exports.animation;
+    exports.cancel_asked |= draw_progress_plate(
+        ui,
+        {.text = "Drawing frame " + std::to_string(running.done + 1) + " of " +
+                 std::to_string(running.sequence.frames) + time_left(ui, running),
+         .share = static_cast<float>(running.done) / static_cast<float>(running.sequence.frames),
+         .cancel = "Cancel export",
+         .told =
+             running.film ? "No file is written (Esc)" : "Keeps the frames that are drawn (Esc)"});
 }
 
 }  // namespace tact

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/export/effect_export.h"
+#include "app/export/paper.h"
 #include "app/pictures/film.h"
 #include "app/pictures/frame_sequence.h"
 #include "app/pictures/pictures.h"
@@ -51,6 +52,7 @@ struct ExportState {
     bool cancel_asked = false;  // of the animation
     bool copy_asked = false;    // of the view, to the clipboard
     EffectExport effects;       // patterns for phones and other programs
+    PaperState paper;           // tables and figures
 };
 
 }  // namespace tact

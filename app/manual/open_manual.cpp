@@ -1,14 +1,10 @@
 #include "app/manual/open_manual.h"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/session/child_process.h"
@@ -20,22 +16,6 @@ namespace tact {
 namespace {
 
 namespace fs = std::filesystem;
-
-// How it ended; none where it was stopped.
-std::optional<int> ended(pid_t process, const std::stop_token& stop) {
-    int status = 0;
-    for (;;) {
-        const pid_t which = waitpid(process, &status, WNOHANG);
-        if (which == process) return status;
-        if (which < 0 && errno != EINTR) return std::nullopt;
-        if (stop.stop_requested()) {
-            kill(process, SIGTERM);
-            waitpid(process, &status, 0);
-            return std::nullopt;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-}
 
 // In a process of its own: pictures are drawn as the window is, which one thread alone may do.
 std::optional<ManualMade> made_manual(const ManualRequest& request, const std::stop_token& stop) {
@@ -75,11 +55,6 @@ void show_in_browser(Ui& ui, ManualState& manual, const fs::path& page) {
 }
 
 }  // namespace
-
-fs::path running_program() {
-    std::error_code none;
-    return fs::read_symlink("/proc/self/exe", none);
-}
 
 fs::path installed_manual(const fs::path& program) {
     return program.parent_path().parent_path() / "share/doc/tactspace/manual.html";

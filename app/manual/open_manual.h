@@ -13,9 +13,6 @@
 
 namespace tact {
 
-// The file of the running program; empty where the system does not say.
-std::filesystem::path running_program();
-
 // Beside a program in bin/, as packages have it.
 std::filesystem::path installed_manual(const std::filesystem::path& program);
 

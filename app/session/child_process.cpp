@@ -2,9 +2,15 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
+#include <system_error>
+#include <thread>
 
 namespace tact {
 
@@ -24,6 +30,26 @@ Expected<pid_t> started(std::vector<std::string> words, const std::filesystem::p
     posix_spawn_file_actions_destroy(&actions);
     if (fault == 0) return process;
     return Error{words[0] + " cannot be started: " + std::strerror(fault)};
+}
+
+std::optional<int> ended(pid_t process, const std::stop_token& stop) {
+    int status = 0;
+    for (;;) {
+        const pid_t which = waitpid(process, &status, WNOHANG);
+        if (which == process) return status;
+        if (which < 0 && errno != EINTR) return std::nullopt;
+        if (stop.stop_requested()) {
+            kill(process, SIGTERM);
+            waitpid(process, &status, 0);
+            return std::nullopt;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+std::filesystem::path running_program() {
+    std::error_code none;
+    return std::filesystem::read_symlink("/proc/self/exe", none);
 }
 
 }  // namespace tact

@@ -4,6 +4,8 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,5 +17,11 @@ namespace tact {
 // file; default: nowhere.
 Expected<pid_t> started(std::vector<std::string> words,
                         const std::filesystem::path& said = "/dev/null");
+
+// How it ended, as waitpid says it; none: it was asked to stop, or is nobody's child here.
+std::optional<int> ended(pid_t process, const std::stop_token& stop);
+
+// The file of the running program; empty where the system does not say.
+std::filesystem::path running_program();
 
 }  // namespace tact

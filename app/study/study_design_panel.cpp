@@ -158,7 +158,11 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
     ImGui::PopFont();
     note_item(ui.rects, "study:prediction", text);
     draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");
-    if (studying.kind == StudyKind::pairwise) draw_chance(ui, design);
+    if (studying.kind != StudyKind::pairwise) return;
+    if (link(ui, "plan", "How many people?")) ui.dialog = Dialog::plan;
+    note_item(ui.rects, "link:plan");
+    draw_tooltip(ui, "Simulates studies: how sure would this one be, and which patterns decide?");
+    draw_chance(ui, design);
 }
 
 // Numbers of groups, as text; taken when the entry is left.

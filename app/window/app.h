@@ -23,6 +23,7 @@
 #include "app/opening/opening_state.h"
 #include "app/patterns/patterns_state.h"
 #include "app/physiology/physiology_state.h"
+#include "app/planning/plan_state.h"
 #include "app/play/play_state.h"
 #include "app/rendering/rendering_state.h"
 #include "app/sounds/sounds_state.h"
@@ -96,6 +97,7 @@ struct App {
     SoundsState sounds;
     LibraryState library;
     StudyState studying;
+    PlanState planning;
     CalibrateState calibrating;
     LessonState lesson;
     CourseState course;

@@ -140,6 +140,13 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      "synthetic measured actuator resonance"},
 
     {"Study",
+     "Plan the study...",
+     {},
+     has_study,
+     [](App& app) { app.ui.dialog = Dialog::plan; },
+     nullptr,
+     "how many people power preregister preregistration simulate pilot"},
+    {"Study",
      "Run a participant...",
      {},
      has_study,

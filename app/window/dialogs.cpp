@@ -24,6 +24,8 @@
 #include "app/opening/opening.h"
 #include "app/patterns/effect_maps_dialog.h"
 #include "app/patterns/tapping.h"
+#include "app/planning/plan_dialog.h"
+#include "app/planning/plan_follow.h"
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
 #include "app/sounds/sounds_dialog.h"
@@ -133,6 +135,8 @@ void draw_chooser(App& app) {
             return load_tables(app.ui, app.work, *chosen);
         case ChooserPurpose::load_ratings:
             return read_tables(app.ui, app.work, app.table, {*chosen});
+        case ChooserPurpose::add_metric:
+            return add_metric(app.ui, app.comparing, *chosen);
         case ChooserPurpose::open_table:
             return open_table(app.ui, app.work, app.table, *chosen);
         case ChooserPurpose::load_calibration:
@@ -155,6 +159,8 @@ void draw_chooser(App& app) {
             return set_study_folder(app.work, app.studying, *chosen);
         case ChooserPurpose::export_study:
             return export_study(app.ui, app.studying, *chosen);
+        case ChooserPurpose::preregister:
+            return preregister(app.ui, app.work, app.planning, *chosen);
         case ChooserPurpose::export_view:
             return export_view(app.exports, *chosen);
         case ChooserPurpose::export_subset:
@@ -163,6 +169,10 @@ void draw_chooser(App& app) {
             return export_report(app.ui, app.picking, *chosen);
         case ChooserPurpose::export_effects:
             return export_effects(app.exports.effects, *chosen);
+        case ChooserPurpose::paper_set:
+            return add_paper_set(app.ui, app.exports.paper, *chosen);
+        case ChooserPurpose::paper_folder:
+            return write_paper(app.ui, app.work, app.exports.paper, *chosen);
         case ChooserPurpose::export_stages:
             return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:
@@ -210,6 +220,8 @@ void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);
     draw_chooser(app);
     draw_exports(app.ui, app.work, app.exports);
+    if (app.ui.dialog == Dialog::paper) draw_paper_dialog(app.ui, app.work, app.exports.paper);
+    if (!app.exports.animation) draw_paper_progress(app.ui, app.exports.paper);
     if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app.ui, app.work, app.importing);
@@ -229,6 +241,7 @@ void draw_dialogs(App& app) {
     if (app.ui.dialog == Dialog::tap_rhythm)
         draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
     if (app.ui.dialog == Dialog::leave_out) draw_leave_out_dialog(app.ui, app.work, app.studying);
+    if (app.ui.dialog == Dialog::plan) draw_plan_dialog(app.ui, app.work, app.planning);
     if (app.ui.dialog == Dialog::save_workspace)
         draw_workspace_dialog(app.ui, app.layout, app.workspaces);
     if (app.ui.dialog == Dialog::conduct_rules) draw_conduct_dialog(app.ui, app.studying);

@@ -148,6 +148,8 @@ constexpr auto
                  [](App& app) { export_report_dialog(app.ui, app.work); },
                  nullptr,
                  "page html groups confuse distinct players client print"},
+                {"File", "Paper...", {}, has_selection, [](App& app) { open_paper(app.ui); }, nullptr,
+                 "table 2 figures publication lim park metrics people k rho methods"},
                 {"File",
                  "Export vibrations...",
                  {},

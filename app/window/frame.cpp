@@ -28,6 +28,7 @@
 #include "app/model_bench/training_follow.h"
 #include "app/opening/opening.h"
 #include "app/physiology/physiology_follow.h"
+#include "app/planning/plan_follow.h"
 #include "app/play/listening.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"
@@ -442,7 +443,8 @@ double next_wake_s(const App& app) {
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
         is_training(app.model_bench) || is_opening(app.opening) || is_placing(app.steps) ||
         is_transforming(app.transform) || is_asking(app.maybes) ||
-        is_predicting_loss(app.exports.effects) || is_library_busy(app.library)) {
+        is_predicting_loss(app.exports.effects) || is_writing_paper(app.exports.paper) ||
+        is_planning(app.planning) || is_library_busy(app.library)) {
         wake_s = 0.1;  // progress
     }
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||

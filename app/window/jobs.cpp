@@ -55,6 +55,7 @@ PatternPanes anew(const PatternPanes& was) {
 Comparing anew(const Comparing& was) {
     Comparing fresh;
     fresh.findings = was.findings;
+    fresh.foreign = was.foreign;
     fresh.panel.view = was.panel.view;
     fresh.panel.metric = was.panel.metric;
     return fresh;
@@ -81,6 +82,12 @@ RenderingState anew(const RenderingState& was) {
     return fresh;
 }
 
+PlanState anew(const PlanState& was) {
+    PlanState fresh;
+    fresh.choice = was.choice;
+    return fresh;
+}
+
 EffectExport anew(const EffectExport& was) {
     EffectExport fresh;
     fresh.choice = was.choice;
@@ -95,6 +102,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::export_view:
         case Dialog::export_animation:
         case Dialog::export_effects:
+        case Dialog::paper:
         case Dialog::from_sound:
         case Dialog::generate:
         case Dialog::import_recordings:
@@ -105,6 +113,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::tap_rhythm:
         case Dialog::pad:
         case Dialog::leave_out:
+        case Dialog::plan:
             return true;
         case Dialog::none:
         case Dialog::about:
@@ -149,6 +158,7 @@ void begin_others_again(App& app) {
     ui.progress.clear();
     begin_again(app.rendered, anew(app.rendered));
     begin_again(app.exports.effects, anew(app.exports.effects));
+    begin_again(app.planning, anew(app.planning));
     app.exports.from_s = app.exports.to_s = 0.0;
     app.importing.files.clear();
     app.importing.patterns.clear();
@@ -276,6 +286,8 @@ void stop_jobs(App& app) {
     app.steps.job.end();
     app.transform.job.end();
     app.exports.effects.job.end();
+    app.exports.paper.job.end();
+    app.planning.job.end();
     app.comparing.findings_job.end();
     app.rendered.job.end();
     app.comparing.fit_job.end();
@@ -295,6 +307,7 @@ void take_answers(App& app) {
     follow_lesson(app.lesson);
     follow_course(app.ui, app.work.session, app.lesson, app.course);
     take_manual(app.ui, app.manual);
+    take_paper(app.ui, app.exports.paper);
     take_compare_answers(app.rendered, app.comparing);
 }
 

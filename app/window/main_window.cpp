@@ -8,11 +8,11 @@
 #include "app/export/exports.h"
 #include "app/lesson/presenting.h"
 #include "app/lesson/speaker_notes.h"
-#include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
 #include "app/play/emergency_stop.h"
 #include "app/play/playing.h"
 #include "app/screen/window.h"
+#include "app/session/child_process.h"
 #include "app/session/crash_report.h"
 #include "app/study/study_follow.h"
 #include "app/window/animation.h"
@@ -97,6 +97,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     watch_for_crashes(crash_report_file());
     app.ui.wake = wake_window;
     app.manual.program = running_program();
+    app.exports.paper.program = app.manual.program;
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();
     make_jobs(app);

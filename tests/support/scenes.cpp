@@ -14,6 +14,7 @@
 #include "app/lesson/lesson_edit.h"
 #include "app/library/library_follow.h"
 #include "app/map/map_follow.h"
+#include "app/planning/plan_follow.h"
 #include "app/sounds/sounds_follow.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
@@ -435,6 +436,8 @@ void add_dialogs(std::vector<Scene>& all) {
          {"export view", "Export view..."},
          {"export animation", "Export animation..."},
          {"export vibrations", "Export vibrations..."},
+         {"paper", "Paper..."},
+         {"plan", "Plan the study..."},
          {"generate", "Generate candidates..."},
          {"steps", "Steps between..."},
          {"transform", "Transform..."},
@@ -467,6 +470,17 @@ void add_dialogs(std::vector<Scene>& all) {
                        rule.repeat_rho = 0.3;
                        rule.replays = 5.0;
                        show_dialog(p, Dialog::conduct_rules);
+                   }});
+    all.push_back({"dialog, plan with an answer", [](Program& p) {
+                       PlanChoice& choice = p.app.planning.choice;
+                       choice.first = 4;
+                       choice.last = 9;
+                       choice.all_patterns = choice.all_pairs = false;
+                       choice.decide = 5;
+                       choice.pairs = 8;
+                       simulate_plan(p.app.ui, p.app.work, p.app.planning);
+                       wait_until(p, [&p] { return !is_planning(p.app.planning); });
+                       run(p, "Plan the study...");
                    }});
     all.push_back({"dialog, open table", [](Program& p) {
                        const auto file = std::filesystem::temp_directory_path() /

@@ -1,17 +1,23 @@
 #include "app/command_line/agreement/compared_sets.h"
 
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 #include <span>
 #include <utility>
 
-#include "app/command_line/agreement/foreign_metric.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
+#include "app/foreign/foreign_metric.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
 namespace {
+
+void tell_remark(const std::string& remark) {
+    std::cerr << "tactspace: " << shown_text(remark) << "\n";
+}
 
 // Those asked for, or all.
 Expected<std::vector<Metric>> metrics_of(const CompareCommand& command) {
@@ -49,8 +55,8 @@ Expected<SetAgreement> agreement_of(const CompareCommand& command, std::span<con
     std::vector<ForeignMetric> foreign;
     std::vector<Dissimilarity> theirs;
     for (const std::string& from : command.metrics_from) {
-        Expected<Dissimilarity> matrix =
-            foreign_matrix(from, patterns.set, command.ratings.written);
+        Expected<Dissimilarity> matrix = foreign_matrix(
+            from, patterns.set, {.written = command.ratings.written, .remark = tell_remark});
         if (!matrix) return matrix.error();
         theirs.push_back(*std::move(matrix));
         foreign.push_back(foreign_metric(from));

@@ -5,18 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/foreign/foreign_metric.h"
 #include "app/rendering/labels.h"
 #include "model/evaluation/metric_comparison.h"
 #include "model/study/agreement.h"
 #include "model/study/who_counts.h"
 
 namespace tact {
-
-// A metric that is not of this program.
-struct ForeignMetric {
-    std::string key;   // "mine (foreign)": marked wherever it is named
-    std::string from;  // file, or file and function
-};
 
 struct SetAgreement {
     std::string name;

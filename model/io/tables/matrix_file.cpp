@@ -406,4 +406,24 @@ Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path,
     });
 }
 
+Expected<Dissimilarity> dissimilarities_of(const LabelledMatrix& matrix,
+                                           std::span<const std::string> names,
+                                           const std::string& file) {
+    std::vector<std::size_t> places;
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(matrix.labels, name);
+        if (found == matrix.labels.end()) {
+            return Error{file + ": expected a row \"" + name + "\" as the set has such a pattern"};
+        }
+        places.push_back(static_cast<std::size_t>(found - matrix.labels.begin()));
+    }
+    Dissimilarity result{names.size(), {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            result.condensed.push_back(matrix.dissimilarity(places[i], places[j]));
+        }
+    }
+    return result;
+}
+
 }  // namespace tact

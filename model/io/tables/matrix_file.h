@@ -61,4 +61,10 @@ Expected<LabelledMatrix> parse_matrix(std::string_view text, const std::string& 
 Expected<LabelledMatrix> read_matrix_file(const std::filesystem::path& path,
                                           const TableHints& hints = {});
 
+// How far apart the objects of these names are by a matrix that may have others and another order.
+// An Error names the file and the first that is missing.
+Expected<Dissimilarity> dissimilarities_of(const LabelledMatrix& matrix,
+                                           std::span<const std::string> names,
+                                           const std::string& file);
+
 }  // namespace tact

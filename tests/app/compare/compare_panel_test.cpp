@@ -187,7 +187,7 @@ TEST_CASE("compare tab: a row chooses the metric of the pairs and of the Shepard
     bench.load(square_csv());
     bench.wait_for_comparison();
     bench.program.click("metric:mtm");
-    CHECK(bench.program.app.comparing.panel.metric == Metric::mtm);
+    CHECK(bench.program.app.comparing.panel.metric == "mtm");
     bench.program.click("compare:Pairs");
     CHECK(bench.program.at("combo:metric").value == "Mtm");
     bench.program.click("tab:Shepard");
@@ -337,6 +337,63 @@ TEST_CASE("compare: ratings of the patterns alone can be held against either sid
     bench.program.click("button:intended only");
     bench.wait_for_comparison();
     CHECK(bench.program.app.comparing.comparison->people);
+}
+
+TEST_CASE("compare tab: a matrix of one's own is a row beside the others, marked as foreign" *
+          doctest::test_suite("long")) {
+    CompareBench bench;
+    bench.load(square_csv());
+    bench.program.click("tab:Compare");
+    bench.wait_for_comparison();
+    bench.program.click("link:add metric");
+    CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::add_metric);
+    bench.program.press_key(key::kEscape);
+    // The ratings themselves: nothing agrees better.
+    Comparing& comparing = bench.program.app.comparing;
+    add_metric(bench.program.app.ui, comparing, bench.folder.write("mine.csv", square_csv()));
+    bench.wait_for_comparison();
+    CHECK(numbers_in(bench.program.at("metric:mine (foreign)").value).at(0) == 1.0);
+    CHECK(comparing.panel.metric == "mine (foreign)");
+    const ComparedMetric& row = metric_of_key(*comparing.comparison, "mine (foreign)");
+    CHECK_FALSE(row.metric);
+    CHECK(row.space.points.rows() == static_cast<Eigen::Index>(kRatedPatterns));
+    CHECK(contains(comparison_csv(*comparing.comparison), "mine (foreign)"));
+    // One that fails says why, and the others stay.
+    add_metric(bench.program.app.ui, comparing,
+               bench.folder.write("other.csv", ",a,b\na,0,1\nb,1,0\n"));
+    bench.wait_for_comparison();
+    REQUIRE(comparing.comparison->failed.size() == 1);
+    CHECK(contains(comparing.comparison->failed[0], "other.csv"));
+    CHECK(bench.program.shows("metric:mine (foreign)"));
+    bench.program.click("remove metric:other (foreign)");
+    bench.wait_for_comparison();
+    CHECK(comparing.comparison->failed.empty());
+}
+
+TEST_CASE("compare tab: a Python file with several functions is asked about, one without refused") {
+    CompareBench bench;
+    Comparing& comparing = bench.program.app.comparing;
+    Ui& ui = bench.program.app.ui;
+    add_metric(ui, comparing, bench.folder.write("none.py", "x = 1\n"));
+    CHECK(ui.status.is_error);
+    CHECK(comparing.foreign.empty());
+    add_metric(ui, comparing,
+               bench.folder.write("one.py", "def apart(a, b, rate_hz):\n    return 1\n"));
+    REQUIRE(comparing.foreign.size() == 1);
+    CHECK(comparing.foreign[0].key == "apart (foreign)");
+    CHECK(comparing.panel.metric == "apart (foreign)");
+    add_metric(ui, comparing,
+               bench.folder.write("two.py",
+                                  "def near(a, b, r):\n    return 1\n\n"
+                                  "def _own():\n    pass\n\n"
+                                  "def far(a, b, r):\n    return 2\n"));
+    REQUIRE(ui.question);
+    CHECK(ui.question->answers.size() == 3);  // two, and none
+    ui.question->answers[1].run();
+    CHECK(comparing.foreign.back().key == "far (foreign)");
+    remove_metric(comparing, "far (foreign)");
+    CHECK(comparing.foreign.size() == 1);
+    CHECK(comparing.panel.metric == "pm");
 }
 
 }  // namespace compare_panel_test

@@ -1,18 +1,21 @@
-#include "app/command_line/agreement/foreign_metric.h"
+#include "app/foreign/foreign_metric.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/session/child_process.h"
 #include "assets/assets.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/set/set_waveforms.h"
+#include "model/text/atomic_file.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -48,13 +51,12 @@ struct ScratchFolder {
     }
 };
 
-// Runs it until it ends; 0: well. What it says goes to a file.
-Expected<int> run_program(std::vector<std::string> words, const fs::path& said) {
+// Runs it until it ends or is stopped; 0: well. What it says goes to a file.
+Expected<int> run_program(std::vector<std::string> words, const fs::path& said,
+                          const std::stop_token& stop) {
     const auto process = started(std::move(words), said);
     if (!process) return process.error();
-    int status = 0;
-    while (waitpid(*process, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = ended(*process, stop).value_or(-1);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -82,7 +84,7 @@ std::vector<double> read_doubles(const fs::path& file, std::size_t count) {
 }
 
 Expected<Dissimilarity> called(const PythonMetric& metric, const std::string& from,
-                               const PatternSet& set) {
+                               const PatternSet& set, const std::stop_token& stop) {
     if (!fs::is_regular_file(metric.file)) {
         return Error{metric.file + ": there is no such file"};
     }
@@ -104,7 +106,7 @@ Expected<Dissimilarity> called(const PythonMetric& metric, const std::string& fr
         run_program({"python3", "-c", std::string(asset("metric/call_metric.py")), metric.file,
                      metric.function, samples.string(), answer.string(),
                      std::to_string(static_cast<int>(kModelRateHz)), std::to_string(n)},
-                    said);
+                    said, stop);
     if (!ended) return Error{from + ": " + ended.error().message};
     if (*ended != 0) {
         const std::string words = last_line(said);
@@ -125,10 +127,29 @@ ForeignMetric foreign_metric(const std::string& from) {
 }
 
 Expected<Dissimilarity> foreign_matrix(const std::string& from, const PatternSet& set,
-                                       const TableHints& written) {
+                                       const ForeignOptions& options) {
     const PythonMetric python = python_metric(from);
-    if (!python.function.empty()) return called(python, from, set);
-    return dissimilarities_in(from, names_of(set), written);
+    if (!python.function.empty()) return called(python, from, set, options.stop);
+    const Expected<LabelledMatrix> matrix = read_matrix_file(from, options.written);
+    if (!matrix) return matrix.error();
+    for (const std::string& remark : matrix->remarks) {
+        if (options.remark) options.remark(from + ": " + remark);
+    }
+    return dissimilarities_of(*matrix, names_of(set), from);
+}
+
+std::vector<std::string> functions_in(const fs::path& file) {
+    const Expected<std::string> text = read_text_file(file);
+    std::istringstream lines(text ? *text : std::string());
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string_view begin = "def ";
+        const std::size_t end = line.find('(');
+        if (!line.starts_with(begin) || end == std::string::npos) continue;
+        const std::string name = line.substr(begin.size(), end - begin.size());
+        if (!name.empty() && name.front() != '_') names.push_back(name);
+    }
+    return names;
 }
 
 }  // namespace tact

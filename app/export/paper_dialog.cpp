@@ -1,0 +1,126 @@
+// The dialog of paper.h.
+
+#include <optional>
+
+#include "app/export/paper.h"
+#include "app/ui/dialog.h"
+#include "app/ui/file_question.h"
+#include "app/ui/widgets.h"
+#include "model/pattern/pattern_parameter.h"
+#include "model/set/parameter_paths.h"
+#include "model/text/file_stem.h"
+#include "model/text/numbers.h"
+#include "viz/drawing/marks.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kPaperDialogPx = 720.0F;
+
+std::string size_text(std::size_t patterns, std::size_t people) {
+    return counted(patterns, "pattern", "patterns") + ", " +
+           (people == 1 ? "ratings of one person, or of one mean"
+                        : "ratings of " + counted(people, "person", "people"));
+}
+
+// Names may be long, and have a line of their own.
+void draw_set(const Ui& ui, const std::string& name, const std::string& words) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(shortened(ui.theme.fonts.regular, name, room).c_str());
+    dim_text(ui, words);
+}
+
+// The open set, and those that were added, each with a link that takes it away again.
+void draw_sets(Ui& ui, const Workspace& work, PaperState& paper) {
+    const PatternSet& set = work.document.set;
+    draw_label(ui, "Sets");
+    ImGui::BeginGroup();
+    const std::string open = set.name.empty() ? "The open set" : set.name;
+    draw_set(ui, open,
+             set.ratings.empty() ? "Has no ratings and is left out: File > Load ratings..."
+                                 : size_text(set.vibrations.size(), raters_of(set)));
+    note_item(ui.rects, "paper:open set", size_text(set.vibrations.size(), raters_of(set)));
+    std::optional<std::size_t> gone;
+    for (std::size_t k = 0; k < paper.more.size(); ++k) {
+        const PaperSet& one = paper.more[k];
+        draw_set(ui, one.name, size_text(one.patterns, one.people));
+        ImGui::SameLine();
+        const std::string id = "take away " + std::to_string(k + 1);
+        if (link(ui, id.c_str(), "Take away")) gone = k;
+        note_item(ui.rects, "paper:set " + std::to_string(k + 1), one.name);
+    }
+    ImGui::EndGroup();
+    if (gone) paper.more.erase(paper.more.begin() + static_cast<std::ptrdiff_t>(*gone));
+}
+
+// By name; the first joins along what joins most.
+void draw_along(Ui& ui, const PatternSet& set, std::string& along) {
+    draw_label(ui, "Join along");
+    const auto most = most_joining(set.vibrations);
+    const std::string usual =
+        most ? std::string("what joins most: ") + traits(*most).name : "what joins most";
+    std::string shown = usual;
+    for (const PatternParameter one : kPatternParameters) {
+        if (along == traits(one).key) shown = traits(one).name;
+    }
+    ImGui::SetNextItemWidth(320.0F * ui.theme.scale);
+    const bool open = ImGui::BeginCombo("##along", shown.c_str(), ImGuiComboFlags_HeightLargest);
+    note_item(ui.rects, "paper:along", shown);
+    draw_tooltip(ui, "In the maps, lines join patterns that differ in this number alone.");
+    if (!open) return;
+    if (ImGui::Selectable(usual.c_str(), along.empty())) along.clear();
+    for (const PatternParameter one : kPatternParameters) {
+        if (ImGui::Selectable(traits(one).name, along == traits(one).key)) along = traits(one).key;
+        note_item(ui.rects, std::string("paper along:") + traits(one).key);
+    }
+    ImGui::EndCombo();
+}
+
+void choose_set(Ui& ui, const Workspace& work) {
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::paper_set,
+                  .title = "Add a set that keeps ratings",
+                  .extensions = {".json"}},
+                 work.document.path.parent_path());
+}
+
+void choose_folder(Ui& ui, const Workspace& work) {
+    const std::string& name = work.document.set.name;
+    ask_for_file(ui,
+                 {.purpose = ChooserPurpose::paper_folder,
+                  .use = ChooserUse::save_folder,
+                  .title = "Tables and figures into a new folder",
+                  .extensions = {".html", ".csv", ".py", ".R"},
+                  .folders_too = true,
+                  .file_names = {"paper.html", "table2.csv", "pairs.csv", "maps.csv"}},
+                 work.document.path.parent_path(),
+                 name.empty() ? "paper" : file_stem(name + " paper"));
+}
+
+}  // namespace
+
+void draw_paper_dialog(Ui& ui, const Workspace& work, PaperState& paper) {
+    if (!begin_dialog(ui, "Tables and figures of a paper", kPaperDialogPx)) return;
+    wrapped_text(
+        "Table 2 and Figures 4 to 10 of Lim & Park 2023, of these sets and their ratings: how well "
+        "PM and six other metrics agree with people, maps turned onto theirs, what the model makes "
+        "of a pattern, a methods paragraph, and scripts in Python and R that compute the numbers "
+        "again.");
+    draw_divider(ui.theme);
+    draw_sets(ui, work, paper);
+    draw_along(ui, work.document.set, paper.along);
+    const bool more = ImGui::Button("Add a set...");
+    note_item(ui.rects, "button:add a set");
+    ImGui::SameLine();
+    if (more) {
+        give_way(ui);
+        return choose_set(ui, work);
+    }
+    const bool rated = !work.document.set.ratings.empty() || !paper.more.empty();
+    if (draw_ends(ui, "Choose a folder...", rated && !is_writing_paper(paper))) {
+        choose_folder(ui, work);
+    }
+}
+
+}  // namespace tact
