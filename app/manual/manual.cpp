@@ -21,6 +21,7 @@ constexpr auto kChapters = std::to_array<ManualChapter>({
     {"model", "What the model can and cannot say"},
     {"touch", "Actuators, to feel and to measure"},
     {"people", "Studies and training"},
+    {"paper", "A study from question to paper"},
     {"teach", "Teaching"},
     {"formats", "Every format"},
     {"terminal", "In a terminal, in Python and R"},

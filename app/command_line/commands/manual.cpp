@@ -16,13 +16,18 @@
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/document/pattern_looks.h"
+#include "app/pictures/physiology_pictures.h"
 #include "app/session/program_version.h"
 #include "app/subset/subset_follow.h"
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
 #include "app/window/view_pictures.h"
 #include "assets/assets.h"
+#include "model/evaluation/metric_comparison.h"
 #include "model/io/set/set_file.h"
+#include "model/map/mds.h"
+#include "model/map/procrustes.h"
+#include "model/set/parameter_paths.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 
@@ -67,6 +72,63 @@ const auto kManualViews = std::to_array<ManualView>({
     {"matrix", kTwelve, PictureView::matrix, "LH-4-full", "", {}, 0.0, 760, 540},
     {"subset", kTwelve, PictureView::window, "LH-4-full", "", {}, 0.0, 880, 560, show_subset},
 });
+
+// Pictures that no pane of the window has.
+struct ManualDrawing {
+    std::string_view name;
+    int width;
+    int height;
+    Picture (*draw)(const PatternSet& twelve, const PictureSize& size);
+};
+
+Picture draw_firing_of_twelve(const PatternSet& twelve, const PictureSize& size) {
+    const auto found = std::ranges::find(twelve.vibrations, "H-4-full", &Vibration::name);
+    return firing_picture(*found, twelve.model.coding, size);
+}
+
+Picture draw_tables(const PatternSet& twelve, const PictureSize& size) {
+    return tables_picture(twelve.model.coding.tables, size);
+}
+
+// Each turned onto that of PM.
+Picture draw_maps(const PatternSet& twelve, const PictureSize& size) {
+    const std::array metrics{Metric::pm, Metric::spqi, Metric::rmse, Metric::msm};
+    const auto matrices = *compared_matrices(twelve, metrics, nullptr, {});
+    const auto paths = paths_along(twelve.vibrations, PatternParameter::modulation);
+    std::vector<PerceptualSpace> spaces;
+    std::vector<MapPanel> panels;
+    spaces.reserve(metrics.size());
+    for (std::size_t k = 0; k < metrics.size(); ++k) {
+        spaces.push_back(nonmetric_mds(matrices[k], standard_mds_params(matrices[k].size, 3)));
+        if (k > 0) {
+            spaces[k].points = procrustes(spaces[k].points, spaces[0].points).aligned;
+        }
+        panels.push_back(
+            {&matrices[k], &spaces[k], {.paths = paths, .quantity = traits(metrics[k]).name}});
+    }
+    return space_panels_picture(twelve, panels, "The twelve by four metrics", "", size);
+}
+
+const auto kManualDrawings = std::to_array<ManualDrawing>({
+    {"firing", 880, 520, draw_firing_of_twelve},
+    {"tables", 880, 420, draw_tables},
+    {"maps", 880, 760, draw_maps},
+});
+
+ManualPicture drawn_for_manual(const ManualDrawing& wanted) {
+    PatternSet twelve = *parse_set(asset(kTwelve), kTwelve, {});
+    give_looks(twelve);
+    const auto svg = [&](bool dark) {
+        PictureSize size;
+        size.width = wanted.width;
+        size.height = wanted.height;
+        size.dark = dark;
+        size.format = PictureFormat::svg;
+        size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
+        return std::get<Svg>(wanted.draw(twelve, size)).text;
+    };
+    return {svg(false), svg(true)};
+}
 
 std::size_t place_in(const PatternSet& set, std::string_view name) {
     const auto found = std::ranges::find(set.vibrations, name, &Vibration::name);
@@ -119,6 +181,10 @@ Expected<ManualPicture> picture_for_manual(const std::string& name) {
     for (const ManualView& view : kManualViews) {
         if (view.name == name) return drawn_view(view);
         names += (names.empty() ? "" : ", ") + std::string(view.name);
+    }
+    for (const ManualDrawing& drawing : kManualDrawings) {
+        if (drawing.name == name) return drawn_for_manual(drawing);
+        names += ", " + std::string(drawing.name);
     }
     return Error{"expected one of the pictures " + names + ", got \"" + name + "\""};
 }
