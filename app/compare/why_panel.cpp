@@ -394,6 +394,19 @@ bool is_same_pair(const LiveMap& one, const LiveMap& other,
     return is_same(rows.first) && is_same(rows.second);
 }
 
+// What metrics of one's own say of the pair, where they were compared on this map.
+void draw_foreign_parts(Ui& ui, const Comparing& comparing, const LiveMap& map, std::size_t k) {
+    if (!comparing.comparison || comparing.comparison->request.map.get() != &map) return;
+    for (const ComparedMetric& row : comparing.comparison->metrics) {
+        if (row.metric || k >= row.ranks.size()) continue;
+        const std::string text = row.name + " " + significant(row.matrix.condensed[k]) + ", rank " +
+                                 significant(row.ranks[k]) + " of " +
+                                 std::to_string(row.ranks.size());
+        dim_text(ui, text);
+        note_item(ui.rects, "why:" + row.key, text);
+    }
+}
+
 }  // namespace
 
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
@@ -414,6 +427,7 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     const auto [a, b] = *rows;
     const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
     draw_parts(ui, map->prediction, k);
+    draw_foreign_parts(ui, comparing, *map, k);
     draw_noticed(ui, *map, k, *rows);
     const std::shared_ptr<const LiveDifference> live = comparing.difference;
     const bool fits = live && live->request.a == a && live->request.b == b &&

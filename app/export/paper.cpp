@@ -48,6 +48,9 @@ std::vector<std::string> words_of(const PaperRequest& request) {
     for (const fs::path& set : request.sets) words.push_back(set.string());
     words.insert(words.end(), {"--out", request.out.string()});
     if (!request.along.empty()) words.insert(words.end(), {"--along", request.along});
+    for (const std::string& from : request.metrics_from) {
+        words.insert(words.end(), {"--metric-from", from});
+    }
     return words;
 }
 
@@ -109,8 +112,9 @@ void add_paper_set(Ui& ui, PaperState& paper, const fs::path& file) {
     paper.more.push_back(std::move(added));
 }
 
-void write_paper(Ui& ui, const Workspace& work, PaperState& paper, const fs::path& folder) {
-    PaperRequest request{paper.program, {}, {}, paper.along, folder};
+void write_paper(Ui& ui, const Workspace& work, PaperState& paper,
+                 const std::vector<std::string>& metrics_from, const fs::path& folder) {
+    PaperRequest request{paper.program, {}, {}, paper.along, metrics_from, folder};
     if (!work.document.set.ratings.empty()) {
         const Expected<fs::path> file = file_with(work, request.written);
         if (!file) return complain(ui, "Nothing was made: " + file.error().message);

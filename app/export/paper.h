@@ -6,7 +6,7 @@
 //
 // Input     the set as it is when the folder is chosen; sets in files that keep ratings
 // Output    a folder with paper.html; the status line says where
-// Left out  metrics of one's own, and ratings in files beside a set, which "tactspace paper" takes.
+// Left out  ratings in files beside a set, which "tactspace paper" takes.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,8 @@ struct PaperRequest {
     std::filesystem::path program;
     std::vector<std::filesystem::path> sets;
     std::filesystem::path written;  // one of them, which goes when all is made; or empty
-    std::string along;              // as PaperCommand has it
+    std::string along;              // as PaperCommand has it, as are the next
+    std::vector<std::string> metrics_from;
     std::filesystem::path out;
 };
 
@@ -61,14 +62,16 @@ void open_paper(Ui& ui);
 // What the choosers answer. A set without ratings is refused with a reason.
 void add_paper_set(Ui& ui, PaperState& paper, const std::filesystem::path& file);
 void write_paper(Ui& ui, const Workspace& work, PaperState& paper,
-                 const std::filesystem::path& folder);
+                 const std::vector<std::string>& metrics_from, const std::filesystem::path& folder);
 
 bool is_writing_paper(const PaperState& paper);
 
 // Once a frame: tells what was made, or why it was not.
 void take_paper(Ui& ui, PaperState& paper);
 
-void draw_paper_dialog(Ui& ui, const Workspace& work, PaperState& paper);
+// `metrics`: names of those of one's own, which take part.
+void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::string>& metrics,
+                       PaperState& paper);
 
 // How long it has taken so far, and Cancel, where it is under way.
 void draw_paper_progress(Ui& ui, PaperState& paper);

@@ -100,7 +100,8 @@ void choose_folder(Ui& ui, const Workspace& work) {
 
 }  // namespace
 
-void draw_paper_dialog(Ui& ui, const Workspace& work, PaperState& paper) {
+void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::string>& metrics,
+                       PaperState& paper) {
     if (!begin_dialog(ui, "Tables and figures of a paper", kPaperDialogPx)) return;
     wrapped_text(
         "Table 2 and Figures 4 to 10 of Lim & Park 2023, of these sets and their ratings: how well "
@@ -110,6 +111,13 @@ void draw_paper_dialog(Ui& ui, const Workspace& work, PaperState& paper) {
     draw_divider(ui.theme);
     draw_sets(ui, work, paper);
     draw_along(ui, work.document.set, paper.along);
+    if (!metrics.empty()) {
+        std::string names;
+        for (const std::string& name : metrics) names += (names.empty() ? "" : ", ") + name;
+        draw_label(ui, "Besides");
+        dim_text(ui, names);
+        note_item(ui.rects, "paper:metrics", names);
+    }
     const bool more = ImGui::Button("Add a set...");
     note_item(ui.rects, "button:add a set");
     ImGui::SameLine();

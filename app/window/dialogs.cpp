@@ -117,6 +117,13 @@ std::vector<std::filesystem::path> recent_folders(const Session& session) {
     return folders;
 }
 
+std::vector<std::string> each_of(const std::vector<ForeignMetric>& metrics,
+                                 std::string ForeignMetric::*field) {
+    std::vector<std::string> all;
+    for (const ForeignMetric& one : metrics) all.push_back(one.*field);
+    return all;
+}
+
 void draw_chooser(App& app) {
     if (app.ui.chooser.appears) app.ui.chooser.recent = recent_folders(app.work.session);
     const auto chosen = draw_file_chooser(app.ui);
@@ -172,7 +179,8 @@ void draw_chooser(App& app) {
         case ChooserPurpose::paper_set:
             return add_paper_set(app.ui, app.exports.paper, *chosen);
         case ChooserPurpose::paper_folder:
-            return write_paper(app.ui, app.work, app.exports.paper, *chosen);
+            return write_paper(app.ui, app.work, app.exports.paper,
+                               each_of(app.comparing.foreign, &ForeignMetric::from), *chosen);
         case ChooserPurpose::export_stages:
             return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
         case ChooserPurpose::export_animation:
@@ -220,7 +228,10 @@ void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);
     draw_chooser(app);
     draw_exports(app.ui, app.work, app.exports);
-    if (app.ui.dialog == Dialog::paper) draw_paper_dialog(app.ui, app.work, app.exports.paper);
+    if (app.ui.dialog == Dialog::paper) {
+        draw_paper_dialog(app.ui, app.work, each_of(app.comparing.foreign, &ForeignMetric::key),
+                          app.exports.paper);
+    }
     if (!app.exports.animation) draw_paper_progress(app.ui, app.exports.paper);
     if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);

@@ -358,6 +358,9 @@ TEST_CASE("compare tab: a matrix of one's own is a row beside the others, marked
     CHECK_FALSE(row.metric);
     CHECK(row.space.points.rows() == static_cast<Eigen::Index>(kRatedPatterns));
     CHECK(contains(comparison_csv(*comparing.comparison), "mine (foreign)"));
+    bench.program.click("tab:Why");
+    CHECK(contains(bench.program.at("why:mine (foreign)").value, "of 15"));
+    bench.program.click("tab:Compare");
     // One that fails says why, and the others stay.
     add_metric(bench.program.app.ui, comparing,
                bench.folder.write("other.csv", ",a,b\na,0,1\nb,1,0\n"));

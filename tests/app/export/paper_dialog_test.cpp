@@ -28,7 +28,7 @@ struct Writing {
     ~Writing() { paper.job.end(); }
 
     void write() {
-        write_paper(program.app.ui, program.app.work, paper, out);
+        write_paper(program.app.ui, program.app.work, paper, {"/mine.csv"}, out);
         wait_until(program, [this] { return !is_writing_paper(paper); });
         program.frame();
         program.settle();
@@ -57,6 +57,7 @@ TEST_CASE("paper: without ratings there is nothing to write; with them the set t
     const std::string asked = bytes_of(writing.out / "paper.html");
     CHECK_MESSAGE(asked.starts_with("paper "), asked);
     CHECK(contains(asked, "--along modulation"));
+    CHECK(contains(asked, "--metric-from /mine.csv"));
     CHECK_FALSE(writing.status().is_error);
     CHECK(contains(writing.status().text, "paper.html"));
     // What the document has more than its file went along, and is gone again.
@@ -104,7 +105,7 @@ TEST_CASE("paper: Cancel ends the work, and takes what was begun away") {
     Writing writing(
         "while [ $# -gt 0 ]; do [ \"$1\" = --out ] && mkdir -p \"$2\"; shift; done; sleep 600\n");
     writing.bench.load(square_csv());
-    write_paper(writing.program.app.ui, writing.program.app.work, writing.paper, writing.out);
+    write_paper(writing.program.app.ui, writing.program.app.work, writing.paper, {}, writing.out);
     wait_until(writing.program, [&] { return fs::exists(writing.out); });
     wait_until(writing.program, [&] { return writing.program.shows("button:cancel paper"); });
     writing.program.click("button:cancel paper");
