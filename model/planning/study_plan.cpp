@@ -58,26 +58,6 @@ Numbers felt(const Numbers& metric, std::size_t patterns, double rho, RandomStre
     return mixed;
 }
 
-// Deals pairs like cards: each person gets the next ones, and the pack is shuffled when it is
-// used up.
-class Dealer {
-  public:
-    Dealer(std::size_t pairs, RandomStream& random) : random_(random), pack_(pairs), next_(pairs) {}
-
-    std::size_t next() {
-        if (next_ == pack_.size()) {
-            next_permutation_of(random_, pack_);
-            next_ = 0;
-        }
-        return pack_[next_++];
-    }
-
-  private:
-    RandomStream& random_;
-    std::vector<std::size_t> pack_;
-    std::size_t next_;
-};
-
 RatingStudy simulated(const StudyPlan& plan, const Numbers& metric, std::size_t people,
                       RandomStream& random) {
     const std::size_t patterns = plan.metric.size;
@@ -86,14 +66,10 @@ RatingStudy simulated(const StudyPlan& plan, const Numbers& metric, std::size_t 
     const std::size_t rated = plan.pairs == 0 ? truth.size() : std::min(plan.pairs, truth.size());
     RatingStudy study;
     for (std::size_t k = 0; k < patterns; ++k) study.labels.push_back(std::to_string(k));
-    Dealer dealer(truth.size(), random);
-    for (std::size_t person = 0; person < people; ++person) {
-        Judgement said{std::to_string(person), Numbers(truth.size(), kNoRating)};
-        for (std::size_t k = 0; k < rated;) {
-            const std::size_t pair = dealer.next();
-            if (!std::isnan(said.condensed[pair])) continue;  // across a shuffle
+    for (const std::vector<std::size_t>& hand : dealt_pairs(truth.size(), people, rated, random)) {
+        Judgement said{std::to_string(study.judgements.size()), Numbers(truth.size(), kNoRating)};
+        for (const std::size_t pair : hand) {
             said.condensed[pair] = truth[pair] + noise * next_normal(random);
-            ++k;
         }
         study.judgements.push_back(std::move(said));
     }
@@ -179,6 +155,27 @@ PlannedStudy summary(std::size_t people, const PlanAssumptions& assumed,
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> dealt_pairs(std::size_t pairs, std::size_t people,
+                                                  std::size_t each, RandomStream& random) {
+    std::vector<std::size_t> pack(pairs);
+    std::size_t next = pairs;
+    std::vector<std::vector<std::size_t>> hands(people);
+    for (std::vector<std::size_t>& hand : hands) {
+        while (hand.size() < std::min(each, pairs)) {
+            if (next == pairs) {
+                next_permutation_of(random, pack);
+                // What this person has from before the shuffle waits for another one.
+                std::ranges::stable_partition(pack, [&hand](std::size_t pair) {
+                    return std::ranges::find(hand, pair) == hand.end();
+                });
+                next = 0;
+            }
+            hand.push_back(pack[next++]);
+        }
+    }
+    return hands;
+}
 
 PlanAssumptions guessed_assumptions() {
     return {0.67, 0.4,

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/common/random.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/evaluation/uncertainty.h"
 #include "model/study/ratings.h"
@@ -73,6 +74,11 @@ struct PlannedStudy {
     // The share of the studies that find metric - rival above 0 with p < .05, two-sided.
     std::array<double, kResampledCount> power{};
 };
+
+// Pairs that each person rates, dealt like cards from a pack that is shuffled when it is used up:
+// `each` different ones a person, and none more often than another by more than one.
+std::vector<std::vector<std::size_t>> dealt_pairs(std::size_t pairs, std::size_t people,
+                                                  std::size_t each, RandomStream& random);
 
 // None when stopped.
 std::optional<std::vector<PlannedStudy>> planned_studies(const StudyPlan& plan,

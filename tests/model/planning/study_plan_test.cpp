@@ -1,6 +1,9 @@
 #include "model/planning/study_plan.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "model/common/random.h"
 #include "model/dissimilarity/correlation.h"
@@ -92,6 +95,22 @@ TEST_CASE("plan: where neither metric is better it is seldom told, and a better 
     StudyPlan near = plan_of(0.8, 0.4, 12);
     near.rival = disturbed(near.metric, 0.05, 3);
     CHECK(planned(near, {20}, 100)[0].power[kBoth] < 0.5);
+}
+
+TEST_CASE("plan: pairs are dealt so that each person has different ones, and all as often") {
+    for (const auto& [pairs, people, each] :
+         {std::array<std::size_t, 3>{10, 7, 6}, {45, 10, 15}, {6, 5, 6}, {7, 3, 1}, {9, 4, 20}}) {
+        CAPTURE(pairs);
+        RandomStream random{random_bits(pairs, 0)};
+        std::vector<std::size_t> times(pairs);
+        for (const std::vector<std::size_t>& hand : dealt_pairs(pairs, people, each, random)) {
+            CHECK(hand.size() == std::min(each, pairs));
+            CHECK(std::set(hand.begin(), hand.end()).size() == hand.size());
+            for (const std::size_t pair : hand) ++times[pair];
+        }
+        const auto [least, most] = std::ranges::minmax(times);
+        CHECK(most - least <= 1);
+    }
 }
 
 TEST_CASE("plan: who rates few pairs says less, and all pairs are rated") {
