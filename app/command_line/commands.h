@@ -49,6 +49,8 @@ struct PredictCommand {
     std::filesystem::path out;  // empty: standard output
     std::filesystem::path image;
     bool resume = false;  // with the tiles that a stopped run left in OUT.tiles
+    std::string part;     // "3/16": the tiles of one of 16 runs, which are kept and no matrix
+    bool join = false;    // the matrix of what such runs have kept
     // For directional metrics: the earlier pattern of a pair is the reference.
     bool first_as_reference = false;
 };

@@ -23,6 +23,11 @@ void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen)
     predict.add_option("--image", command.image, "picture of the matrix, .png or .svg");
     predict.add_flag("--resume", command.resume,
                      "continue where a stopped run with the same --out left off: pm, nc and oc");
+    auto* part = predict.add_option(
+        "--part", command.part,
+        "K/N: the K-th of N runs, each by itself, which keep their tiles beside --out");
+    predict.add_flag("--join", command.join, "the matrix of what N runs with --part have kept")
+        ->excludes(part);
     predict.add_flag("--first-as-reference", command.first_as_reference,
                      "st-sim and spqi: the earlier pattern of a pair is the reference, instead of "
                      "the mean of both ways");

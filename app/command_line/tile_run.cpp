@@ -9,6 +9,7 @@
 #include "model/common/parallel.h"
 #include "model/io/set/set_fingerprint.h"
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
 
 namespace tact {
 
@@ -35,9 +36,19 @@ std::size_t finished_count(const TileRun& run) {
     return count;
 }
 
-std::string share_of_tiles(const TileRun& run) {
-    const std::size_t all = run.parts.size() * tile_count(pattern_count(run.source));
-    return grouped_digits(finished_count(run)) + " of " + grouped_digits(all) + " tiles";
+// Dealt in the order of their costs, so that shares take as long as each other.
+std::vector<std::size_t> tiles_of_share(const TileRun& run, std::span<const double> costs) {
+    std::vector<std::size_t> own;
+    const std::vector<std::size_t> all = by_cost(costs);
+    for (std::size_t at = run.share.k - 1; at < all.size(); at += run.share.n) {
+        own.push_back(all[at]);
+    }
+    return own;
+}
+
+std::size_t wanted_count(const TileRun& run) {
+    const std::size_t all = tile_count(pattern_count(run.source));
+    return run.parts.size() * ((all - run.share.k + run.share.n) / run.share.n);
 }
 
 // Work without a checkpoint is better than none.
@@ -73,19 +84,29 @@ bool is_time_to_keep(const TileKeeping& keeping) {
            std::chrono::steady_clock::now() - keeping.begin > kWorthKeeping;
 }
 
-Expected<Done> take_up(TileRun& run) {
-    TileKeeping& keeping = run.keeping;
-    auto opened = Checkpoint::open(keeping.path, key_of(run.source));
-    if (!opened) return opened.error();
-    keeping.file.emplace(std::move(*opened));
+Expected<Done> take_tiles(TileRun& run, const Checkpoint& file, const std::filesystem::path& path) {
+    if (file.damaged_places() > 0) {
+        std::cerr << "tactspace: " << shown_text(path.string()) << ": damaged in "
+                  << counted(file.damaged_places(), "place", "places")
+                  << "; what stood there is made again\n";
+    }
     for (const Part part : run.parts) {
         PartTiles& made = made_of(run, part);
-        const auto read = keeping.file->read(part, [&](std::size_t tile, auto values) {
+        const auto read = file.read(part, [&](std::size_t tile, auto values) {
             put_tile(made.matrix, tile_at(made.matrix.size, tile), values);
             made.is_finished[tile] = true;
         });
         if (!read) return read;
     }
+    return Done{};
+}
+
+Expected<Done> take_up(TileRun& run) {
+    TileKeeping& keeping = run.keeping;
+    auto opened = Checkpoint::open(keeping.path, key_of(run.source));
+    if (!opened) return opened.error();
+    keeping.file.emplace(std::move(*opened));
+    if (const auto read = take_tiles(run, *keeping.file, keeping.path); !read) return read;
     if (finished_count(run) > 0) {
         std::cerr << "tactspace: " << share_of_tiles(run) << " were finished before\n";
     }
@@ -98,6 +119,12 @@ Error stopped(const TileRun& run) {
         return Error{"stopped with " + share_of_tiles(run) + " finished and kept in " +
                      keeping.path.string() + "; the same command with --resume continues"};
     }
+    std::error_code none;
+    if (keeping.is_given_up && std::filesystem::exists(keeping.path, none)) {
+        return Error{"stopped; " + keeping.path.string() +
+                     " has what was finished before it could not be written to any more, and the "
+                     "same command with --resume continues from there"};
+    }
     if (keeping.path.empty()) {
         return Error{"stopped, and nothing is kept; a long run with --out FILE can be resumed"};
     }
@@ -109,7 +136,7 @@ void make_tiles_of(TileRun& run, Part part, const RankGroup& ranks) {
     PartTiles& made = made_of(run, part);
     const std::size_t patterns = pattern_count(run.source);
     const std::vector<double> costs = tile_costs(run.source, part);
-    std::vector<std::size_t> open = by_cost(costs);
+    std::vector<std::size_t> open = tiles_of_share(run, costs);
     std::erase_if(open, [&](std::size_t k) { return made.is_finished[k]; });
     double open_cost = 0.0;
     for (const std::size_t k : open) open_cost += costs[k];
@@ -195,9 +222,24 @@ Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks) {
         // Nobody asks for tiles of the next part before all have left this one.
         ranks.meet();
     }
-    const std::size_t all = run.parts.size() * tile_count(pattern_count(run.source));
-    if (ranks.rank == 0 && finished_count(run) < all) return stopped(run);
+    if (ranks.rank == 0 && finished_count(run) < wanted_count(run)) return stopped(run);
     return Done{};
+}
+
+std::string share_of_tiles(const TileRun& run) {
+    return grouped_digits(finished_count(run)) + " of " + grouped_digits(wanted_count(run)) +
+           " tiles";
+}
+
+Expected<Done> join_tiles(TileRun& run, const std::vector<std::filesystem::path>& files) {
+    for (const std::filesystem::path& file : files) {
+        const auto opened = Checkpoint::open(file, key_of(run.source));
+        if (!opened) return opened.error();
+        if (const auto taken = take_tiles(run, *opened, file); !taken) return taken;
+    }
+    if (finished_count(run) == wanted_count(run)) return Done{};
+    return Error{share_of_tiles(run) +
+                 " are there; a part that is missing, or was stopped, has to be run to its end"};
 }
 
 }  // namespace tact

@@ -27,6 +27,12 @@ struct TileKeeping {
     std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
 };
 
+// The tiles of a matrix that one of several runs makes: the k-th of n, from 1 on.
+struct TileShare {
+    std::size_t k = 1;
+    std::size_t n = 1;
+};
+
 struct PartTiles {
     Dissimilarity matrix;
     std::vector<bool> is_finished;  // by tile
@@ -38,6 +44,7 @@ struct TileRun {
     int threads = 0;
     std::stop_token stop;
     TileKeeping keeping;
+    TileShare share{};              // what is not of it is left to others
     std::array<PartTiles, 2> made;  // by Part
 };
 
@@ -49,8 +56,14 @@ Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_t
 // On rank 0, first: room for the matrices, and what an earlier run left if it is to continue.
 Expected<Done> begin_tiles(TileRun& run);
 
-// Makes all tiles that are missing, with the help of the other ranks; these see nothing but the
-// tiles they were given. An Error when stopped says how to continue.
+// The tiles of files that runs of the same matrix have left. An Error names what is missing.
+Expected<Done> join_tiles(TileRun& run, const std::vector<std::filesystem::path>& files);
+
+// How many of the share's tiles there are: "120 of 1,920 tiles".
+std::string share_of_tiles(const TileRun& run);
+
+// Makes all tiles of its share that are missing, with the help of the other ranks; these see
+// nothing but the tiles they were given. An Error when stopped says how to continue.
 Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks);
 
 }  // namespace tact

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -38,6 +40,7 @@ struct Work {
     double nc_weight = 0.0;
     double oc_weight = 0.0;
     PictureSize image;
+    std::vector<fs::path> joined{};  // files of tiles that go when the matrix is there
 };
 
 std::vector<Part> parts_of(const std::string& metric) {
@@ -52,15 +55,62 @@ bool can_be_file(const fs::path& out) {
     return !out.empty() && (fs::is_regular_file(out, none) || !fs::exists(out, none));
 }
 
+// "3/16" as its two numbers.
+Expected<TileShare> share_in(const std::string& text) {
+    const std::size_t bar = text.find('/');
+    const auto k = finite_number_in(std::string_view(text).substr(0, bar));
+    const auto n = bar == std::string::npos
+                       ? std::nullopt
+                       : finite_number_in(std::string_view(text).substr(bar + 1));
+    constexpr double kMostParts = 1e6;
+    if (!k || !n || *k != std::floor(*k) || *n != std::floor(*n) || *k < 1.0 || *k > *n ||
+        *n > kMostParts) {
+        return Error{"--part: expected K/N such as 3/16, got \"" + text + "\""};
+    }
+    return TileShare{static_cast<std::size_t>(*k), static_cast<std::size_t>(*n)};
+}
+
+fs::path part_file(const PredictCommand& command, const TileShare& share) {
+    return command.out.string() + ".part-" + std::to_string(share.k) + "-of-" +
+           std::to_string(share.n) + ".tiles";
+}
+
+// What runs with --part have kept beside the result, by name.
+Expected<std::vector<fs::path>> kept_parts(const PredictCommand& command) {
+    const std::string begin = command.out.filename().string() + ".part-";
+    fs::path folder = command.out.parent_path();
+    if (folder.empty()) folder = ".";
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(begin) && name.ends_with(".tiles")) files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    if (!files.empty()) return files;
+    return Error{command.out.string() +
+                 ": nothing to join; runs with --part K/N and this --out keep their tiles "
+                 "beside it"};
+}
+
 // The file for finished tiles; empty where none can be kept. Refuses now what would fail after
 // hours, and what would lose the hours of an earlier run.
 Expected<fs::path> tiles_file(const PredictCommand& command) {
     if (!can_be_file(command.out)) {
+        if (!command.part.empty() || command.join) {
+            return Error{"--part and --join need --out FILE: tiles are kept beside it"};
+        }
         if (!command.resume) return fs::path();
         return Error{"--resume needs --out FILE: finished tiles are kept in FILE.tiles"};
     }
     if (const auto writable = AtomicFile::open(command.out); !writable) return writable.error();
-    const fs::path file = command.out.string() + ".tiles";
+    if (command.join) return fs::path();
+    fs::path file = command.out.string() + ".tiles";
+    if (!command.part.empty()) {
+        const Expected<TileShare> share = share_in(command.part);
+        if (!share) return share.error();
+        file = part_file(command, *share);
+    }
     std::error_code none;
     if (!command.resume && fs::exists(file, none)) {
         return Error{file.string() +
@@ -96,7 +146,8 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
         const Expected<fs::path> file = tiles_file(command);
         if (!file) return file.error();
         work.tiles.keeping.path = *file;
-        work.tiles.keeping.resume = command.resume;
+        // A part is kept however soon it is done.
+        work.tiles.keeping.resume = command.resume || !command.part.empty();
         const Expected<PictureSize> image = picture_asked_for(command);
         if (!image) return image.error();
         work.image = *image;
@@ -106,6 +157,7 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
     const PatternSet& set = loaded->felt;
     if (const auto pair = need_a_pair(set, command.common); !pair) return pair.error();
     work.named = {names_of(set), loaded->labels};
+    if (!command.part.empty()) work.tiles.share = *share_in(command.part);
     work.nc_weight = set.model.nc_weight;
     work.oc_weight = set.model.oc_weight;
     work.tiles.parts = parts_of(command.metric);
@@ -118,6 +170,11 @@ Expected<Work> prepared(const PredictCommand& command, const RankGroup& ranks,
     work.tiles.source = std::move(*source);
     if (ranks.rank > 0) return work;
     if (const auto begun = begin_tiles(work.tiles); !begun) return begun.error();
+    if (!command.join) return work;
+    const Expected<std::vector<fs::path>> files = kept_parts(command);
+    if (!files) return files.error();
+    work.joined = *files;
+    if (const auto joined = join_tiles(work.tiles, *files); !joined) return joined.error();
     return work;
 }
 
@@ -199,6 +256,9 @@ Expected<Metric> metric_of(const PredictCommand& command) {
         return Error{"--resume is for pm, nc and oc: nothing is kept of a run with --metric " +
                      command.metric};
     }
+    if ((!command.part.empty() || command.join) && !has_tiles(command.metric)) {
+        return Error{"--part and --join are for pm, nc and oc, which are made tile by tile"};
+    }
     if (command.first_as_reference && !traits(*metric).is_directional) {
         return Error{"--first-as-reference is for st-sim and spqi: " + command.metric +
                      " is the same both ways"};
@@ -256,9 +316,19 @@ Expected<Done> run(const PredictCommand& command) {
     Expected<Work> work = computed(command, *ranks, interrupt.token());
     if (!work) return work.error();
     if (ranks->rank > 0) return Done{};
+    if (!command.part.empty()) {
+        std::cerr << "tactspace: " << share_of_tiles(work->tiles) << " of part " << command.part
+                  << " are kept in " << shown_text(work->tiles.keeping.path.string())
+                  << "; --join makes the matrix of all parts\n";
+        return Done{};
+    }
     const Dissimilarity matrix = as_ranked(*metric, matrix_of(*work));
     const Expected<Done> written = write_matrix(command, work->named, matrix, work->image);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
+    std::error_code none;
+    for (const fs::path& file : work->joined) {
+        if (written) fs::remove(file, none);
+    }
     return written;
 }
 

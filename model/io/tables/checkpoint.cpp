@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -87,6 +89,21 @@ bool read_record(int descriptor, std::uint64_t place, std::uint64_t patterns, Re
            head.checksum == checksum_of(head, record.values);
 }
 
+std::uint64_t size_of(const Record& record) {
+    return sizeof record.head + record.values.size() * sizeof(double);
+}
+
+// Where the next whole record begins, from `place` on; none up to the end of the file.
+std::optional<std::uint64_t> next_record(int descriptor, std::uint64_t place,
+                                         std::uint64_t patterns, Record& record) {
+    const auto end =
+        static_cast<std::uint64_t>(std::max<off_t>(::lseek(descriptor, 0, SEEK_END), 0));
+    for (; place + sizeof(RecordHead) <= end; place += sizeof(double)) {
+        if (read_record(descriptor, place, patterns, record)) return place;
+    }
+    return std::nullopt;
+}
+
 std::string what_differs(const TileKey& kept, const TileKey& wanted) {
     const bool of_patterns =
         kept.patterns != wanted.patterns || kept.vibrations != wanted.vibrations;
@@ -98,10 +115,6 @@ std::string what_differs(const TileKey& kept, const TileKey& wanted) {
     return "was begun by another build of tactspace, or on a machine with other arithmetic: the "
            "same "
            "patterns and parameters gave other numbers there";
-}
-
-std::uint64_t size_of(const Record& record) {
-    return sizeof record.head + record.values.size() * sizeof(double);
 }
 
 }  // namespace
@@ -146,7 +159,10 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
     }
     Record record;
     end_ = sizeof header;
-    while (read_record(descriptor_, end_, patterns_, record)) end_ += size_of(record);
+    while (const auto place = next_record(descriptor_, end_, patterns_, record)) {
+        if (*place != end_) ++damaged_places_;
+        end_ = *place + size_of(record);
+    }
     if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
         return system_fault(path_, "cannot be written");
     }
@@ -155,10 +171,12 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
 
 Expected<Done> Checkpoint::read(Part part, const Take& take) const {
     Record record;
-    for (std::uint64_t place = sizeof(Header); place < end_; place += size_of(record)) {
-        if (!read_record(descriptor_, place, patterns_, record)) {
+    for (std::uint64_t place = sizeof(Header); place < end_;) {
+        const auto found = next_record(descriptor_, place, patterns_, record);
+        if (!found || *found >= end_) {
             return fault(path_, "cannot be read again; it changed meanwhile");
         }
+        place = *found + size_of(record);
         if (record.head.part == static_cast<std::uint32_t>(part)) {
             take(record.head.tile, record.values);
         }
@@ -188,6 +206,7 @@ Checkpoint::Checkpoint(Checkpoint&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       patterns_(other.patterns_),
       end_(other.end_),
+      damaged_places_(other.damaged_places_),
       synced_(other.synced_) {}
 
 Checkpoint::~Checkpoint() {

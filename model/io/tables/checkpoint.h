@@ -6,7 +6,8 @@
 //
 // Records are appended whole, each by one system call: when the program is killed, all but the
 // running tiles are in the file. What a power cut left of the last ones does not match its checksum
-// and is cut off, with all that follows.
+// and is cut off. Damage in the middle costs the records that it is in: the next whole one is
+// looked for, as every record begins at a multiple of 8 bytes.
 //
 // Output    errors as "PATH: what is wrong with it, what to do"
 // Left out  exchange between machines of different byte order: refused.
@@ -49,6 +50,9 @@ class Checkpoint {
     using Take = std::function<void(std::size_t tile, std::span<const double> values)>;
     Expected<Done> read(Part part, const Take& take) const;
 
+    // Places in the middle of the file that hold no record: damage, passed over.
+    std::size_t damaged_places() const { return damaged_places_; }
+
     // A failed append leaves a torn record: append no more.
     Expected<Done> append(Part part, std::size_t tile, std::span<const double> values);
 
@@ -68,6 +72,7 @@ class Checkpoint {
     int descriptor_ = -1;
     std::uint64_t patterns_ = 0;
     std::uint64_t end_ = 0;  // of the records that were there
+    std::size_t damaged_places_ = 0;
     std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 

@@ -93,6 +93,33 @@ TEST_CASE("checkpoint: a byte that changed anywhere in a tile costs that tile") 
     }
 }
 
+TEST_CASE("checkpoint: damage in the middle costs the tiles that it is in, and is counted") {
+    const TemporaryFolder folder;
+    const auto path = three_tiles(folder);
+    const std::string whole = bytes_of(path);
+    const std::size_t last = 16 + values_of(1).size() * sizeof(double);
+    // Any byte of all records but the last.
+    for (std::size_t at = 64; at < whole.size() - last; ++at) {
+        CAPTURE(at);
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ 4);
+        folder.write("m.csv.tiles", bytes);
+        auto checkpoint = Checkpoint::open(path, kKey);
+        REQUIRE(checkpoint);
+        CHECK(checkpoint->damaged_places() == 1);
+        CHECK(tiles_in(*checkpoint, Part::nc).size() == 1);
+        CHECK(tiles_in(*checkpoint, Part::oc).size() == 1);
+        // What is made again is appended, and found beside the rest.
+        const std::size_t lost = tiles_in(*checkpoint, Part::nc).contains(0) ? 3 : 0;
+        REQUIRE(checkpoint->append(Part::nc, lost, values_of(lost)));
+        { const auto gone = std::move(*checkpoint); }
+        const auto again = Checkpoint::open(path, kKey);
+        REQUIRE(again);
+        CHECK(tiles_in(*again, Part::nc).size() == 2);
+        CHECK(tiles_in(*again, Part::oc).size() == 1);
+    }
+}
+
 TEST_CASE("checkpoint: a header that was cut short is begun anew") {
     const TemporaryFolder folder;
     const auto path = three_tiles(folder);
