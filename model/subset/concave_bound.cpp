@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -153,6 +154,24 @@ double concave_shift(const Eigen::MatrixXd& distances, std::span<const std::size
     among.array() -= 2.0 * size / static_cast<double>(m);
     constexpr double kRounding = 1e-11;
     return symmetric_eigenvalues(among)(m - 1) + kRounding * size;
+}
+
+double shift_seconds(std::size_t objects) {
+    constexpr double kTried = 200.0;
+    static const double of_few_s = [] {
+        constexpr auto few = static_cast<Eigen::Index>(kTried);
+        Eigen::MatrixXd symmetric(few, few);
+        for (Eigen::Index i = 0; i < few; ++i) {
+            for (Eigen::Index j = 0; j < few; ++j) {
+                symmetric(i, j) = static_cast<double>((i + j) * (i * j + 7) % 101);
+            }
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        [[maybe_unused]] const Eigen::VectorXd values = symmetric_eigenvalues(symmetric);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }();
+    const double times = static_cast<double>(objects) / kTried;
+    return of_few_s * times * times * times;
 }
 
 Relaxation relaxed(const Eigen::MatrixXd& distances, std::span<const std::size_t> chosen,

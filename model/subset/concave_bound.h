@@ -23,6 +23,9 @@ namespace tact {
 // The shift s of some objects; it also serves for any of them alone.
 double concave_shift(const Eigen::MatrixXd& distances, std::span<const std::size_t> objects);
 
+// About how long that takes here, by what a few took once; it cannot be stopped on the way.
+double shift_seconds(std::size_t objects);
+
 struct Relaxation {
     std::vector<std::size_t> objects;  // still to choose from, in no order
     std::vector<double> linear;        // c: of each, the sum of its distances to those chosen

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -17,6 +19,35 @@ namespace {
 // still to be chosen for it to be worth it.
 constexpr double kRenewAt = 0.75;
 constexpr std::size_t kRenewFor = 4;
+
+// The shift of more objects than this takes longer than a limit may be passed by.
+constexpr std::size_t kQuickShift = 700;
+
+// Half of what the k objects with the farthest companions have to their k - 1 farthest ones: no set
+// of k has more, whatever it is.
+Units bound_of_farthest(const HeaviestProblem& problem) {
+    std::vector<std::size_t> all(problem.kept.begin(), problem.kept.end());
+    all.insert(all.end(), problem.others.begin(), problem.others.end());
+    const std::size_t k = std::min(problem.count, all.size());
+    if (k < 2) return 0;
+    const auto sum_of_largest = [](std::vector<Units>& values, std::size_t count) {
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+        std::ranges::nth_element(values, end, std::greater<>{});
+        return std::accumulate(values.begin(), end, Units{0});
+    };
+    std::vector<Units> reach;
+    std::vector<Units> row;
+    for (const std::size_t u : all) {
+        row.clear();
+        for (const std::size_t v : all) {
+            if (u != v) row.push_back(problem.distances(u, v));
+        }
+        row.push_back(std::numeric_limits<Units>::min());  // a place to part at
+        reach.push_back(sum_of_largest(row, k - 1));
+    }
+    reach.push_back(std::numeric_limits<Units>::min());
+    return (sum_of_largest(reach, k) + 1) / 2;
+}
 
 // One set under construction and what it may still take.
 struct Node {
@@ -37,6 +68,12 @@ class HeaviestSearch {
           limit_(limit),
           distances_(problem.real),
           divisor_(problem.distances.divisor) {}
+
+    // Whether the shift of that number of objects is there before the limit.
+    bool has_time_for_shift(std::size_t objects) const {
+        return objects <= kQuickShift || !limit_.is_by_clock() ||
+               shift_seconds(objects) < limit_.left_s();
+    }
 
     // Works a node off, and gives each of its branches to `take`. Gives the bound of what is left
     // when the limit is reached, otherwise nothing.
@@ -113,7 +150,7 @@ class HeaviestSearch {
                 return std::nullopt;
             }
             if (static_cast<double>(m) <= kRenewAt * static_cast<double>(node.rest.shift_of) &&
-                r >= kRenewFor) {
+                r >= kRenewFor && has_time_for_shift(m)) {
                 renew_shift(node.rest, distances_);
             }
             const auto floor = static_cast<double>(best_.floor());
@@ -276,6 +313,9 @@ HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const 
                           int threads, const std::function<void(double)>& progress) {
     assert(problem.kept.size() <= problem.count && "more to keep than to choose");
     const HeaviestSearch search(problem, best, limit);
+    if (!search.has_time_for_shift(problem.others.size())) {
+        return {false, bound_of_farthest(problem)};
+    }
     Node root = search.root();
     // The branches of the root are the tasks; each continues from what the others have found.
     std::vector<Branch> tasks;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <stop_token>
 #include <utility>
 
@@ -13,8 +14,13 @@ struct SearchLimit {
 
     bool reached() const {
         if (stop.stop_requested()) return true;
-        return end != std::chrono::steady_clock::time_point::max() &&
-               std::chrono::steady_clock::now() >= end;
+        return is_by_clock() && std::chrono::steady_clock::now() >= end;
+    }
+    bool is_by_clock() const { return end != std::chrono::steady_clock::time_point::max(); }
+    // Below 0 when it is reached; without a limit by the clock infinity.
+    double left_s() const {
+        if (!is_by_clock()) return std::numeric_limits<double>::infinity();
+        return std::chrono::duration<double>(end - std::chrono::steady_clock::now()).count();
     }
 };
 

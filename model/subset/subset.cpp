@@ -42,13 +42,10 @@ struct Picking {
 
 Picking picking_of(const Dissimilarity& dissimilarity, const SubsetProblem& problem,
                    const SubsetOptions& options) {
-    Picking picking{whole_distances(dissimilarity),
-                    {},
-                    problem,
-                    problem.keep,
-                    {},
-                    limit_of(options.time_limit_s, options.stop),
-                    options.threads};
+    // What is made ready counts as well.
+    const SearchLimit limit = limit_of(options.time_limit_s, options.stop);
+    Picking picking{
+        whole_distances(dissimilarity), {}, problem, problem.keep, {}, limit, options.threads};
     picking.real = real_distances(picking.distances);
     std::ranges::sort(picking.kept);
     picking.kept.erase(std::unique(picking.kept.begin(), picking.kept.end()), picking.kept.end());

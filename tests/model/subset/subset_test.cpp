@@ -241,6 +241,18 @@ TEST_CASE("subset: past its time it is not called optimal, and its bound is abov
     }
 }
 
+TEST_CASE("subset: of many patterns no bound is begun that could not end in time") {
+    // The eigenvalues of this many take minutes, and are not to be stopped on the way.
+    const Instance instance{of_points(2'500, 3, 5), {8, SubsetObjective::max_sum}};
+    SubsetOptions options;
+    options.time_limit_s = 0.0;
+    const SubsetAnswer cut = answer_to(instance, options);
+    CHECK(cut.proof == SubsetProof::open);
+    CHECK(cut.best.members.size() == 8);
+    CHECK(cut.bound >= cut.best.sum);
+    CHECK(std::isfinite(cut.bound));
+}
+
 TEST_CASE("subset: the curve falls with k, and each point is that of its own search") {
     const Dissimilarity dissimilarity = of_ranks(24, 3);
     const SubsetProblem problem{5, SubsetObjective::max_sum, {2, 9}, {0}};
