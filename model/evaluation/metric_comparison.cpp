@@ -89,7 +89,7 @@ MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
                          std::span<const Nuisance> nuisances, const EvaluationParams& params,
                          const std::function<void(double)>& progress) {
     MetricTable table{{metrics.begin(), metrics.end()}, std::move(matrices), {}, {}, {}, {}};
-    const auto steps = static_cast<double>(metrics.size() + nuisances.size() + 2);
+    const auto steps = static_cast<double>(table.matrices.size() + nuisances.size() + 2);
     double done = 0.0;
     const auto step = [&] {
         if (progress) progress(++done / steps);
