@@ -12,93 +12,21 @@
 #include "app/command_line/agreement/methods.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/command_line/people/people_words.h"
 #include "app/command_line/rated_sets.h"
-#include "model/study/agreement.h"
+#include "model/io/people/agreement_json.h"
 #include "model/text/json_fields.h"
 
 namespace tact {
 
 namespace {
 
-nlohmann::json json_of(const Uncertain& value) {
-    nlohmann::json json;
-    for (std::size_t r = 0; r < kResampledCount; ++r) {
-        json[kResampledNames[r]] = {{"se", value.error[r]},
-                                    {"low", value.interval[r].low},
-                                    {"high", value.interval[r].high}};
-        if (value.why[r] != NotKnown::known)
-            json[kResampledNames[r]]["not_known"] = words(value.why[r]);
-    }
-    return json;
-}
-
-nlohmann::json json_of(const Spread& spread) {
-    return {{"mean", spread.mean},
-            {"median", spread.median},
-            {"quartiles", {spread.low, spread.high}},
-            {"known", spread.known}};
-}
-
-// What is beyond the metric's own evaluation; NaN becomes null.
-void add_to(nlohmann::json& json, const SetAgreement& set, std::size_t m) {
-    json["rho_resampled"] = json_of(set.table.uncertainty.rho[m]);
-    json["K_resampled"] = json_of(set.table.uncertainty.k[m]);
-    for (const MetricDifference& one : set.table.uncertainty.differences) {
-        if (one.metric != m) continue;
-        json["pm_less_this"] = json_of(one.rho);
-        json["pm_less_this"]["rho"] = one.rho.value;
-        for (std::size_t r = 0; r < kResampledCount; ++r) {
-            json["pm_less_this"][kResampledNames[r]]["p"] = one.p[r];
-            json["pm_less_this"][kResampledNames[r]]["p_holm"] = one.p_holm[r];
-        }
-    }
-    if (!set.table.individuals.people.empty()) {
-        json["rho_person"] = json_of(set.table.individuals.rho[m]);
-        json["K_person"] = json_of(set.table.individuals.k[m]);
-    }
-    for (const Given& one : set.table.given) {
-        const PartialRho& partial = one.metrics[m];
-        json["given"][one.name] = {{"rho", partial.rho},
-                                   {"low", partial.interval.low},
-                                   {"high", partial.interval.high},
-                                   {"rho_alone", one.rho_alone}};
-    }
-}
-
 nlohmann::json json_of(const SetAgreement& set, std::size_t m, Bookkeeping books) {
-    const Evaluation& e = set.table.evaluations[m];
-    const Reliability& people = set.people.reliability;
-    nlohmann::json json{{"set", set.name},
-                        {"metric", key_of(set, m)},
-                        {"rho", e.rho},
-                        {"rho_low", e.rho_interval.low},
-                        {"rho_high", e.rho_interval.high},
-                        {"p", e.rho_p},
-                        {"tau_b", e.tau_b},
-                        {"K", agreement_of(e, books).k},
-                        {"K_low", e.k_spread.low},
-                        {"K_high", e.k_spread.high},
-                        {"K_chance", rated_of(set).k_chance.mean},
-                        {"K_p", e.k_p},
-                        {"K_corrected", e.k_corrected},
-                        {"K_procrustes", e.k_procrustes},
-                        {"protest_p", e.protest_p},
-                        {"stress1", e.stress1},
-                        {"reliability", people.spearman_brown},
-                        {"one_with_others", people.one_with_others},
-                        {"ceiling_of_mean", people.ceiling_of_mean},
-                        {"ceiling_person_lower", json_of(set.people.ceilings.with_others)},
-                        {"ceiling_person_upper", json_of(set.people.ceilings.with_all)},
-                        {"participants", set.people.participants},
-                        {"synthetic", set.people.mark.synthetic},
-                        {"left_out", json_of(set.left_out)},
-                        {"unrated_patterns", set.people.unrated},
-                        {"remarks", e.remarks}};
+    nlohmann::json json = json_of(RatedTable{set.people, set.raters, set.table}, m, books);
+    json["set"] = set.name;
+    json["metric"] = key_of(set, m);
+    json["left_out"] = json_of(set.left_out);
     const std::size_t own = set.table.metrics.size();
     if (m >= own) json["foreign"] = set.foreign[m - own].from;
-    add_to(json, set.raters);
-    add_to(json, set, m);
     add_labels(json, set.labels);
     return json;
 }

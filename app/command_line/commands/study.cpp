@@ -16,6 +16,7 @@
 #include "app/command_line/text_table.h"
 #include "app/session/folders.h"
 #include "app/session/program_version.h"
+#include "model/io/people/agreement_json.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_file.h"
 #include "model/io/studies_out/psych_ds.h"

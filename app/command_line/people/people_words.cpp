@@ -60,18 +60,6 @@ std::string text_of(const InterRater& raters) {
            " pairs rated by all, as if pairs were independent; alpha of interval data)\n";
 }
 
-void add_to(nlohmann::json& json, const InterRater& raters) {
-    json["icc_single"] = raters.single.value;  // NaN becomes null
-    json["icc_single_low"] = raters.single.interval.low;
-    json["icc_single_high"] = raters.single.interval.high;
-    json["icc_mean"] = raters.mean.value;
-    json["icc_mean_low"] = raters.mean.interval.low;
-    json["icc_mean_high"] = raters.mean.interval.high;
-    json["icc_pairs"] = raters.pairs;
-    json["alpha"] = raters.alpha;
-    json["alpha_pairs"] = raters.alpha_pairs;
-}
-
 std::string text_of(const OrderEffects& effects) {
     return text_of(effects.felt_first, "order         ",
                    "of the pattern earlier in the set, felt first less second:") +

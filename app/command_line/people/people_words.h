@@ -12,9 +12,6 @@ namespace tact {
 // Lines under "people"; "" of fewer than two people.
 std::string text_of(const InterRater& raters);
 
-// icc_single, icc_mean, alpha, with _low and _high and the pairs that they are of.
-void add_to(nlohmann::json& json, const InterRater& raters);
-
 // A line on each that is known.
 std::string text_of(const OrderEffects& effects);
 nlohmann::json json_of(const OrderEffects& effects);
