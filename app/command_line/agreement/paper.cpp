@@ -36,13 +36,14 @@ std::string labels_html(const ComparedSet& one) {
 }
 
 Expected<Done> write_tables(const fs::path& folder, const std::vector<ComparedSet>& sets) {
-    using Writer = void (*)(std::ostream&, std::span<const ComparedSet>);
+    using Writer = void (*)(std::ostream&, std::span<const Table2Set>);
+    const std::vector<Table2Set> rated = table2_sets(sets);
     for (const auto& [file, write] :
          {std::pair<const char*, Writer>{"table2.csv", write_table2_csv},
           {"pairs.csv", write_table2_pairs_csv},
           {"maps.csv", write_table2_maps_csv}}) {
         const auto written =
-            write_result(folder / file, [&](std::ostream& stream) { write(stream, sets); });
+            write_result(folder / file, [&](std::ostream& stream) { write(stream, rated); });
         if (!written) return written;
     }
     for (const char* script : {"table2.py", "table2.R"}) {
