@@ -12,6 +12,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/text_table.h"
 #include "app/rendering/labels.h"
+#include "model/ask/steps_json.h"
 #include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"
@@ -25,25 +26,6 @@ Expected<std::size_t> pattern_named(const PatternSet& set, const char* option,
     const Expected<std::size_t> place = pattern_place_of(set, name);
     return place ? place
                  : Expected<std::size_t>(Error{std::string(option) + ": " + place.error().message});
-}
-
-std::string numbers_of(const Pattern& pattern) {
-    std::string list;
-    for (const PatternParameter parameter : kPatternParameters) {
-        if (!value_of(pattern, parameter)) continue;
-        list += std::string(list.empty() ? "" : ", ") + traits(parameter).key;
-    }
-    return list;
-}
-
-Expected<Pattern> end_of_way(const StepsCommand& command, const Pattern& from, const Pattern& to) {
-    if (command.parameter.empty()) return to;
-    for (const PatternParameter parameter : kPatternParameters) {
-        if (traits(parameter).key != command.parameter) continue;
-        if (const auto end = end_along(from, to, parameter)) return *end;
-    }
-    return Error{"--parameter: expected a number that both patterns have (" + numbers_of(from) +
-                 "), got \"" + command.parameter + "\""};
 }
 
 struct AnsweredSteps {
@@ -60,11 +42,10 @@ Expected<AnsweredSteps> answered(const StepsCommand& command, const PatternSet& 
     if (!to) return to.error();
     if (*from == *to) return Error{"--to: expected another pattern than --from"};
     const Pattern& first = std::get<Pattern>(set.vibrations[*from].source);
-    const auto last = end_of_way(command, first, std::get<Pattern>(set.vibrations[*to].source));
-    if (!last) return last.error();
-    const StepMeasure measure = command.metric == "nc"   ? StepMeasure::nc
-                                : command.metric == "oc" ? StepMeasure::oc
-                                                         : StepMeasure::pm;
+    const auto last =
+        end_of_way(first, std::get<Pattern>(set.vibrations[*to].source), command.parameter);
+    if (!last) return Error{"--parameter: " + last.error().message};
+    const StepMeasure measure = step_measure_named(command.metric).value_or(StepMeasure::pm);
     const StepsQuestion question{first, *last, static_cast<std::size_t>(command.count), measure,
                                  set.model};
     const auto steps =
@@ -77,18 +58,7 @@ Expected<AnsweredSteps> answered(const StepsCommand& command, const PatternSet& 
 Labels labels_of(const AnsweredSteps& answer) { return {.mark = mark_of(answer.written)}; }
 
 nlohmann::json json_of(const AnsweredSteps& answer) {
-    const EvenSteps& steps = answer.steps;
-    nlohmann::json json{{"patterns", names_of(answer.written)},
-                        {"shares", steps.shares},
-                        {"apart", steps.apart},
-                        {"ends_apart", steps.ends_apart},
-                        {"pm", steps.pm},
-                        {"largest_pm", steps.largest_pm},
-                        {"uneven", steps.uneven},
-                        {"even", is_even(steps)}};
-    if (steps.jump) {
-        json["jump"] = {{"share", steps.jump->share}, {"distance", steps.jump->distance}};
-    }
+    nlohmann::json json = json_of(answer.steps, names_of(answer.written));
     add_labels(json, labels_of(answer));
     return json;
 }
