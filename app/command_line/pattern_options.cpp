@@ -8,8 +8,10 @@
 
 #include "app/physiology/stages.h"
 #include "app/pictures/frame_sequence.h"
+#include "model/export/exported_files.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -168,7 +170,8 @@ void add_export_command(CLI::App& app, ExportCommand& command, Chosen& chosen) {
             actuator_names() +
             "; default: the one that was chosen when the set's effects were read, or the "
             "format's own");
-    const std::vector<std::string> rates{"10000", "44100", "48000"};
+    std::vector<std::string> rates;
+    for (const double rate_hz : kExportRatesHz) rates.push_back(shortest_digits(rate_hz));
     sub.add_option_function<std::string>(
            "--rate", [&command](const std::string& text) { command.rate_hz = std::stod(text); },
            "of WAV and CSV, Hz: 10000, 44100 or 48000; default: 48000 of WAV and 10000 of CSV")

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/export/effect_files.h"
 #include "app/export/export_report.h"
 #include "app/ui/file_question.h"
+#include "model/export/effect_files.h"
 #include "model/subset/set_subset.h"
 #include "model/text/file_stem.h"
 #include "model/text/utc_time.h"

@@ -6,7 +6,7 @@
 #include "app/session/document_file.h"
 #include "app/session/folders.h"
 #include "app/session/lesson_draft.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"

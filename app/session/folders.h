@@ -4,15 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "model/common/expected.h"
+#include "model/io/folders/new_folder.h"
 
 namespace tact {
-
-// False also where it cannot be known.
-bool is_there(const std::filesystem::path& path);
-
-// The folder, made with its parents where it is missing.
-Expected<Done> make_folder(const std::filesystem::path& folder);
 
 // Takes the folder and every file in it, old ones too, from all other users. A file whose
 // permissions cannot be changed keeps them.

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/folders.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"

@@ -5,7 +5,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/io/set/set_file.h"
 #include "model/sound/from_sound.h"
 #include "model/text/json_fields.h"

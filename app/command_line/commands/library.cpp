@@ -9,7 +9,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/text_table.h"
 #include "app/rendering/labels.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/model_file.h"
 #include "model/io/set/set_file.h"

@@ -6,7 +6,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"

@@ -8,7 +8,7 @@
 #include "app/physiology/stage_csv.h"
 #include "app/rendering/labels.h"
 #include "app/session/folders.h"
-#include "app/session/path_json.h"
+#include "model/io/folders/path_json.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 

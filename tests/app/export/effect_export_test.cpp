@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "app/export/effect_files.h"
 #include "app/export/export_report.h"
 #include "app/window/animation.h"
 #include "app/window/commands.h"
+#include "model/export/effect_files.h"
 #include "model/export/loss_words.h"
 #include "model/io/recordings/wave_file.h"
 #include "tests/support/program.h"

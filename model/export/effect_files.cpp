@@ -1,7 +1,7 @@
-#include "app/export/effect_files.h"
+#include "model/export/effect_files.h"
 
-#include "app/session/folders.h"
 #include "model/export/exported_set.h"
+#include "model/io/folders/new_folder.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 #include "model/text/unique_names.h"

@@ -1,0 +1,121 @@
+#include "model/export/exported_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/export/exported_set.h"
+#include "model/export/loss_json.h"
+#include "model/io/folders/path_json.h"
+#include "model/set/named_place.h"
+#include "model/subset/set_subset.h"
+
+namespace tact {
+
+namespace {
+
+constexpr double kSubsetLimitS = 60.0;
+
+nlohmann::json target_json(const ExportTarget& target) {
+    nlohmann::json answer{{"format", traits(target.format).key}};
+    if (!is_sampled(target.format)) {
+        answer["actuator"] = target.map.name;
+        answer["actuator_source"] = target.map.source;
+        return answer;
+    }
+    answer["rate_hz"] = target.sampled.rate_hz;
+    if (target.format != TargetFormat::wav) return answer;
+    const WaveEncoding encoding = target.sampled.encoding;
+    answer["full_scale_g"] = target.sampled.full_scale_g;
+    answer["bits"] = encoding == WaveEncoding::float32 ? "float"
+                     : encoding == WaveEncoding::int16 ? "16"
+                                                       : "24";
+    return answer;
+}
+
+std::optional<ExportedFiles> files_alone(const PatternSet& part, ExportedFiles result,
+                                         const std::string& date,
+                                         const ExportedFilesOptions& options) {
+    const auto made = exported_set(part, result.target, options.threads, options.stop, date);
+    if (!made) return std::nullopt;
+    result.target = made->target;
+    for (std::size_t k = 0; k < result.names.size(); ++k) {
+        const ExportedPattern& one = *made->patterns[k];
+        add_files(result.files, result.names[k], result.target.format, one.text, one.beside);
+        result.remarks.push_back(one.remarks);
+    }
+    return result;
+}
+
+}  // namespace
+
+Expected<PatternSet> part_to_export(const PatternSet& set, const std::vector<std::string>& names,
+                                    TargetFormat format, const std::string& asked_by) {
+    std::vector<bool> wanted(set.vibrations.size(), names.empty());
+    for (const std::string& name : names) {
+        const auto at = place_of(set, name);
+        if (!at) return at.error();
+        if (!is_held(set.vibrations[*at], format)) {
+            return Error{asked_by + ": expected a pattern, \"" + name + "\" is a recording"};
+        }
+        wanted[*at] = true;
+    }
+    std::vector<std::size_t> asked;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        if (wanted[k] && is_held(set.vibrations[k], format)) asked.push_back(k);
+    }
+    if (asked.empty()) {
+        return Error{set.vibrations.empty()
+                         ? "expected patterns to export, the set is empty"
+                         : "expected patterns to export, the set has recordings alone"};
+    }
+    return part_of(set, asked);
+}
+
+void take_wave_bits(SampledAs& sampled, const std::string& bits) {
+    if (bits == "16") sampled.encoding = WaveEncoding::int16;
+    if (bits == "float") sampled.encoding = WaveEncoding::float32;
+}
+
+std::optional<ExportedFiles> exported_files(const PatternSet& part, const ExportTarget& target,
+                                            const std::string& date,
+                                            const ExportedFilesOptions& options) {
+    ExportedFiles result{target, effect_file_names(part, target.format), {}, {}, {}};
+    if (options.without_loss) return files_alone(part, std::move(result), date, options);
+    ExportLossOptions of_loss;
+    of_loss.subset_count = options.subset_count;
+    of_loss.time_limit_s = kSubsetLimitS;
+    of_loss.date = date;
+    of_loss.threads = options.threads;
+    of_loss.stop = options.stop;
+    of_loss.progress = options.progress;
+    result.loss = export_loss(part, target, of_loss);
+    if (!result.loss) return std::nullopt;
+    result.target = result.loss->target;
+    for (std::size_t k = 0; k < result.names.size(); ++k) {
+        add_files(result.files, result.names[k], target.format, result.loss->files[k],
+                  result.loss->beside[k]);
+        result.remarks.push_back(result.loss->patterns[k].remarks);
+    }
+    return result;
+}
+
+nlohmann::json json_of(const ExportedFiles& exported, const PatternSet& part,
+                       const std::filesystem::path& folder) {
+    const TargetFormat format = exported.target.format;
+    nlohmann::json list = nlohmann::json::array();
+    for (std::size_t k = 0; k < exported.remarks.size(); ++k) {
+        const std::string& name = exported.names[k];
+        nlohmann::json one{{"pattern", part.vibrations[k].name},
+                           {"file", path_json(folder / name)},
+                           {"remarks", exported.remarks[k]}};
+        if (*traits(format).beside != '\0') {
+            one["beside"] = path_json(folder / name_beside(name, format));
+        }
+        list.push_back(std::move(one));
+    }
+    nlohmann::json answer = target_json(exported.target);
+    answer["files"] = list;
+    if (exported.loss) answer["loss"] = json_of(*exported.loss);
+    return answer;
+}
+
+}  // namespace tact
