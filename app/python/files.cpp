@@ -1,59 +1,63 @@
 #include <pybind11/stl.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/python/beside_python.h"
+#include "app/python/dicts.h"
 #include "app/python/functions.h"
+#include "app/python/set_dict.h"
 #include "app/python/values.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/load.h"
+#include "model/io/set/measured_files.h"
 #include "model/io/set/model_file.h"
-#include "model/io/set/model_json.h"
-#include "model/io/set/set_json.h"
-#include "model/set/layers.h"
-#include "model/set/set_ratings.h"
+#include "model/io/set/set_file.h"
 
 namespace tact {
 
 namespace py = pybind11;
+namespace fs = std::filesystem;
 using namespace py::literals;
 
 namespace {
 
-py::object own_ratings(const PatternSet& set) {
-    if (set.ratings.empty()) return py::none();
-    return python_of(value_of(study_of(set)));
+// A path, or a list of them.
+std::vector<fs::path> paths_in(const py::object& given) {
+    if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
+        return {path_in(given, "path")};
+    }
+    std::vector<fs::path> paths;
+    for (const py::handle one : given) {
+        paths.push_back(path_in(one, "path[" + std::to_string(paths.size()) + "]"));
+    }
+    return paths;
 }
 
-py::dict dict_of(const Loaded& loaded) {
-    const PatternSet& set = loaded.set;
-    py::list waves, patterns, measures, synthetic, locked, dropped;
-    for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
-        const Vibration& one = set.vibrations[k];
-        const auto* pattern = std::get_if<Pattern>(&one.source);
-        const auto* measured = std::get_if<Measurement>(&one.source);
-        const auto* layered = std::get_if<LayeredPattern>(&one.source);
-        waves.append(array_of(waveform_of(one).samples_g));
-        const double usual_s = Pattern().duration_s;
-        patterns.append(pattern != nullptr   ? python_of(json_of(*pattern, usual_s))
-                        : layered != nullptr ? python_of(json_of(*layered, usual_s, {}))
-                                             : py::none());
-        measures.append(measured != nullptr ? measured->measures : "");
-        synthetic.append(is_synthetic(one));
-        if (one.locked) locked.append(k);
-        if (one.dropped) dropped.append(k);
+// A set is not to be written over effects of another program, nor under their names.
+Expected<Done> may_be_replaced(const fs::path& path) {
+    if (!path.filename().string().ends_with(".json")) {
+        return Error{path.string() + ": expected a set file's name, which ends in .json"};
     }
-    return py::dict("name"_a = set.name, "names"_a = names_of(set), "waves"_a = waves,
-                    "rate_hz"_a = kModelRateHz, "patterns"_a = patterns,
-                    "model"_a = python_of(json_of(set.model)), "ratings"_a = own_ratings(set),
-                    "measures"_a = measures, "synthetic"_a = synthetic, "locked"_a = locked,
-                    "dropped"_a = dropped, "remarks"_a = loaded.remarks);
+    std::error_code none;
+    if (!fs::exists(path, none) || !holds_effects(path)) return Done{};
+    return Error{path.string() +
+                 ": holds effects of another program, expected another name for the set"};
 }
 
 }  // namespace
 
-py::dict read_set(const std::filesystem::path& path) {
-    Loaded loaded = value_of(beside_python([&](const std::stop_token&) { return load_set(path); }));
+py::dict read_set(const py::object& path, const py::object& actuator, const py::object& progress) {
+    Progress told(progress);
+    const std::vector<fs::path> paths = paths_in(path);
+    LoadOptions options;
+    if (const std::string name = text_in(actuator, "actuator"); !name.empty()) {
+        options.actuator = value_of(actuator_named(name));
+    }
+    options.progress = told.for_work("reading");
+    Loaded loaded = value_of(beside_python(
+        [&](std::stop_token stop) {
+            options.stop = stop;
+            return load_sets(paths, options);
+        },
+        &told));
     if (std::string synthetic = remark_on_synthetic(loaded.set.model_origin); !synthetic.empty()) {
         loaded.remarks.push_back("the set's model: " + std::move(synthetic));
     }
@@ -62,14 +66,25 @@ py::dict read_set(const std::filesystem::path& path) {
     return dict_of(loaded);
 }
 
-py::dict read_ratings_file(const std::filesystem::path& path,
-                           const std::optional<std::vector<std::string>>& names,
-                           const std::string& scale) {
+void write_set(const py::object& path, const py::object& set) {
+    const fs::path file = path_in(path, "path");
+    value_of(beside_python_or_alone(
+        [file, made = pattern_set_of(set)](const std::stop_token&) mutable -> Expected<Done> {
+            if (const auto may = may_be_replaced(file); !may) return may;
+            if (const auto stored = store_measurements(made, file); !stored) return stored;
+            return write_set_file(file, made);
+        }));
+}
+
+py::dict read_ratings_file(const py::object& path, const py::object& names,
+                           const py::object& scale) {
     constexpr const char* kScales[] = {"guess", "dissimilarity", "similarity"};
     const auto as = static_cast<RatingScale>(choice_of(scale, "scale", kScales));
-    LoadedRatings loaded = value_of(beside_python(
-        [&](const std::stop_token&) { return read_ratings(std::span(&path, 1), as); }));
-    if (names) loaded.study = value_of(matched(loaded.study, *names));
+    LoadedRatings loaded =
+        value_of(beside_python_or_alone([file = path_in(path, "path"), as](const std::stop_token&) {
+            return read_ratings(std::span(&file, 1), as);
+        }));
+    if (!names.is_none()) loaded.study = value_of(matched(loaded.study, texts_in(names, "names")));
     if (!loaded.study.gone.empty()) loaded.remarks.push_back(words_on_gone(loaded.study.gone));
     for (const std::string& remark : loaded.remarks) warn(remark);
     py::list left_out;

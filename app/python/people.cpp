@@ -5,9 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/python/beside_python.h"
+#include "app/python/dicts.h"
+#include "app/python/documents.h"
 #include "app/python/functions.h"
 #include "app/python/values.h"
-#include "model/evaluation/metric_comparison.h"
 #include "model/io/set/model_file.h"
 #include "model/io/set/model_json.h"
 #include "model/planning/study_plan.h"
@@ -17,51 +18,6 @@ namespace tact {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-namespace {
-
-py::dict dict_of(const Evaluation& e, const RatedPeople& people) {
-    const Reliability& reliability = people.reliability;
-    return py::dict(
-        "rho"_a = e.rho, "rho_low"_a = e.rho_interval.low, "rho_high"_a = e.rho_interval.high,
-        "p"_a = e.rho_p, "tau_b"_a = e.tau_b, "K"_a = e.k,
-        "K_paper"_a = agreement_of(e, Bookkeeping::paper).k, "K_low"_a = e.k_spread.low,
-        "K_high"_a = e.k_spread.high, "K_chance"_a = rated_part(people.rated).k_chance.mean,
-        "K_p"_a = e.k_p, "K_corrected"_a = e.k_corrected, "K_procrustes"_a = e.k_procrustes,
-        "protest_p"_a = e.protest_p, "stress1"_a = e.stress1,
-        "reliability"_a = reliability.spearman_brown,
-        "one_with_others"_a = reliability.one_with_others,
-        "ceiling_of_mean"_a = reliability.ceiling_of_mean, "participants"_a = people.participants,
-        "synthetic"_a = people.mark.synthetic, "participants_left_out"_a = people.mark.left_out,
-        "rehearsals_left_out"_a = people.mark.rehearsals, "unrated_patterns"_a = people.unrated,
-        "remarks"_a = e.remarks);
-}
-
-}  // namespace
-
-py::dict compare(const py::object& matrix, const py::object& ratings, const std::string& metric,
-                 int threads) {
-    Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
-    const RatingStudy study = study_of(ratings);
-    if (study.labels.size() != dissimilarity.size) {
-        throw py::value_error("ratings: expected those of the " +
-                              std::to_string(dissimilarity.size) + " patterns of D, got " +
-                              std::to_string(study.labels.size()));
-    }
-    if (!metric.empty()) {
-        const Metric by = value_of(metric_named(metric));
-        if (by == Metric::spqi) {
-            dissimilarity.condensed = average_ranks(values_to_rank(by, dissimilarity));
-        }
-    }
-    EvaluationParams params;
-    params.threads = threads_of(threads);
-    const RatedPeople people = value_of(
-        beside_python([&](const std::stop_token&) { return rated_people(study, params); }));
-    const Evaluation evaluation = beside_python(
-        [&](const std::stop_token&) { return evaluate(dissimilarity, people.rated, params); });
-    return dict_of(evaluation, people);
-}
 
 namespace {
 
@@ -84,8 +40,8 @@ PlanAssumptions assumed_of(const py::object& pilot, const Dissimilarity& metric,
         }
         assumed = value_of(assumptions_of(study, metric));
     }
-    if (rho) assumed.rho = within(*rho, "rho", {0.0, 1.0});
-    if (reliability) assumed.reliability = within(*reliability, "reliability", {0.01, 1.0});
+    if (rho) assumed.rho = *rho;
+    if (reliability) assumed.reliability = *reliability;
     if (rho || reliability) {
         const bool are_all = rho && (reliability || !pilot.is_none());
         assumed.source = pilot.is_none() ? (are_all ? "stated" : "stated, and the rest guessed")
@@ -96,11 +52,12 @@ PlanAssumptions assumed_of(const py::object& pilot, const Dissimilarity& metric,
 
 }  // namespace
 
-py::dict plan_study(const py::object& matrix, const py::object& rival,
-                    const std::vector<int>& people, const std::optional<double>& rho,
-                    const std::optional<double>& reliability, const py::object& pilot, int pairs,
-                    int studies, int seed, int threads) {
-    constexpr int kMostPeople = 1000;
+py::dict plan_study(const py::object& matrix, const py::object& rival, const py::object& people,
+                    const py::object& rho, const py::object& reliability, const py::object& pilot,
+                    const py::object& pairs, const py::object& studies, const py::object& seed,
+                    const py::object& threads, const py::object& progress) {
+    constexpr double kMostPeople = 1000.0;
+    Progress told(progress);
     StudyPlan plan;
     plan.metric = dissimilarities_of(matrix, "D");
     plan.rival = dissimilarities_of(rival, "rival");
@@ -109,22 +66,26 @@ py::dict plan_study(const py::object& matrix, const py::object& rival,
                               std::to_string(plan.rival.size) + " for " +
                               std::to_string(plan.metric.size));
     }
-    if (people.empty()) throw py::value_error("people: expected at least one number");
     std::vector<std::size_t> counts;
-    for (const int one : people) {
-        counts.push_back(static_cast<std::size_t>(whole_within(one, "people", {1.0, kMostPeople})));
+    for (const int one : wholes_within(people, "people", {1.0, kMostPeople})) {
+        counts.push_back(static_cast<std::size_t>(one));
     }
+    if (counts.empty()) throw py::value_error("people: expected at least one number");
     const auto all = static_cast<double>(pair_count(plan.metric.size));
     plan.pairs = static_cast<std::size_t>(whole_within(pairs, "pairs", {0.0, all}));
-    plan.assumed = assumed_of(pilot, plan.metric, rho, reliability);
+    plan.assumed = assumed_of(pilot, plan.metric, optional_within(rho, "rho", {0.0, 1.0}),
+                              optional_within(reliability, "reliability", {0.01, 1.0}));
     PlanParams params;
     params.studies = static_cast<std::size_t>(whole_within(studies, "studies", {20.0, 1e4}));
     params.seed = static_cast<std::uint64_t>(whole_within(seed, "seed", {0.0, 1e9}));
     params.threads = threads_of(threads);
-    const auto planned = beside_python([&](std::stop_token stop) {
-        params.stop = stop;
-        return planned_studies(plan, counts, params);
-    });
+    params.progress = told.for_work("simulating studies");
+    const auto planned = beside_python(
+        [&](std::stop_token stop) {
+            params.stop = stop;
+            return planned_studies(plan, counts, params);
+        },
+        &told);
     py::list rows;
     for (const PlannedStudy& one : *planned) {
         rows.append(py::dict("people"_a = one.people, "rho"_a = one.rho, "rho_sd"_a = one.rho_sd,
@@ -198,7 +159,7 @@ int units_of(double step) {
 }
 
 TrainingSet training_set_of(const py::dict& set, std::size_t number, double rate_hz) {
-    const std::string name = set.contains("name") ? set["name"].cast<std::string>() : std::string();
+    const std::string name = set.contains("name") ? text_in(set["name"], "name") : std::string();
     if (!set.contains("waves") || !set.contains("ratings") || set["ratings"].is_none()) {
         throw py::value_error("sets[" + std::to_string(number) +
                               "]: expected a dict with \"waves\" and \"ratings\"");
@@ -221,12 +182,16 @@ std::vector<Waveform> padded_to_longest(std::vector<Waveform> waves) {
 
 }  // namespace
 
-py::dict train_sets(const std::vector<py::dict>& given, const std::string& objective, double step,
-                    const std::string& leave_out, double rate_hz, int threads, py::object model) {
-    if (given.empty()) throw py::value_error("sets: expected at least one");
-    if (model.is_none() && given.front().contains("model")) model = given.front()["model"];
+py::dict train_sets(const py::object& given, const py::object& objective, const py::object& step,
+                    const py::object& leave_out, const py::object& rate_hz,
+                    const py::object& threads, py::object model, const py::object& progress) {
+    Progress told(progress);
+    const double rate = rate_of(rate_hz);
+    const std::vector<py::dict> dicts = dicts_in(given, "sets");
+    if (dicts.empty()) throw py::value_error("sets: expected at least one");
+    if (model.is_none() && dicts.front().contains("model")) model = dicts.front()["model"];
     std::vector<TrainingSet> sets;
-    for (const py::dict& set : given) sets.push_back(training_set_of(set, sets.size(), rate_hz));
+    for (const py::dict& set : dicts) sets.push_back(training_set_of(set, sets.size(), rate));
     constexpr const char* kLeftOut[] = {"", "sets", "participants", "patterns"};
     const std::size_t left_out = choice_of(leave_out, "leave_out", kLeftOut);
     if (left_out == 1 && sets.size() < 2) {
@@ -234,20 +199,23 @@ py::dict train_sets(const std::vector<py::dict>& given, const std::string& objec
     }
     TrainingParams params;
     params.model = model_of(model);
-    params.units = units_of(step);
+    params.units = units_of(within(step, "step", {0.0, 1.0}));
     params.objective =
         static_cast<TrainingObjective>(choice_of(objective, "objective", kObjectiveNames));
     params.leave_out_participants = left_out == 2;
     params.leave_out_patterns = left_out == 3;
     params.threads = threads_of(threads);
     value_of(can_train(sets, params));
-    const auto training = beside_python([&](std::stop_token stop) {
-        for (TrainingSet& set : sets) {
-            set.waveforms = padded_to_longest(at_model_rate(std::move(set.waveforms)));
-        }
-        params.stop = stop;
-        return train(sets, params);
-    });
+    params.progress = told.for_work("training");
+    const auto training = beside_python(
+        [&](std::stop_token stop) {
+            for (TrainingSet& set : sets) {
+                set.waveforms = padded_to_longest(at_model_rate(std::move(set.waveforms), stop));
+            }
+            params.stop = stop;
+            return train(sets, params);
+        },
+        &told);
     return dict_of(*training, sets);
 }
 

@@ -1,25 +1,25 @@
-// The Python module tactspace: the same numbers as the program's, for notebooks, and for R through
-// reticulate.
+// What the Python package tactspace (__init__.py) is made of: the same numbers as the program's,
+// for notebooks, and for R through reticulate.
 //
 // Input     arrays and dicts (app/python/values.h)
-// Output    help.h says what of each function; tactspace.pyi has the types
-// Left out  what a screen or a device is needed for; export, studies and candidates, which the
-//           command line has.
+// Output    help.h says what of each function; __init__.pyi has the types
+// Left out  what a screen or a device is needed for; studies and candidates, which the command line
+//           has.
 // Exact     same bits as the command line.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
-#include <cstdint>
 
 #include <algorithm>
+#include <limits>
 
 #include "app/python/beside_python.h"
+#include "app/python/dicts.h"
 #include "app/python/functions.h"
 #include "app/python/help.h"
+#include "app/python/help_people.h"
+#include "app/python/help_sets.h"
 #include "app/python/values.h"
-#include "model/algebra/source_edits.h"
 #include "model/evaluation/metric_matrix.h"
-#include "model/io/set/set_json.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
@@ -34,22 +34,27 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-py::array predict_matrix(const py::object& waves, const std::string& metric, double rate_hz,
-                         int threads, const py::object& model) {
-    const Metric by = value_of(metric_named(metric));
+py::array predict_matrix(const py::object& waves, const py::object& metric,
+                         const py::object& rate_hz, const py::object& threads,
+                         const py::object& model, const py::object& progress) {
+    Progress told(progress);
+    const Metric by = value_of(metric_named(text_in(metric, "metric")));
     const PerceptualModelParams params = model_of(model);
     MetricOptions options;
     options.threads = threads_of(threads);
-    std::vector<Waveform> given = waves_of(waves, rate_hz);
+    options.progress = told.for_work("comparing pairs");
+    std::vector<Waveform> given = waves_of(waves, rate_of(rate_hz));
     if (given.size() < 2) {
         throw py::value_error("waves: expected at least two to compare, got " +
                               std::to_string(given.size()));
     }
-    return square_array(*beside_python([&](std::stop_token stop) {
-        options.stop = stop;
-        auto matrix = metric_matrix(by, at_model_rate(std::move(given)), params, options);
-        return matrix ? std::optional(as_ranked(by, *std::move(matrix))) : std::nullopt;
-    }));
+    return square_array(*beside_python(
+        [&](std::stop_token stop) {
+            options.stop = stop;
+            auto matrix = metric_matrix(by, at_model_rate(std::move(given), stop), params, options);
+            return matrix ? std::optional(as_ranked(by, *std::move(matrix))) : std::nullopt;
+        },
+        &told));
 }
 
 py::dict dict_of(const ChannelStages& channel, const Activation& activation,
@@ -90,15 +95,15 @@ py::dict dict_of(const std::vector<Component>& components) {
 }
 
 // Padded to the longest, as predict() does.
-py::array unfelt_places(const py::object& waves, double rate_hz, int threads,
-                        const py::object& model) {
+py::array unfelt_places(const py::object& waves, const py::object& rate_hz,
+                        const py::object& threads, const py::object& model) {
     const PerceptualModelParams params = model_of(model);
     PredictOptions options;
     options.threads = threads_of(threads);
-    std::vector<Waveform> given = waves_of(waves, rate_hz);
+    std::vector<Waveform> given = waves_of(waves, rate_of(rate_hz));
     const std::vector<std::size_t> places = beside_python([&](std::stop_token stop) {
         options.stop = stop;
-        given = at_model_rate(std::move(given));
+        given = at_model_rate(std::move(given), stop);
         std::size_t longest = 0;
         for (const Waveform& one : given) longest = std::max(longest, one.samples_g.size());
         for (Waveform& one : given) one = padded(std::move(one), longest);
@@ -107,10 +112,9 @@ py::array unfelt_places(const py::object& waves, double rate_hz, int threads,
     return array_of(std::vector<int>(places.begin(), places.end()));
 }
 
-py::dict stages(const py::object& wave, double rate_hz, const py::object& model) {
+py::dict stages(const py::object& wave, const py::object& rate_hz, const py::object& model) {
     const PerceptualModelParams params = model_of(model);
-    within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
-    Waveform input = wave_of(wave, "wave", rate_hz);
+    Waveform input = wave_of(wave, "wave", rate_of(rate_hz));
     const NeuralCodingStages made = beside_python([&](std::stop_token stop) {
         input = resampled(input, kModelRateHz);
         return neural_coding_stages(input, params.coding, KeepLayers::none, {.stop = stop});
@@ -128,35 +132,42 @@ py::dict stages(const py::object& wave, double rate_hz, const py::object& model)
         "envelope"_a = array_of(rhythm_envelope(input.samples_g, params.envelope)));
 }
 
-py::tuple space(const py::object& matrix, int dimensions, int threads) {
-    const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
+py::tuple space(const py::object& matrix, const py::object& dimensions, const py::object& threads) {
+    Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
     MdsParams params =
         standard_mds_params(dissimilarity.size, whole_within(dimensions, "dimensions", {1, 10}));
     params.threads = threads_of(threads);
-    const PerceptualSpace made = beside_python(
-        [&](std::stop_token stop) { return nonmetric_mds(dissimilarity, params, stop); });
+    const PerceptualSpace made =
+        beside_python_or_alone([apart = std::move(dissimilarity), params](std::stop_token stop) {
+            return nonmetric_mds(apart, params, stop);
+        });
     warn(remark_on(made));
     return py::make_tuple(array_of(made.points), made.stress1);
 }
 
-py::dict subset(const py::object& matrix, int k, const std::vector<std::int64_t>& keep,
-                const std::vector<std::int64_t>& drop, const std::string& objective, int threads,
-                double time_limit_s) {
-    const Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
+py::dict subset(const py::object& matrix, const py::object& k, const py::object& keep,
+                const py::object& drop, const py::object& objective, const py::object& threads,
+                const py::object& time_limit_s, const py::object& progress) {
+    Progress told(progress);
+    Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
     constexpr const char* kObjectives[] = {"max-min", "max-sum"};
     const bool by_sum = choice_of(objective, "objective", kObjectives) == 1;
-    whole_within(k, "k", {0, 1e9});  // the rest is said as everywhere (check_subset)
-    const SubsetProblem problem{
-        static_cast<std::size_t>(k), by_sum ? SubsetObjective::max_sum : SubsetObjective::max_min,
-        places_of(keep, "keep", dissimilarity.size), places_of(drop, "drop", dissimilarity.size)};
+    // The rest is said as everywhere (check_subset).
+    const SubsetProblem problem{static_cast<std::size_t>(whole_within(k, "k", {0, 1e9})),
+                                by_sum ? SubsetObjective::max_sum : SubsetObjective::max_min,
+                                places_of(keep, "keep", dissimilarity.size),
+                                places_of(drop, "drop", dissimilarity.size)};
     SubsetOptions options;
     options.threads = threads_of(threads);
     options.time_limit_s =
         within(time_limit_s, "time_limit_s", {0.0, std::numeric_limits<double>::infinity()});
-    const SubsetAnswer answer = value_of(beside_python([&](std::stop_token stop) {
-        options.stop = stop;
-        return most_distinct_subset(dissimilarity, problem, options);
-    }));
+    options.progress = told.for_work("searching");
+    const SubsetAnswer answer = value_of(beside_python_or_alone(
+        [apart = std::move(dissimilarity), problem, options](std::stop_token stop) mutable {
+            options.stop = stop;
+            return most_distinct_subset(apart, problem, options);
+        },
+        &told));
     const Subset& best = answer.best;
     const std::vector<int> members(best.members.begin(), best.members.end());
     return py::dict("members"_a = array_of(members), "weakest"_a = best.weakest,
@@ -164,77 +175,61 @@ py::dict subset(const py::object& matrix, int k, const std::vector<std::int64_t>
                     "optimal"_a = answer.proof == SubsetProof::optimal, "bound"_a = answer.bound);
 }
 
-py::array render_pattern(const py::dict& pattern, double rate_hz) {
-    Vibration drawn;
-    drawn.source = pattern_of(pattern);
-    within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
-    return array_of(beside_python([&](const std::stop_token&) {
-                        return waveform_of(drawn, rate_hz);
-                    }).samples_g);
-}
-
-// "reverse", or with what it needs: ("stretch", 1.2), ("join", {...}).
-Edit edit_of(const py::handle& given) {
-    const bool is_key = py::isinstance<py::str>(given);
-    const py::tuple words =
-        is_key ? py::make_tuple(given) : py::tuple(py::reinterpret_borrow<py::object>(given));
-    const auto kind = words.empty() ? std::nullopt : edit_kind(words[0].cast<std::string>());
-    if (!kind) {
-        std::string keys;
-        for (std::size_t k = 0; k < kEditKindCount; ++k) {
-            keys += std::string(k == 0 ? "" : ", ") + traits(static_cast<EditKind>(k)).key;
-        }
-        throw py::value_error("edits: expected one of " + keys + ", got " +
-                              py::repr(given).cast<std::string>());
-    }
-    const EditTraits& about = traits(*kind);
-    const auto refuse = [&](const char* expected) {
-        throw py::value_error(std::string(about.key) + ": expected " + expected + ", got " +
-                              py::repr(given).cast<std::string>());
-    };
-    const bool is_pair = words.size() == 2;
-    if (about.needs == EditNeeds::nothing) {
-        if (words.size() != 1) refuse("nothing with it");
-    } else if (about.needs == EditNeeds::pattern) {
-        if (!is_pair || !py::isinstance<py::dict>(words[1])) refuse("a pattern with it");
-    } else if (!is_pair || PyNumber_Check(words[1].ptr()) == 0) {
-        refuse("a number with it");
-    }
-    Edit edit{*kind};
-    if (about.needs == EditNeeds::pattern) {
-        edit.other = pattern_of(words[1].cast<py::dict>());
-    } else if (is_pair) {
-        edit.number = words[1].cast<double>();
-    }
-    return edit;
-}
-
-py::object edit_pattern(const py::dict& pattern, const py::sequence& edits,
-                        const py::object& model) {
-    const PerceptualModelParams params = model_of(model);
-    Vibration before;
-    before.source = pattern_of(pattern);
-    std::vector<Edit> all;
-    for (const py::handle given : edits) all.push_back(edit_of(given));
-    const VibrationSource after = value_of(beside_python(
-        [&](const std::stop_token&) { return edited_source(before, all, params.coding.tables); }));
-    const double usual_s = Pattern().duration_s;
-    if (const auto* layered = std::get_if<LayeredPattern>(&after)) {
-        return python_of(json_of(*layered, usual_s, {}));
-    }
-    const auto* made = std::get_if<Pattern>(&after);
-    if (made == nullptr) {
-        throw py::value_error(
-            "edits: expected what stays a pattern, a join with layers is samples");
-    }
-    return python_of(json_of(*made, usual_s));
-}
-
-PYBIND11_MODULE(tactspace, module) {
-    py::options plain;
-    plain.disable_function_signatures();  // help.h has them, as inspect.signature() reads them
+// Arguments are taken as objects: what is wrong with one is said with its name (scalars.h).
+void define_predictions(py::module_& module) {
     const auto none = py::none();
     const py::tuple nobody;
+    module.def("predict", predict_matrix, help::kPredict, "waves"_a, "metric"_a = "pm",
+               "rate_hz"_a = kModelRateHz, "threads"_a = 0, "model"_a = none, py::kw_only(),
+               "progress"_a = none);
+    module.def("stages", stages, help::kStages, "wave"_a, "rate_hz"_a = kModelRateHz,
+               "model"_a = none);
+    module.def("unfelt", unfelt_places, help::kUnfelt, "waves"_a, "rate_hz"_a = kModelRateHz,
+               "threads"_a = 0, "model"_a = none);
+    module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0);
+    module.def("subset", subset, help::kSubset, "D"_a, "k"_a, "keep"_a = nobody, "drop"_a = nobody,
+               "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0, py::kw_only(),
+               "progress"_a = none);
+}
+
+void define_people(py::module_& module) {
+    const auto none = py::none();
+    module.def("compare", compare, help::kCompare, "D"_a, "ratings"_a, "metric"_a = "",
+               "threads"_a = 0, py::kw_only(), "given"_a = none, "progress"_a = none);
+    module.def("paper", paper, help::kPaper, "sets"_a, "threads"_a = 0, py::kw_only(),
+               "progress"_a = none);
+    module.def("plan", plan_study, help::kPlan, "D"_a, "rival"_a, "people"_a, "rho"_a = none,
+               "reliability"_a = none, "pilot"_a = none, "pairs"_a = 0, "studies"_a = 200,
+               "seed"_a = 12, "threads"_a = 0, py::kw_only(), "progress"_a = none);
+    module.def("train", train_sets, help::kTrain, "sets"_a, "objective"_a = "mean-rho",
+               "step"_a = 0.1, "leave_out"_a = "", "rate_hz"_a = kModelRateHz, "threads"_a = 0,
+               "model"_a = none, py::kw_only(), "progress"_a = none);
+}
+
+void define_sets(py::module_& module) {
+    const auto none = py::none();
+    module.def("render", render_pattern, help::kRender, "pattern"_a, "rate_hz"_a = kModelRateHz);
+    module.def("edit", edit_pattern, help::kEdit, "pattern"_a, "edits"_a, "model"_a = none);
+    module.def("separate", separate, help::kSeparate, "set"_a, "pair"_a, "change"_a = none,
+               "among"_a = py::tuple(), "closest"_a = 5.0, "threshold"_a = none, "threads"_a = 0,
+               py::kw_only(), "progress"_a = none);
+    module.def("steps", steps, help::kSteps, "set"_a, "start"_a, "end"_a, "count"_a = 5,
+               "parameter"_a = "", "metric"_a = "pm", "threads"_a = 0, py::kw_only(),
+               "progress"_a = none);
+    module.def("export", export_set, help::kExport, "set"_a, "folder"_a, "format"_a,
+               "patterns"_a = py::tuple(), "onto"_a = "", "rate_hz"_a = none, "bits"_a = none,
+               "count"_a = 0, "loss"_a = true, "overwrite"_a = false, "threads"_a = 0,
+               py::kw_only(), "progress"_a = none);
+    module.def("read_set", read_set, help::kReadSet, "path"_a, py::kw_only(), "actuator"_a = "",
+               "progress"_a = none);
+    module.def("write_set", write_set, help::kWriteSet, "path"_a, "set"_a);
+    module.def("read_ratings", read_ratings_file, help::kReadRatings, "path"_a, "names"_a = none,
+               "scale"_a = "guess");
+}
+
+PYBIND11_MODULE(_tactspace, module) {
+    py::options plain;
+    plain.disable_function_signatures();  // help.h has them, as inspect.signature() reads them
     module.doc() = help::kModule;
     module.attr("__version__") = TACT_VERSION;
     // NumPy is found here: in the first call of a daemon thread, the interpreter's end would end
@@ -244,28 +239,9 @@ PYBIND11_MODULE(tactspace, module) {
     py::list metrics;
     for (const Metric metric : kMetrics) metrics.append(traits(metric).key);
     module.attr("metrics") = py::tuple(metrics);
-    module.def("predict", predict_matrix, help::kPredict, "waves"_a, "metric"_a = "pm",
-               "rate_hz"_a = kModelRateHz, "threads"_a = 0, "model"_a = none);
-    module.def("stages", stages, help::kStages, "wave"_a, "rate_hz"_a = kModelRateHz,
-               "model"_a = none);
-    module.def("unfelt", unfelt_places, help::kUnfelt, "waves"_a, "rate_hz"_a = kModelRateHz,
-               "threads"_a = 0, "model"_a = none);
-    module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0);
-    module.def("subset", subset, help::kSubset, "D"_a, "k"_a, "keep"_a = nobody, "drop"_a = nobody,
-               "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0);
-    module.def("compare", compare, help::kCompare, "D"_a, "ratings"_a, "metric"_a = "",
-               "threads"_a = 0);
-    module.def("plan", plan_study, help::kPlan, "D"_a, "rival"_a, "people"_a, "rho"_a = none,
-               "reliability"_a = none, "pilot"_a = none, "pairs"_a = 0, "studies"_a = 200,
-               "seed"_a = 12, "threads"_a = 0);
-    module.def("train", train_sets, help::kTrain, "sets"_a, "objective"_a = "mean-rho",
-               "step"_a = 0.1, "leave_out"_a = "", "rate_hz"_a = kModelRateHz, "threads"_a = 0,
-               "model"_a = none);
-    module.def("render", render_pattern, help::kRender, "pattern"_a, "rate_hz"_a = kModelRateHz);
-    module.def("edit", edit_pattern, help::kEdit, "pattern"_a, "edits"_a, "model"_a = none);
-    module.def("read_set", read_set, help::kReadSet, "path"_a);
-    module.def("read_ratings", read_ratings_file, help::kReadRatings, "path"_a, "names"_a = none,
-               "scale"_a = "guess");
+    define_predictions(module);
+    define_people(module);
+    define_sets(module);
 }
 
 }  // namespace

@@ -4,24 +4,19 @@
 #include <cstdint>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "model/io/set/loaded.h"
-#include "model/io/set/model_json.h"
-#include "model/io/set/set_json.h"
-#include "model/set/layers.h"
+#include "model/pattern/pattern.h"
 #include "model/signal/resample.h"
-#include "model/text/json_fields.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 
 namespace tact {
 
 namespace py = pybind11;
 
-namespace {
+std::string shape_of(const py::array& array) { return std::string(py::str(array.attr("shape"))); }
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+namespace {
 
 // A mask would be dropped in silence, and what it hides would count.
 void refuse_masked(const py::object& object, const std::string& name) {
@@ -33,19 +28,18 @@ void refuse_masked(const py::object& object, const std::string& name) {
                           grouped_digits(hidden) + " that are masked");
 }
 
-// Whatever NumPy would have cast in silence (complex numbers, texts) is no number here.
-Numbers numbers_of(const py::object& object, const std::string& name) {
-    refuse_masked(object, name);
-    const auto array = py::array::ensure(object);
-    if (!array || std::string("iuf").find(array.dtype().kind()) == std::string::npos) {
-        throw py::type_error(name + ": expected real numbers, got " +
-                             std::string(py::str(py::repr(py::type::of(object)))) +
-                             (array ? " of " + std::string(py::str(array.dtype())) : ""));
+// The first element that is no number, where a list holds some.
+void refuse_element(const py::array& array, const std::string& name) {
+    if (array.dtype().kind() != 'O' || array.ndim() != 1) return;
+    std::size_t k = 0;
+    for (const py::handle one : array) {
+        if (!py::isinstance<py::float_>(one) && !py::isinstance<py::int_>(one)) {
+            throw py::type_error(name + "[" + std::to_string(k) +
+                                 "]: expected a real number, got " + described(one));
+        }
+        ++k;
     }
-    return Numbers(array);  // throws where the numbers have no room, unlike ensure()
 }
-
-std::string shape_of(const py::array& array) { return std::string(py::str(array.attr("shape"))); }
 
 Waveform wave_of(std::span<const double> samples, const std::string& name, double rate_hz) {
     if (samples.empty()) throw py::value_error(name + ": expected samples, got none");
@@ -57,11 +51,23 @@ Waveform wave_of(std::span<const double> samples, const std::string& name, doubl
     }
     for (std::size_t k = 0; k < samples.size(); ++k) {
         if (std::abs(samples[k]) <= kMaxSampleG) continue;
+        if (!std::isfinite(samples[k])) {
+            throw py::value_error(name + "[" + std::to_string(k) +
+                                  "]: expected a finite number of g, got " +
+                                  shortest_digits(samples[k]));
+        }
         throw py::value_error(name + "[" + std::to_string(k) + "]: expected at most " +
                               grouped_digits(static_cast<std::size_t>(kMaxSampleG)) + " g, got " +
                               significant_digits(samples[k], 6));
     }
     return {rate_hz, {samples.begin(), samples.end()}};
+}
+
+// "[3]", or "[1, 0]" of a table.
+std::string place_in(const Numbers& values, py::ssize_t k) {
+    if (values.ndim() != 2) return "[" + std::to_string(k) + "]";
+    const py::ssize_t columns = values.shape(1);
+    return "[" + std::to_string(k / columns) + ", " + std::to_string(k % columns) + "]";
 }
 
 // n of n (n - 1) / 2 pairs; 0 if no n fits.
@@ -97,113 +103,19 @@ Dissimilarity of_square(const Numbers& square, const std::string& name) {
     return result;
 }
 
-py::object json_module() { return py::module_::import("json"); }
-
-// The text of a dict, in which NumPy's numbers and arrays may stand for Python's.
-std::string json_text_of(const py::object& document) {
-    const py::cpp_function plain([](const py::object& value) {
-        if (py::hasattr(value, "tolist")) return py::object(value.attr("tolist")());
-        throw py::type_error("expected numbers, texts, lists and dicts, got " +
-                             std::string(py::str(py::repr(value))));
-    });
-    return py::str(json_module().attr("dumps")(document, py::arg("default") = plain));
-}
-
-// Reads a whole document; a key that is not known is a mistake, not something to keep.
-template <class Read>
-auto read_document(const py::object& document, const std::string& name,
-                   std::span<const char* const> passed_over, Read read) {
-    const Json json = value_of(parse_json(json_text_of(document), name));
-    JsonReading reading{name, {}, UnknownKeys::refused};
-    JsonObject object = object_at(reading, json, "");
-    for (const char* key : passed_over) (void)field(object, key);
-    Json unknown = Json::object();
-    auto value = read(object, unknown);
-    unknown.update(unknown_fields(object));
-    if (!reading.fault.empty()) throw py::value_error(reading.fault);
-    return value;
-}
-
-// R makes one name a text, not a list of texts.
-std::vector<std::string> names_in(const py::object& names) {
-    std::vector<std::string> all;
-    if (py::isinstance<py::str>(names)) {
-        all = {names.cast<std::string>()};
-    } else {
-        all = names.cast<std::vector<std::string>>();
-    }
-    for (const std::string& name : all) {
-        if (const std::string fault = name_fault(name); !fault.empty()) {
-            throw py::value_error("ratings: " + fault);
-        }
-    }
-    return all;
-}
-
-RatingStudy study_of_dict(const py::dict& ratings) {
-    for (const char* key : {"names", "participants", "ratings"}) {
-        if (!ratings.contains(key)) {
-            throw py::value_error("ratings: expected what read_ratings() gives, or distances; " +
-                                  std::string("there is no \"") + key + "\"");
-        }
-    }
-    RatingStudy study;
-    study.labels = names_in(ratings["names"]);
-    if (ratings.contains("named")) study.is_named = ratings["named"].cast<bool>();
-    const auto participants = names_in(ratings["participants"]);
-    const Numbers values = numbers_of(ratings["ratings"], "ratings");
-    const auto people = static_cast<py::ssize_t>(participants.size());
-    const auto pairs = static_cast<py::ssize_t>(pair_count(study.labels.size()));
-    if (values.ndim() != 2 || values.shape(0) != people || values.shape(1) != pairs) {
-        throw py::value_error("ratings: expected a row a participant, a column a pair, (" +
-                              std::to_string(people) + ", " + std::to_string(pairs) + "), got " +
-                              shape_of(values));
-    }
-    for (py::ssize_t k = 0; k < people; ++k) {
-        study.judgements.push_back({participants[static_cast<std::size_t>(k)],
-                                    {values.data(k, 0), values.data(k, 0) + pairs}});
-    }
-    if (ratings.contains("synthetic")) {
-        for (const std::string& name : names_in(ratings["synthetic"])) {
-            study.standings.push_back({.participant = name, .synthetic = true});
-        }
-    }
-    const auto count = [&ratings](const char* key) {
-        return ratings.contains(key) ? ratings[key].cast<std::size_t>() : 0;
-    };
-    study.left_out = count("participants_left_out");
-    study.rehearsals = count("rehearsals_left_out");
-    return study;
-}
-
 }  // namespace
 
-void throw_error(const std::string& message) {
-    if (!message.ends_with(": there is no such file")) throw py::value_error(message);
-    PyErr_SetString(PyExc_FileNotFoundError, message.c_str());
-    throw py::error_already_set();
-}
-
-double within(double number, const std::string& name, Range range) {
-    if (range.contains(number)) return number;
-    throw py::value_error(name + ": expected " + shortest_digits(range.low) + " to " +
-                          shortest_digits(range.high) + ", got " + shortest_digits(number));
-}
-
-int whole_within(int number, const std::string& name, Range range) {
-    return static_cast<int>(within(number, name, range));
-}
-
-int threads_of(int threads) { return whole_within(threads, "threads", {0, 1024}); }
-
-std::size_t choice_of(const std::string& text, const std::string& name,
-                      std::span<const char* const> choices) {
-    std::string expected;
-    for (std::size_t k = 0; k < choices.size(); ++k) {
-        if (text == choices[k]) return k;
-        expected += (k == 0 ? "\"" : ", \"") + std::string(choices[k]) + "\"";
+Numbers numbers_of(const py::object& object, const std::string& name) {
+    refuse_masked(object, name);
+    const auto array = py::array::ensure(object);
+    if (!array || std::string("iuf").find(array.dtype().kind()) == std::string::npos) {
+        if (array) refuse_element(array, name);
+        throw py::type_error(name + ": expected real numbers, got " +
+                             (array ? "dtype " + std::string(py::str(array.dtype())) +
+                                          " and shape " + shape_of(array)
+                                    : described(object)));
     }
-    throw py::value_error(name + ": expected one of " + expected + ", got \"" + text + "\"");
+    return Numbers(array);  // throws where the numbers have no room, unlike ensure()
 }
 
 Waveform wave_of(const py::object& wave, const std::string& name, double rate_hz) {
@@ -216,7 +128,6 @@ Waveform wave_of(const py::object& wave, const std::string& name, double rate_hz
 }
 
 std::vector<Waveform> waves_of(const py::object& waves, double rate_hz) {
-    within(rate_hz, "rate_hz", {kLowestRateHz, kHighestRateHz});
     std::vector<Waveform> all;
     std::size_t samples = 0;
     const auto add = [&](Waveform wave) {
@@ -242,13 +153,17 @@ std::vector<Waveform> waves_of(const py::object& waves, double rate_hz) {
             add(wave_of(py::reinterpret_borrow<py::object>(wave), name(), rate_hz));
         }
     } else {
-        throw py::value_error("waves: expected an array (n, samples) or a list of arrays");
+        throw py::type_error("waves: expected an array (n, samples) or a list of arrays, got " +
+                             described(waves));
     }
     return all;
 }
 
-std::vector<Waveform> at_model_rate(std::vector<Waveform> waves) {
-    for (Waveform& wave : waves) wave = resampled(wave, kModelRateHz);
+std::vector<Waveform> at_model_rate(std::vector<Waveform> waves, const std::stop_token& stop) {
+    for (Waveform& wave : waves) {
+        if (stop.stop_requested()) break;
+        wave = resampled(wave, kModelRateHz);
+    }
     return waves;
 }
 
@@ -256,7 +171,9 @@ Dissimilarity dissimilarities_of(const py::object& matrix, const std::string& na
     const Numbers values = numbers_of(matrix, name);
     for (py::ssize_t k = 0; k < values.size(); ++k) {
         if (std::isinf(values.data()[k])) {
-            throw py::value_error(name + ": expected finite numbers, or NaN, got infinity");
+            throw py::value_error(name + place_in(values, k) +
+                                  ": expected a finite number, or NaN, got " +
+                                  shortest_digits(values.data()[k]));
         }
     }
     const bool is_square = values.ndim() == 2 && values.shape(0) == values.shape(1);
@@ -272,90 +189,6 @@ Dissimilarity dissimilarities_of(const py::object& matrix, const std::string& na
     }
     if (is_square) return of_square(values, name);
     return {n, {values.data(), values.data() + count}};
-}
-
-std::vector<std::size_t> places_of(const std::vector<std::int64_t>& places, const std::string& name,
-                                   std::size_t count) {
-    std::vector<std::size_t> result;
-    for (const std::int64_t place : places) {
-        if (place < 0 || static_cast<std::size_t>(place) >= count) {
-            throw py::value_error(name + ": expected places 0 to " + std::to_string(count - 1) +
-                                  ", got " + std::to_string(place));
-        }
-        result.push_back(static_cast<std::size_t>(place));
-    }
-    return result;
-}
-
-PerceptualModelParams model_of(const py::object& model) {
-    // An empty dict that has been through R may be an empty list.
-    const bool is_empty = py::isinstance<py::list>(model) && py::len(model) == 0;
-    if (model.is_none() || is_empty) return {};
-    constexpr const char* kOrigin[] = {"trained_on", "synthetic", "changed_by_hand"};
-    return read_document(model, "model", kOrigin, [](JsonObject& object, Json& unknown) {
-        return model_of(object, unknown);
-    });
-}
-
-VibrationSource pattern_of(const py::dict& pattern) {
-    constexpr const char* kOfItsSet[] = {"name", "locked",    "dropped", "colour",
-                                         "mark", "generated", "note",    "effect"};
-    const double usual_s = Pattern().duration_s;
-    if (!pattern.contains("layers")) {
-        return read_document(pattern, "pattern", kOfItsSet, [&](JsonObject& object, Json& unknown) {
-            return pattern_of(object, usual_s, unknown);
-        });
-    }
-    Vibration layered;
-    layered.source = read_document(
-        pattern, "pattern", kOfItsSet,
-        [&](JsonObject& object, Json& unknown) { return layered_of(object, usual_s, unknown); });
-    if (!recordings_in(layered).empty()) {
-        throw py::value_error("pattern: expected layers made of parameters, got a recording");
-    }
-    const std::string fault = fault_of(std::get<LayeredPattern>(layered.source));
-    if (!fault.empty()) throw py::value_error("pattern: " + fault);
-    return layered.source;
-}
-
-RatingStudy study_of(const py::object& ratings) {
-    if (py::isinstance<py::dict>(ratings)) return study_of_dict(ratings);
-    const Dissimilarity matrix = dissimilarities_of(ratings, "ratings");
-    RatingStudy study;
-    for (std::size_t k = 0; k < matrix.size; ++k) study.labels.push_back(std::to_string(k));
-    study.is_named = false;
-    study.judgements.push_back({"ratings", matrix.condensed});
-    return study;
-}
-
-py::dict python_of(const RatingStudy& study) {
-    const auto people = static_cast<py::ssize_t>(study.judgements.size());
-    const auto pairs = static_cast<py::ssize_t>(pair_count(study.labels.size()));
-    py::array_t<double> values({people, pairs});
-    std::vector<std::string> participants;
-    for (py::ssize_t k = 0; k < people; ++k) {
-        const Judgement& one = study.judgements[static_cast<std::size_t>(k)];
-        participants.push_back(one.participant);
-        std::copy(one.condensed.begin(), one.condensed.end(), values.mutable_data(k, 0));
-    }
-    std::vector<std::string> synthetic;
-    for (const Standing& one : study.standings) {
-        if (one.synthetic) synthetic.push_back(one.participant);
-    }
-    py::dict result;
-    result["names"] = study.labels;
-    result["named"] = study.is_named;
-    result["participants"] = participants;
-    result["ratings"] = values;
-    result["mean"] = square_array(mean_ratings(study));
-    result["synthetic"] = synthetic;
-    result["participants_left_out"] = study.left_out;
-    result["rehearsals_left_out"] = study.rehearsals;
-    return result;
-}
-
-py::object python_of(const Json& document) {
-    return json_module().attr("loads")(text_of_json(document));
 }
 
 py::array_t<double> array_of(std::span<const double> numbers) {
@@ -390,7 +223,9 @@ py::array_t<double> square_array(const Dissimilarity& dissimilarity) {
 
 void warn(const std::string& sentence) {
     if (sentence.empty()) return;
-    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
+    constexpr int kCallerOfPackage = 2;  // its __init__.py is between
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), kCallerOfPackage) != 0)
+        throw py::error_already_set();
 }
 
 }  // namespace tact

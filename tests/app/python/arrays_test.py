@@ -1,6 +1,7 @@
 """What is taken for an array, and what is refused with which words."""
 
 import decimal
+import errno
 import unittest
 import warnings
 
@@ -65,8 +66,9 @@ class Arrays(unittest.TestCase):
     def test_maps_that_say_nothing_warn(self):
         with self.assertWarnsRegex(UserWarning, "3 patterns always fit in 3 dimensions: stress says"):
             tactspace.space([1.0, 2.0, 3.0])
-        with self.assertWarnsRegex(UserWarning, "all dissimilarities are equal"):
+        with self.assertWarnsRegex(UserWarning, "all dissimilarities are equal") as caught:
             tactspace.space(np.ones(10))
+        self.assertEqual(caught.filename, __file__)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             tactspace.space(tactspace.predict(WAVES))
@@ -106,7 +108,11 @@ class Refusals(unittest.TestCase):
                            (tactspace.read_ratings, "nowhere/r.csv")):
             with self.subTest(file), self.assertRaises(FileNotFoundError) as caught:
                 read(file)
-            self.assertIn(file + ": there is no such file", str(caught.exception))
+            self.assertEqual((caught.exception.errno, caught.exception.filename), (errno.ENOENT, file))
+            self.assertEqual(caught.exception.strerror, "there is no such file")
+        with self.assertRaises(FileNotFoundError) as caught:
+            tactspace.write_set("nowhere/set.tactspace.json", GIVEN)
+        self.assertEqual(caught.exception.filename, "nowhere/set.tactspace.json")
 
     def refused(self, sentence, function, *arguments, **named):
         with self.assertRaises(ValueError) as caught:
@@ -120,18 +126,23 @@ class Refusals(unittest.TestCase):
         huge = [WAVES[0], WAVES[1] * 1e9]
         self.refused("waves: expected at least two to compare, got 1", predict, WAVES[:1])
         self.refused("waves: expected at least two to compare, got 0", predict, [])
-        self.refused("waves[2][17]: expected at most 1,000,000 g, got nan", predict, nan)
+        self.refused("waves[2][17]: expected a finite number of g, got nan", predict, nan)
         self.refused("waves[1][", predict, huge)
         self.refused("waves: expected an array (n, samples), got shape (10000,)", predict, WAVES[0])
         self.refused("waves[1]: expected samples, got none", predict, [WAVES[0], []])
         self.refused("waves[0]: expected samples along one axis, got shape ()", predict, [1.0, 2.0])
         self.refused("waves[0]: expected at most 60 s, got 60.0001 s", predict, np.zeros((2, 600001)))
-        self.no_number("waves: expected real numbers", predict, WAVES[:2] * 1j)
+        self.no_number("waves: expected real numbers, got dtype complex128 and shape (2, 10000)",
+                       predict, WAVES[:2] * 1j)
+        self.no_number("waves[1][2]: expected a real number, got None of type NoneType",
+                       predict, [[1.0, 2.0], [1.0, 2.0, None]])
         self.no_number("waves[0]: expected real numbers", predict, "ab")
         self.no_number("waves[0]: expected real numbers", predict, [["1", "2"], ["3", "4"]])
-        self.no_number("waves[0]: expected real numbers", predict, [[decimal.Decimal(1)], [1.0]])
+        self.no_number("waves[0][0]: expected a real number, got Decimal('1')", predict,
+                       [[decimal.Decimal(1)], [1.0]])
         self.no_number("waves[0]: expected real numbers", predict, [[[1.0], [1.0, 2.0]], [1.0]])
-        self.refused("waves: expected an array (n, samples) or a list of arrays", predict, {"a": 1})
+        self.no_number("waves: expected an array (n, samples) or a list of arrays, got {'a': 1} of type dict",
+                       predict, {"a": 1})
         self.refused("rate_hz: expected 100 to 1e+07, got 50", predict, WAVES, rate_hz=50)
         self.refused("rate_hz: expected 100 to 1e+07, got nan", predict, WAVES, rate_hz=np.nan)
         self.refused("threads: expected 0 to 1024, got -1", predict, WAVES, threads=-1)
@@ -166,7 +177,8 @@ class Refusals(unittest.TestCase):
         self.refused("D: expected the distances", space, [[0.0]])
         self.refused("D[1, 0]: expected the same as the other way round", space, uneven)
         self.refused("D[2, 2]: expected 0 on the diagonal, got 3", space, diagonal)
-        self.refused("D: expected finite numbers, or NaN, got infinity", space, [1.0, np.inf, 2.0])
+        self.refused("D[1]: expected a finite number, or NaN, got inf", space, [1.0, np.inf, 2.0])
+        self.refused("D[0, 1]: expected a finite number, or NaN, got -inf", space, [[0, -np.inf], [-np.inf, 0]])
         self.refused("dimensions: expected 1 to 10, got 0", space, square, 0)
         # As the window and the terminal say it.
         self.refused("13 to pick of 12: expected at most as many", tactspace.subset, square, 13)
@@ -208,8 +220,40 @@ class Refusals(unittest.TestCase):
         self.refused("model: /nc_weight: expected", tactspace.predict, WAVES, model={"nc_weight": "x"})
         self.refused('model: /coding: does not know "layers"', tactspace.predict, WAVES,
                      model={"coding": {"layers": 3}})
-        with self.assertRaises(TypeError):
-            tactspace.render({"amplitude_g": object()})
+        self.no_number("model: /coding/spike_cap: expected numbers, texts, lists and dicts, got <object",
+                       lambda: tactspace.predict(WAVES, model={"coding": {"spike_cap": object()}}))
+        self.no_number("pattern: /carriers/1: expected texts for keys, got 3", tactspace.render,
+                       {"carriers": [{"frequency_hz": 100}, {3: 1}]})
+        self.refused("pattern: /carriers/0/frequency_hz: expected a finite number, got nan", tactspace.render,
+                     {"carriers": [{"frequency_hz": float("nan")}]})
+
+    def test_the_wrong_type_is_a_type_error_that_names_the_argument(self):
+        square = tactspace.predict(WAVES)
+        for words, call in {
+            "metric: expected a text, got 3 of type int": lambda: tactspace.predict(WAVES, 3),
+            "threads: expected a whole number, got 1.5 of type float": lambda: tactspace.predict(WAVES, threads=1.5),
+            "rate_hz: expected a number, got 'high' of type str": lambda: tactspace.predict(WAVES, rate_hz="high"),
+            "dimensions: expected a whole number, got None of type NoneType": lambda: tactspace.space(square, None),
+            "k: expected a whole number, got '4' of type str": lambda: tactspace.subset(square, "4"),
+            "keep[1]: expected a whole number, got 2.5 of type float": lambda: tactspace.subset(square, 4, [0, 2.5]),
+            "drop: expected a list of places, got 3 of type int": lambda: tactspace.subset(square, 4, drop=3),
+            "pattern: expected a dict, got 3 of type int": lambda: tactspace.render(3),
+            "model: expected a dict, got 'pm' of type str": lambda: tactspace.predict(WAVES, model="pm"),
+            "path: expected a text or a path, got 3 of type int": lambda: tactspace.read_set(3),
+            "sets: expected a list of dicts, got 3 of type int": lambda: tactspace.train(3),
+            "sets[0]: expected a dict, got 3 of type int": lambda: tactspace.train([3]),
+            "edits: expected a list of edits, got 'reverse'": lambda: tactspace.edit({}, "reverse"),
+            'ratings["names"][1]: expected a text, got 2': lambda: tactspace.compare(
+                [1.0, 2.0, 3.0], {"names": ["a", 2, "c"], "participants": ["p"], "ratings": [[1.0, 2.0, 3.0]]}),
+            "people[0]: expected a whole number, got 2.5": lambda: tactspace.plan(square, square, [2.5]),
+            "progress: expected a function of (share, text), True or None, got 3":
+                lambda: tactspace.predict(WAVES, progress=3),
+        }.items():
+            with self.subTest(words):
+                self.no_number(words, call)
+        # NumPy's whole numbers and arrays of them are taken.
+        picked = tactspace.subset(square, np.int64(4), keep=np.array([0, 2]))["members"]
+        np.testing.assert_array_equal(picked, tactspace.subset(square, 4, keep=[0, 2])["members"])
 
 
 if __name__ == "__main__":

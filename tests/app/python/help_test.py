@@ -3,14 +3,16 @@
 import ast
 import inspect
 import re
+import tempfile
 import unittest
 
 import numpy as np
 import tactspace
 from places import root, run, twelve
 
-STUB = ast.parse((root / "app/python/tactspace.pyi").read_text())
-FUNCTIONS = {name: value for name, value in vars(tactspace).items() if callable(value)}
+STUB = ast.parse((root / "app/python/__init__.pyi").read_text())
+FUNCTIONS = {name: value for name, value in vars(tactspace).items()
+             if callable(value) and not name.startswith("_")}
 
 
 def stub_functions():
@@ -23,11 +25,14 @@ class Help(unittest.TestCase):
         for name, node in stub_functions().items():
             with self.subTest(name):
                 signature = inspect.signature(FUNCTIONS[name])
-                arguments = node.args.args
+                arguments = node.args.args + node.args.kwonlyargs
                 self.assertEqual([one.arg for one in arguments], list(signature.parameters))
+                named = [one.name for one in signature.parameters.values()
+                         if one.kind is inspect.Parameter.KEYWORD_ONLY]
+                self.assertEqual([one.arg for one in node.args.kwonlyargs], named)
                 given = [one.default for one in signature.parameters.values()
                          if one.default is not inspect.Parameter.empty]
-                self.assertEqual([ast.literal_eval(one) for one in node.args.defaults], given)
+                self.assertEqual([ast.literal_eval(one) for one in node.args.defaults + node.args.kw_defaults], given)
 
     def test_the_defaults_that_are_written_are_those_that_hold(self):
         # A call with what the signature says is the call without it.
@@ -38,7 +43,9 @@ class Help(unittest.TestCase):
         of_set = {"waves": waves, "ratings": tactspace.predict(waves), "model": {"nc_weight": 0.9}}
         calls = {"predict": [waves], "unfelt": [waves], "stages": [waves[0]], "space": [square], "subset": [square, 3],
                  "compare": [square, ratings], "train": [[of_set]], "render": [given["patterns"][0]],
-                 "read_set": [twelve]}
+                 "read_set": [twelve], "paper": [[of_set]], "steps": [given, 0, 1],
+                 "separate": [dict(given, **{key: given[key][:3] for key in ("names", "patterns", "waves")}),
+                              (0, 1)]}
         for name, arguments in calls.items():
             with self.subTest(name):
                 parameters = inspect.signature(FUNCTIONS[name]).parameters
@@ -53,9 +60,8 @@ class Help(unittest.TestCase):
                 text = inspect.getdoc(function)
                 self.assertNotIn("--\n", text)
                 for parameter in inspect.signature(function).parameters:
-                    if name != "read_set":
-                        self.assertRegex(text, rf"(?m)^(\w+, )*{parameter}\b")
-                self.assertRegex(text, r"Returns (a|an) (array|dict)|Returns \(")
+                    self.assertRegex(text, rf"(?m)^(\w+, )*{parameter}\b")
+                self.assertRegex(text, r"Returns (a|an) (array|dict)|Returns \(|Returns None")
                 self.assertRegex(text, r"\([A-Za-z0-9][^()\n]*,[^()\n]*\)|\bn\b")  # a shape
                 self.assertRegex(text, r"\b(g|Hz|seconds|unit|units|um)\b")
         self.assertIn("ValueError", tactspace.__doc__)
@@ -63,8 +69,13 @@ class Help(unittest.TestCase):
     def test_docstrings_tell_every_key_that_comes_back(self):
         given = tactspace.read_set(twelve)
         square = tactspace.predict(given["waves"])
-        answers = {"stages": tactspace.stages(given["waves"][0]), "subset": tactspace.subset(square, 3),
-                   "compare": tactspace.compare(square, square),
+        rated = tactspace.compare({"pm": square, "mine": square[::-1, ::-1]}, square, given={"same": square})
+        with tempfile.TemporaryDirectory() as folder:
+            exported = tactspace.export(given, folder, "wav")
+        answers = {"steps": tactspace.steps(given, 0, 1, 3), "separate": tactspace.separate(given, (0, 1)),
+                   "paper": tactspace.paper([dict(given, ratings=square)]), "export": exported,
+                   "stages": tactspace.stages(given["waves"][0]), "subset": tactspace.subset(square, 3),
+                   "compare": rated["mine"],
                    "train": tactspace.train([dict(given, ratings=square)], step=0.5), "read_set": given}
         answers["stages"] = dict(answers["stages"], **answers["stages"]["channels"]["FA1"],
                                  **answers["stages"]["components"])

@@ -1,13 +1,16 @@
 """Types of the module tactspace; help(tactspace) has shapes, units and errors."""
 
 from os import PathLike
-from typing import Any, Mapping, Sequence, TypedDict
+from typing import Any, Callable, Mapping, Sequence, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Numbers = NDArray[np.float64]
 Counts = NDArray[np.int32]
+Whole = int | np.integer[Any]
+Places = Sequence[int] | NDArray[np.integer[Any]] | range
+Progress = Callable[[float, str], object] | bool | None
 
 __version__: str
 metrics: tuple[str, ...]
@@ -37,6 +40,12 @@ class Set(TypedDict):
     locked: list[int]
     dropped: list[int]
     remarks: list[str]
+    document: dict[str, Any]
+
+class Paper(TypedDict):
+    table2: list[dict[str, Any]]
+    pairs: list[dict[str, Any]]
+    maps: list[dict[str, Any]]
 
 class Channel(TypedDict):
     rate_imp_per_s: float
@@ -73,6 +82,8 @@ def predict(
     rate_hz: float = 10000.0,
     threads: int = 0,
     model: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress = None,
 ) -> Numbers: ...
 def unfelt(
     waves: ArrayLike | Sequence[ArrayLike],
@@ -86,20 +97,31 @@ def stages(
 def space(D: ArrayLike, dimensions: int = 3, threads: int = 0) -> tuple[Numbers, float]: ...
 def subset(
     D: ArrayLike,
-    k: int,
-    keep: Sequence[int] = (),
-    drop: Sequence[int] = (),
+    k: Whole,
+    keep: Places = (),
+    drop: Places = (),
     objective: str = "max-min",
     threads: int = 0,
     time_limit_s: float = 60.0,
+    *,
+    progress: Progress = None,
 ) -> Subset: ...
 def compare(
-    D: ArrayLike, ratings: Ratings | ArrayLike, metric: str = "", threads: int = 0
+    D: ArrayLike | Mapping[str, ArrayLike],
+    ratings: Ratings | ArrayLike,
+    metric: str = "",
+    threads: int = 0,
+    *,
+    given: Mapping[str, ArrayLike] | None = None,
+    progress: Progress = None,
 ) -> dict[str, Any]: ...
+def paper(
+    sets: Sequence[Mapping[str, Any]], threads: int = 0, *, progress: Progress = None
+) -> Paper: ...
 def plan(
     D: ArrayLike,
     rival: ArrayLike,
-    people: Sequence[int],
+    people: Places,
     rho: float | None = None,
     reliability: float | None = None,
     pilot: Ratings | ArrayLike | None = None,
@@ -107,6 +129,8 @@ def plan(
     studies: int = 200,
     seed: int = 12,
     threads: int = 0,
+    *,
+    progress: Progress = None,
 ) -> dict[str, Any]: ...
 def train(
     sets: Sequence[Mapping[str, Any]],
@@ -116,6 +140,8 @@ def train(
     rate_hz: float = 10000.0,
     threads: int = 0,
     model: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress = None,
 ) -> dict[str, Any]: ...
 def render(pattern: Mapping[str, Any], rate_hz: float = 10000.0) -> Numbers: ...
 def edit(
@@ -123,7 +149,50 @@ def edit(
     edits: Sequence[str | tuple[str] | tuple[str, float] | tuple[str, Mapping[str, Any]]],
     model: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]: ...
-def read_set(path: str | PathLike[str]) -> Set: ...
+def separate(
+    set: Mapping[str, Any],
+    pair: tuple[str | int, str | int] | list[str] | list[int],
+    change: str | int | None = None,
+    among: Sequence[str | int] = (),
+    closest: float = 5.0,
+    threshold: float | None = None,
+    threads: int = 0,
+    *,
+    progress: Progress = None,
+) -> dict[str, Any]: ...
+def steps(
+    set: Mapping[str, Any],
+    start: str | int,
+    end: str | int,
+    count: int = 5,
+    parameter: str = "",
+    metric: str = "pm",
+    threads: int = 0,
+    *,
+    progress: Progress = None,
+) -> dict[str, Any]: ...
+def export(
+    set: Mapping[str, Any],
+    folder: str | PathLike[str],
+    format: str,
+    patterns: Sequence[str] = (),
+    onto: str = "",
+    rate_hz: float | None = None,
+    bits: str | None = None,
+    count: int = 0,
+    loss: bool = True,
+    overwrite: bool = False,
+    threads: int = 0,
+    *,
+    progress: Progress = None,
+) -> dict[str, Any]: ...
+def read_set(
+    path: str | PathLike[str] | Sequence[str | PathLike[str]],
+    *,
+    actuator: str = "",
+    progress: Progress = None,
+) -> Set: ...
+def write_set(path: str | PathLike[str], set: Mapping[str, Any]) -> None: ...
 def read_ratings(
     path: str | PathLike[str], names: Sequence[str] | None = None, scale: str = "guess"
 ) -> Ratings: ...

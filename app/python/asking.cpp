@@ -1,0 +1,109 @@
+#include <nlohmann/json.hpp>
+
+#include "app/python/beside_python.h"
+#include "app/python/documents.h"
+#include "app/python/functions.h"
+#include "app/python/set_dict.h"
+#include "app/python/values.h"
+#include "model/ask/parted_pair.h"
+#include "model/ask/steps_json.h"
+#include "model/ask/steps_set.h"
+
+namespace tact {
+
+namespace py = pybind11;
+
+namespace {
+
+PairToPart pair_in(const py::object& pair, const py::object& change, const py::object& among,
+                   const PatternSet& set) {
+    const bool is_pair =
+        (py::isinstance<py::tuple>(pair) || py::isinstance<py::list>(pair)) && py::len(pair) == 2;
+    if (!is_pair) {
+        throw py::type_error("pair: expected two patterns, got " + described(pair));
+    }
+    PairToPart result;
+    result.a = place_in(pair[py::int_(0)], set, "pair[0]");
+    result.b = place_in(pair[py::int_(1)], set, "pair[1]");
+    if (result.a == result.b) throw py::value_error("pair: expected two different patterns");
+    const std::string name =
+        change.is_none() ? "" : set.vibrations[place_in(change, set, "change")].name;
+    result.changeable = changeable_of(set, result.a, result.b, name);
+    if (result.changeable.empty()) {
+        throw py::value_error(name.empty() ? "pair: both are locked or measured; change names a "
+                                             "locked one to change all the same"
+                                           : "change: expected the one of the pair that is to be "
+                                             "changed, a pattern made of parameters, got \"" +
+                                                 name + "\"");
+    }
+    if (py::isinstance<py::str>(among)) {
+        throw py::type_error("among: expected a list of patterns, got " + described(among));
+    }
+    for (const py::handle one : among) {
+        result.among.push_back(place_in(py::reinterpret_borrow<py::object>(one), set,
+                                        "among[" + std::to_string(result.among.size()) + "]"));
+    }
+    return result;
+}
+
+}  // namespace
+
+py::dict separate(const py::object& given, const py::object& pair, const py::object& change,
+                  const py::object& among, const py::object& closest, const py::object& threshold,
+                  const py::object& threads, const py::object& progress) {
+    Progress told(progress);
+    const PatternSet set = pattern_set_of(given);
+    PairToPart to_part = pair_in(pair, change, among, set);
+    to_part.share = within(closest, "closest", {0.0, 100.0}) / 100.0;
+    to_part.threshold = optional_within(threshold, "threshold", {0.0, 1e9});
+    PartingOptions options;
+    options.threads = threads_of(threads);
+    options.progress_of = [&told](const std::string& what) {
+        return told.for_work(what.starts_with("changing") ? "changing" : "comparing pairs");
+    };
+    const auto parted = beside_python(
+        [&](std::stop_token stop) {
+            options.stop = stop;
+            return parted_pair(set, set, to_part, options);
+        },
+        &told);
+    return python_of(json_of(*parted, names_of(set)));
+}
+
+py::dict steps(const py::object& given, const py::object& start, const py::object& end,
+               const py::object& count, const py::object& parameter, const py::object& metric,
+               const py::object& threads, const py::object& progress) {
+    Progress told(progress);
+    const PatternSet set = pattern_set_of(given);
+    const std::size_t from = place_in(start, set, "start");
+    const std::size_t to = place_in(end, set, "end");
+    if (from == to) throw py::value_error("end: expected another pattern than start");
+    const auto pattern_at = [&set](std::size_t place, const char* name) {
+        const auto* pattern = std::get_if<Pattern>(&set.vibrations[place].source);
+        if (pattern != nullptr) return *pattern;
+        throw py::value_error(std::string(name) +
+                              ": expected a pattern made of parameters, got \"" +
+                              set.vibrations[place].name + "\"");
+    };
+    const Pattern first = pattern_at(from, "start");
+    const auto last = end_of_way(first, pattern_at(to, "end"), text_in(parameter, "parameter"));
+    if (!last) throw py::value_error("parameter: " + last.error().message);
+    const auto most = static_cast<double>(kMostSteps);
+    const StepsQuestion question{
+        first, *last, static_cast<std::size_t>(whole_within(count, "count", {2.0, most})),
+        static_cast<StepMeasure>(choice_of(metric, "metric", kStepMeasures)), set.model};
+    StepsOptions options{threads_of(threads), {}, told.for_work("placing steps")};
+    const auto made = beside_python(
+        [&](std::stop_token stop) {
+            options.stop = stop;
+            return even_steps(question, options);
+        },
+        &told);
+    Loaded written;
+    written.set = set_of_steps(set, from, to, *made);
+    py::dict answer = python_of(json_of(*made, names_of(written.set)));
+    answer["set"] = dict_of(written);
+    return answer;
+}
+
+}  // namespace tact
