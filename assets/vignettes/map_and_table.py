@@ -21,9 +21,9 @@ def print_table(given, ratings):
     if ratings["synthetic"]:
         print("SYNTHETIC: some or all of these ratings were given by nobody")
     print(f"{'metric':15}{'rho':>6}{'K':>6}")
-    for metric in tactspace.metrics:
-        distances = tactspace.predict(given["waves"], metric, model=given["model"])
-        agreement = tactspace.compare(distances, ratings, metric)
+    distances = {metric: tactspace.predict(given["waves"], metric, model=given["model"])
+                 for metric in tactspace.metrics}
+    for metric, agreement in tactspace.compare(distances, ratings).items():
         print(f"{metric:15}{digits(agreement['rho']):>6}{digits(agreement['K_paper']):>6}")
 
 
