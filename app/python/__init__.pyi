@@ -94,7 +94,9 @@ def unfelt(
 def stages(
     wave: ArrayLike, rate_hz: float = 10000.0, model: Mapping[str, Any] | None = None
 ) -> Stages: ...
-def space(D: ArrayLike, dimensions: int = 3, threads: int = 0) -> tuple[Numbers, float]: ...
+def space(
+    D: ArrayLike, dimensions: int = 3, threads: int = 0, *, progress: Progress = None
+) -> tuple[Numbers, float]: ...
 def subset(
     D: ArrayLike,
     k: Whole,

@@ -93,6 +93,24 @@ PerceptualModelParams model_of(const py::object& model) {
         [](JsonObject& object, Json& unknown) { return model_of(object, unknown); });
 }
 
+py::dict python_of(const PerceptualModelParams& model, const ModelOrigin& origin) {
+    py::dict dict = python_of(json_of(model));
+    if (!origin.trained_on.empty()) dict["trained_on"] = origin.trained_on;
+    if (origin.synthetic) dict["synthetic"] = true;
+    if (origin.changed_by_hand) dict["changed_by_hand"] = true;
+    return dict;
+}
+
+ModelOrigin origin_in(const py::object& model) {
+    if (!py::isinstance<py::dict>(model)) return {};
+    const auto is = [&model](const char* key) {
+        return model.contains(key) && static_cast<bool>(py::bool_(model[key]));
+    };
+    const bool is_trained = model.contains("trained_on");
+    return {is_trained ? text_in(model["trained_on"], "model[\"trained_on\"]") : "",
+            is("synthetic"), is("changed_by_hand")};
+}
+
 py::dict dict_in(const py::handle& value, const std::string& name) {
     if (py::isinstance<py::dict>(value)) return py::reinterpret_borrow<py::dict>(value);
     throw py::type_error(name + ": expected a dict, got " + described(value));

@@ -22,6 +22,9 @@ std::vector<pybind11::dict> dicts_in(const pybind11::object& value, const std::s
 
 // None: the defaults.
 PerceptualModelParams model_of(const pybind11::object& model);
+// With the keys of a set file for its origin, which model_of() passes over.
+pybind11::dict python_of(const PerceptualModelParams& model, const ModelOrigin& origin);
+ModelOrigin origin_in(const pybind11::object& model);
 VibrationSource pattern_of(const pybind11::handle& pattern, const std::string& name = "pattern");
 
 // What read_ratings() gives; or dissimilarities, as of one voice.

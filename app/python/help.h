@@ -71,7 +71,7 @@ brain       (100 ceil(N / 100),) predicted brain waveform, sum of the weights of
 envelope    (N,) rhythm envelope, 0 to 1 unless model has it raw, then g)";
 
 inline constexpr const char* kSpace =
-    R"(space(D, dimensions=3, threads=0)
+    R"(space(D, dimensions=3, threads=0, *, progress=None)
 --
 
 Map of n objects by non-metric multidimensional scaling (Kruskal's stress-1, primary ties, SMACOF).
@@ -79,6 +79,7 @@ Map of n objects by non-metric multidimensional scaling (Kruskal's stress-1, pri
 D           (n, n) or condensed; NaN: pairs that have no say
 dimensions  1 to 10
 threads     0: all cores
+progress    None, True or a function of (share, text)
 
 Returns (coordinates, stress): coordinates (n, dimensions) without a unit, centred, on principal axes,
 mean squared distance 1; stress-1 from 0 to 1. A map that says nothing is a UserWarning.)";
@@ -105,8 +106,8 @@ The k most distinct of n objects, proven.
 
 D             (n, n) or condensed, in any unit; NaN (not known) counts as 0
 k             how many, 2 to n
-keep, drop    places, from 0, in a list or an array, of objects that must and must not be among them; drop=unfelt(waves)
-              leaves out what nobody feels, as D does not tell
+keep, drop    places, from 0, in a list or an array, of objects that must and must not be among
+              them; drop=unfelt(waves) leaves out what nobody feels, as D does not tell
 objective     "max-min": the weakest pair as far apart as can be; "max-sum": the sum of all pairs
 threads       0: all cores
 time_limit_s  seconds, after which the best so far is returned, not called optimal

@@ -106,7 +106,8 @@ threads    0: all cores
 model      the model before; None: that of the first set, else the paper's. Its other choices stay
 progress   None, True or a function of (share, text)
 
-Returns a dict: model (for predict()), parameters and parameters_before (L_E, L_I layers; w_.. weights),
+Returns a dict: model (for predict() and write_set(), with its origin), parameters and
+parameters_before (L_E, L_I layers; w_.. weights),
 value, value_before (of the objective), combinations, equally_good, share_near_best (0 to 1), near_best,
 best_of (a dict of arrays, (5,) of layers 0 to 4 and (1 / step + 1,) of weights 0 to 1: the best value
 with each), synthetic, sets (a dict each: name, patterns, rated_pairs, synthetic,

@@ -87,7 +87,7 @@ names     n texts
 waves     n arrays (samples,) in g, unpadded, at
 rate_hz   10000.0
 patterns  n dicts as render() takes them; None for a recording
-model     parameters of PM for predict(); {}: the paper's
+model     parameters of PM for predict(), and their origin where they were trained; {}: the paper's
 ratings   as read_ratings() gives them, where the set has its own; else None
 measures  n texts: the pattern that a recording measures, or ""
 synthetic n: True for a recording that was computed

@@ -10,7 +10,6 @@
 #include "app/python/functions.h"
 #include "app/python/values.h"
 #include "model/io/set/model_file.h"
-#include "model/io/set/model_json.h"
 #include "model/planning/study_plan.h"
 #include "model/training/training.h"
 
@@ -136,7 +135,8 @@ py::dict dict_of(const Training& training, std::span<const TrainingSet> given) {
                              "rehearsals_left_out"_a = given[k].study.rehearsals,
                              "rho_before"_a = set.rho_before, "rho_after"_a = set.rho_after));
     }
-    return py::dict("model"_a = python_of(json_of(training.model)),
+    const ModelFile file{training.model, record_of(training, given, "tactspace " TACT_VERSION)};
+    return py::dict("model"_a = python_of(training.model, origin_of(file)),
                     "parameters"_a = trained_dict(training.model),
                     "parameters_before"_a = trained_dict(training.before),
                     "value"_a = training.best.value, "value_before"_a = training.value_before,

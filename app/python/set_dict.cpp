@@ -9,7 +9,6 @@
 #include "app/python/dicts.h"
 #include "app/python/documents.h"
 #include "app/python/values.h"
-#include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
 #include "model/set/layers.h"
 #include "model/set/named_place.h"
@@ -139,16 +138,7 @@ void take_model(PatternSet& set, const py::dict& dict) {
     PerceptualModelParams model = model_of(given);
     if (model == set.model) return;
     set.model = std::move(model);
-    set.model_origin = {};
-    if (!py::isinstance<py::dict>(given)) return;
-    const auto is = [&given](const char* key) {
-        return given.contains(key) && static_cast<bool>(py::bool_(given[key]));
-    };
-    set.model_origin.synthetic = is("synthetic");
-    set.model_origin.changed_by_hand = is("changed_by_hand");
-    if (given.contains("trained_on")) {
-        set.model_origin.trained_on = text_in(given["trained_on"], "model[\"trained_on\"]");
-    }
+    set.model_origin = origin_in(given);
 }
 
 }  // namespace
@@ -173,10 +163,10 @@ py::dict dict_of(const Loaded& loaded) {
     }
     return py::dict("name"_a = set.name, "names"_a = names_of(set), "waves"_a = waves,
                     "rate_hz"_a = kModelRateHz, "patterns"_a = patterns,
-                    "model"_a = python_of(json_of(set.model)), "ratings"_a = own_ratings(set),
-                    "measures"_a = measures, "synthetic"_a = synthetic, "locked"_a = locked,
-                    "dropped"_a = dropped, "remarks"_a = loaded.remarks,
-                    "document"_a = python_of(json_of(set, {})));
+                    "model"_a = python_of(set.model, set.model_origin),
+                    "ratings"_a = own_ratings(set), "measures"_a = measures,
+                    "synthetic"_a = synthetic, "locked"_a = locked, "dropped"_a = dropped,
+                    "remarks"_a = loaded.remarks, "document"_a = python_of(json_of(set, {})));
 }
 
 PatternSet pattern_set_of(const py::object& given) {

@@ -132,15 +132,21 @@ py::dict stages(const py::object& wave, const py::object& rate_hz, const py::obj
         "envelope"_a = array_of(rhythm_envelope(input.samples_g, params.envelope)));
 }
 
-py::tuple space(const py::object& matrix, const py::object& dimensions, const py::object& threads) {
+py::tuple space(const py::object& matrix, const py::object& dimensions, const py::object& threads,
+                const py::object& progress) {
+    Progress told(progress);
     Dissimilarity dissimilarity = dissimilarities_of(matrix, "D");
     MdsParams params =
         standard_mds_params(dissimilarity.size, whole_within(dimensions, "dimensions", {1, 10}));
     params.threads = threads_of(threads);
-    const PerceptualSpace made =
-        beside_python_or_alone([apart = std::move(dissimilarity), params](std::stop_token stop) {
-            return nonmetric_mds(apart, params, stop);
-        });
+    const PerceptualSpace made = beside_python_or_alone(
+        [apart = std::move(dissimilarity), params,
+         to_tell = told.for_work("mapping")](std::stop_token stop) {
+            return nonmetric_mds(apart, params, stop, [&](std::size_t starts) {
+                if (to_tell) to_tell(static_cast<double>(starts) / (params.random_starts + 1));
+            });
+        },
+        &told);
     warn(remark_on(made));
     return py::make_tuple(array_of(made.points), made.stress1);
 }
@@ -186,7 +192,8 @@ void define_predictions(py::module_& module) {
                "model"_a = none);
     module.def("unfelt", unfelt_places, help::kUnfelt, "waves"_a, "rate_hz"_a = kModelRateHz,
                "threads"_a = 0, "model"_a = none);
-    module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0);
+    module.def("space", space, help::kSpace, "D"_a, "dimensions"_a = 3, "threads"_a = 0,
+               py::kw_only(), "progress"_a = none);
     module.def("subset", subset, help::kSubset, "D"_a, "k"_a, "keep"_a = nobody, "drop"_a = nobody,
                "objective"_a = "max-min", "threads"_a = 0, "time_limit_s"_a = 60.0, py::kw_only(),
                "progress"_a = none);

@@ -55,7 +55,7 @@ class Told(unittest.TestCase):
         with warnings.catch_warnings(), tempfile.TemporaryDirectory() as folder:
             warnings.simplefilter("ignore")
             for name, arguments in {
-                "predict": [given["waves"]], "subset": [square, 4], "compare": [square, square],
+                "predict": [given["waves"]], "subset": [square, 4], "space": [square], "compare": [square, square],
                 "paper": [[dict(given, ratings=square)]], "plan": [square, square, [3]],
                 "train": [[dict(given, ratings=square)]], "separate": [given, (0, 1)], "steps": [given, 0, 1],
                 "export": [given, folder, "ahap"],

@@ -8,7 +8,7 @@ import warnings
 
 import numpy as np
 import tactspace
-from places import four, morse, root, run, run_json, sets, twelve
+from places import four, root, run, run_json, sets, simulated_ratings, twelve
 
 
 class Folder(unittest.TestCase):
@@ -62,6 +62,18 @@ class Written(Folder):
         self.assertEqual((back["measures"], back["synthetic"]), (["", "a", ""], [False, True, False]))
         np.testing.assert_array_equal(back["ratings"]["ratings"], ratings["ratings"])
         self.assertEqual(sorted(one.name for one in (self.folder / "measured").glob("*.wav")), ["b.wav", "c.wav"])
+
+    def test_a_model_trained_on_what_nobody_said_stays_marked(self):
+        file = self.folder / "trained.tactspace.json"
+        given = tactspace.read_set(four)
+        ratings = tactspace.read_ratings(simulated_ratings(four, self.folder), given["names"])
+        model = tactspace.train([dict(given, ratings=ratings)], step=0.5)["model"]
+        self.assertTrue(model["synthetic"])
+        by_hand = {key: given[key] for key in ("names", "patterns")}
+        for one in (given, by_hand):
+            tactspace.write_set(file, dict(one, model=model, ratings=None))
+            self.assertTrue(run_json("predict", file)["synthetic_model"])
+            self.assertEqual(tactspace.read_set(file)["model"], model)
 
     def test_what_cannot_be_read_back_is_not_written(self):
         file = self.folder / "set.tactspace.json"
