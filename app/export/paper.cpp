@@ -12,6 +12,7 @@
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -88,10 +89,17 @@ Expected<fs::path> file_with(const Workspace& work, fs::path& written) {
 
 }  // namespace
 
-std::size_t raters_of(const PatternSet& set) {
+std::string words_on_ratings(const PatternSet& set) {
     std::set<std::string> names;
-    for (const Ratings& one : set.ratings) names.insert(one.name);
-    return names.size();
+    bool synthetic = false;
+    for (const Ratings& one : set.ratings) {
+        names.insert(one.name);
+        synthetic |= one.mark.synthetic;
+    }
+    return counted(set.vibrations.size(), "pattern", "patterns") + ", " +
+           (synthetic ? "synthetic ratings of " : "ratings of ") +
+           (names.size() == 1 ? "one person, or of one mean"
+                              : counted(names.size(), "person", "people"));
 }
 
 void open_paper(Ui& ui) { ui.dialog = Dialog::paper; }
@@ -107,7 +115,7 @@ void add_paper_set(Ui& ui, PaperState& paper, const fs::path& file) {
                                 "save it");
     }
     PaperSet added{file, set.name.empty() ? file.filename().string() : set.name,
-                   set.vibrations.size(), raters_of(set)};
+                   words_on_ratings(set)};
     std::erase_if(paper.more, [&](const PaperSet& known) { return known.file == file; });
     paper.more.push_back(std::move(added));
 }

@@ -24,8 +24,7 @@ namespace tact {
 struct PaperSet {
     std::filesystem::path file;
     std::string name;
-    std::size_t patterns = 0;
-    std::size_t people = 0;
+    std::string words;  // how many patterns, and whose ratings
 
     bool operator==(const PaperSet&) const = default;
 };
@@ -53,8 +52,8 @@ struct PaperState {
     double begun_s = 0.0;
 };
 
-// People whose ratings a set keeps.
-std::size_t raters_of(const PatternSet& set);
+// "12 patterns, ratings of 6 people", who are called synthetic where nobody was asked.
+std::string words_on_ratings(const PatternSet& set);
 
 // The menu's command.
 void open_paper(Ui& ui);

@@ -9,7 +9,6 @@
 #include "model/pattern/pattern_parameter.h"
 #include "model/set/parameter_paths.h"
 #include "model/text/file_stem.h"
-#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -17,12 +16,6 @@ namespace tact {
 namespace {
 
 constexpr float kPaperDialogPx = 720.0F;
-
-std::string size_text(std::size_t patterns, std::size_t people) {
-    return counted(patterns, "pattern", "patterns") + ", " +
-           (people == 1 ? "ratings of one person, or of one mean"
-                        : "ratings of " + counted(people, "person", "people"));
-}
 
 // Names may be long, and have a line of their own.
 void draw_set(const Ui& ui, const std::string& name, const std::string& words) {
@@ -39,12 +32,12 @@ void draw_sets(Ui& ui, const Workspace& work, PaperState& paper) {
     const std::string open = set.name.empty() ? "The open set" : set.name;
     draw_set(ui, open,
              set.ratings.empty() ? "Has no ratings and is left out: File > Load ratings..."
-                                 : size_text(set.vibrations.size(), raters_of(set)));
-    note_item(ui.rects, "paper:open set", size_text(set.vibrations.size(), raters_of(set)));
+                                 : words_on_ratings(set));
+    note_item(ui.rects, "paper:open set", words_on_ratings(set));
     std::optional<std::size_t> gone;
     for (std::size_t k = 0; k < paper.more.size(); ++k) {
         const PaperSet& one = paper.more[k];
-        draw_set(ui, one.name, size_text(one.patterns, one.people));
+        draw_set(ui, one.name, one.words);
         ImGui::SameLine();
         const std::string id = "take away " + std::to_string(k + 1);
         if (link(ui, id.c_str(), "Take away")) gone = k;

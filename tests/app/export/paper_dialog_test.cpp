@@ -79,9 +79,18 @@ TEST_CASE("paper: a set that is added must keep ratings, and is given as it is")
     add_paper_set(writing.program.app.ui, writing.paper, rated);
     add_paper_set(writing.program.app.ui, writing.paper, rated);  // once is enough
     REQUIRE(writing.paper.more.size() == 1);
-    CHECK(writing.paper.more[0].patterns == kRatedPatterns);
+    CHECK(writing.paper.more[0].words.starts_with(std::to_string(kRatedPatterns) + " patterns, "));
     writing.write();
     CHECK(contains(bytes_of(writing.out / "paper.html"), rated.string()));
+}
+
+TEST_CASE("paper: ratings that nobody gave are called so before anything is made of them") {
+    PatternSet set = short_patterns(3);
+    set.ratings.push_back({"P1", {"p1", "p2", "p3"}, {1.0, 2.0, 3.0}, {}});
+    set.ratings.push_back({"P2", {"p1", "p2", "p3"}, {1.0, 2.0, 3.0}, {}});
+    CHECK(words_on_ratings(set) == "3 patterns, ratings of 2 people");
+    set.ratings[1].mark.synthetic = true;
+    CHECK(words_on_ratings(set) == "3 patterns, synthetic ratings of 2 people");
 }
 
 TEST_CASE("paper: what the program says of a failure is told, and nothing is left") {
