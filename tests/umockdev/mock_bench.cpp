@@ -214,8 +214,8 @@ void MockBench::let_go(const std::string& node) {
 // One report at a time: the node is a stream here, without borders between them.
 void MockBench::answer(const Desk& desk, const Plugged& plugged, const Packet& packet) {
     Packet report;
-    if (packet[0] == 0x80 && packet[1] != 0x04) report = {0x81, packet[1]};
-    if (packet[0] == 0x01) {
+    if (packet.size() > 1 && packet[0] == 0x80 && packet[1] != 0x04) report = {0x81, packet[1]};
+    if (packet.size() > 10 && packet[0] == 0x01) {
         report = Packet(49);
         report[0] = 0x21;
         report[13] = 0x80;
