@@ -115,16 +115,22 @@ const auto kManualDrawings = std::to_array<ManualDrawing>({
     {"maps", 880, 760, draw_maps},
 });
 
+// A view or a drawing, on one of the two grounds.
+PictureSize size_of(const auto& wanted, bool dark) {
+    PictureSize size;
+    size.width = wanted.width;
+    size.height = wanted.height;
+    size.dark = dark;
+    size.format = PictureFormat::svg;
+    size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
+    return size;
+}
+
 ManualPicture drawn_for_manual(const ManualDrawing& wanted) {
     PatternSet twelve = *parse_set(asset(kTwelve), kTwelve, {});
     give_looks(twelve);
     const auto svg = [&](bool dark) {
-        PictureSize size;
-        size.width = wanted.width;
-        size.height = wanted.height;
-        size.dark = dark;
-        size.format = PictureFormat::svg;
-        size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
+        const PictureSize size = size_of(wanted, dark);
         return std::get<Svg>(wanted.draw(twelve, size)).text;
     };
     return {svg(false), svg(true)};
@@ -163,12 +169,7 @@ Expected<ManualPicture> drawn_view(const ManualView& wanted) {
     const auto view = opened_view(*set, choice);
     if (wanted.arrange != nullptr) wanted.arrange(*view);
     const auto svg = [&](bool dark) {
-        PictureSize size;
-        size.width = wanted.width;
-        size.height = wanted.height;
-        size.dark = dark;
-        size.format = PictureFormat::svg;
-        size.svg_ids = std::string(wanted.name) + (dark ? "-dark-" : "-light-");
+        const PictureSize size = size_of(wanted, dark);
         return std::get<Svg>(view_picture(*view, wanted.view, wanted.at_s, size)).text;
     };
     if (view->app.picking.pick_job.has_begun())
