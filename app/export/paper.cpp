@@ -111,7 +111,7 @@ void add_paper_set(Ui& ui, PaperState& paper, const fs::path& file) {
     const PatternSet& set = loaded->set;
     if (set.ratings.empty()) {
         return complain(ui, file.filename().string() +
-                                ": keeps no ratings; open it, then File > Open ratings..., and "
+                                ": keeps no ratings; open it, then File > Load ratings..., and "
                                 "save it");
     }
     PaperSet added{file, set.name.empty() ? file.filename().string() : set.name,
