@@ -76,8 +76,9 @@ std::string with_exclusions_in_order(std::string text) {
     return text;
 }
 
+// An Error without words was told by another process, or by this one before.
 int told(const Error& fault, int exit_code) {
-    std::cerr << "tactspace: " << fault.message << "\n";
+    if (!fault.message.empty()) std::cerr << "tactspace: " << fault.message << "\n";
     return exit_code;
 }
 

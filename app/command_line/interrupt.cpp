@@ -47,24 +47,31 @@ Interrupt::~Interrupt() {
 }
 
 void Interrupt::watch() {
-    for (;;) {
+    for (bool came_before = false;;) {
         int signal = 0;
         if (sigwait(&signals_, &signal) != 0) continue;
         if (signal == SIGUSR2 && end_.stop_requested()) return;
         if (signal == SIGUSR2) continue;
-        if (stop_.stop_requested()) end_by(signal);
-        caught = signal;
-        stop_.request_stop();
-        // Over what the progress line shows.
-        std::fprintf(stderr,
-                     "%stactspace: stopping after the running work; once more stops at once\n",
-                     isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "");
+        if (came_before) end_by(signal);
+        came_before = true;
+        stop_by(signal);
     }
 }
 
+void Interrupt::stop_by(int signal) {
+    int none = 0;
+    caught.compare_exchange_strong(none, signal);
+    if (!stop_.request_stop() || is_silent_) return;
+    // Over what the progress line shows.
+    std::fprintf(stderr, "%stactspace: stopping after the running work; once more stops at once\n",
+                 isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "");
+}
+
+int interrupting_signal() { return caught; }
+
 int interrupted_exit_code() {
     constexpr int kBySignal = 128;
-    const int signal = caught;
+    const int signal = interrupting_signal();
     return signal == 0 ? 0 : kBySignal + signal;
 }
 

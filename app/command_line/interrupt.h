@@ -1,10 +1,12 @@
 // Ctrl+C, Ctrl+\, SIGTERM and a closed terminal as a request to stop, for work that has something
 // to keep.
 //
-// The first one asks the work to stop and says so; the second ends the program at once. A signal
-// that was ignored when the program began (nohup, a shell's background job) stays ignored.
+// The first one asks the work to stop and says so; the second ends the program at once. One that
+// another process of the same work had counts as a first, but not towards the second. A signal that
+// was ignored when the program began (nohup, a shell's background job) stays ignored.
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <stop_token>
 #include <thread>
@@ -22,6 +24,12 @@ class Interrupt {
 
     std::stop_token token() const { return stop_.get_token(); }
 
+    // Asks the work to stop as if the signal had come here. From any thread.
+    void stop_by(int signal);
+
+    // From now on another process speaks for this one.
+    void be_silent() { is_silent_ = true; }
+
   private:
     void watch();
 
@@ -29,8 +37,12 @@ class Interrupt {
     sigset_t mask_before_{};
     std::stop_source stop_;
     std::stop_source end_;
+    std::atomic<bool> is_silent_{false};
     std::jthread watcher_;
 };
+
+// The signal that an Interrupt was asked to stop by; 0: none.
+int interrupting_signal();
 
 // The exit code that shells expect of a program that was interrupted: 130 after Ctrl+C, 143 after
 // SIGTERM, 129 after SIGHUP, 131 after SIGQUIT. 0: no Interrupt was asked to stop.

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
-#include <utility>
 
 #ifdef TACT_MPI
 #include <mpi.h>
 
+#include <array>
 #include <chrono>
+#include <iostream>
 #include <mutex>
 #include <thread>
 #endif
@@ -29,9 +30,6 @@ int processes_started() {
 
 }  // namespace
 
-RankGroup::RankGroup(RankGroup&& other) noexcept
-    : rank(other.rank), count(other.count), is_joined_(std::exchange(other.is_joined_, false)) {}
-
 #ifdef TACT_MPI
 
 namespace {
@@ -42,6 +40,9 @@ constexpr int kValues = 2;
 constexpr int kLeave = 3;
 constexpr int kTile = 4;  // and up, by thread: what each asked for
 constexpr std::int64_t kNoTile = -1;
+
+// Asking for a tile: who asks, and the signal that its rank was stopped by, or 0.
+using Question = std::array<int, 2>;
 
 // MPI's own waiting keeps a core busy; tiles take longer than this.
 constexpr std::chrono::microseconds kPause{100};
@@ -58,11 +59,37 @@ std::optional<MPI_Status> incoming(int source, int tag) {
     return status;
 }
 
+void wait_for(MPI_Request request) {
+    for (int is_done = 0;; std::this_thread::sleep_for(kPause)) {
+        MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+        if (is_done != 0) return;
+    }
+}
+
+// The least value that any rank has.
+template <class Number>
+Number least(Number own, MPI_Datatype type) {
+    Number of_all{};
+    MPI_Request request;
+    MPI_Iallreduce(&own, &of_all, 1, type, MPI_MIN, MPI_COMM_WORLD, &request);
+    wait_for(request);
+    return of_all;
+}
+
+std::string words_of(int rank, std::string words) {
+    int size = static_cast<int>(words.size());
+    MPI_Bcast(&size, 1, MPI_INT, rank, MPI_COMM_WORLD);
+    words.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(words.data(), size, MPI_CHAR, rank, MPI_COMM_WORLD);
+    return words;
+}
+
 std::optional<std::size_t> ask_for_tile(std::size_t of_thread) {
     const int thread = static_cast<int>(of_thread);
     {
+        const Question question{thread, interrupting_signal()};
         const std::scoped_lock lock(mpi_mutex);
-        MPI_Send(&thread, 1, MPI_INT, 0, kAsk, MPI_COMM_WORLD);
+        MPI_Send(question.data(), 2, MPI_INT, 0, kAsk, MPI_COMM_WORLD);
     }
     for (;; std::this_thread::sleep_for(kPause)) {
         const std::scoped_lock lock(mpi_mutex);
@@ -83,9 +110,12 @@ void bring_values(std::size_t tile, std::span<const double> values) {
              MPI_COMM_WORLD);
 }
 
-void answer(const MPI_Status& status, const TileDesk& desk) {
-    int thread = 0;
-    MPI_Recv(&thread, 1, MPI_INT, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+void answer(const MPI_Status& status, const TileDesk& desk, Interrupt& interrupt) {
+    Question question{};
+    MPI_Recv(question.data(), 2, MPI_INT, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    const auto [thread, signal] = question;
+    if (signal != 0) interrupt.stop_by(signal);
     const auto next = desk.next(0);
     const std::int64_t tile = next ? static_cast<std::int64_t>(*next) : kNoTile;
     MPI_Send(&tile, 1, MPI_INT64_T, status.MPI_SOURCE, kTile + thread, MPI_COMM_WORLD);
@@ -102,33 +132,37 @@ void take_values(const MPI_Status& status, const TileDesk& desk) {
 
 }  // namespace
 
-Expected<RankGroup> RankGroup::join() {
-    RankGroup group;
+Expected<RankGroup> RankGroup::join(Interrupt& interrupt) {
+    RankGroup group(interrupt);
     if (processes_started() == 1) return group;
     int provided = MPI_THREAD_SINGLE;
     if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS) {
         return Error{"MPI cannot be started"};
     }
-    group.is_joined_ = true;
     if (provided < MPI_THREAD_SERIALIZED) {
         return Error{"this MPI knows no MPI_THREAD_SERIALIZED, which tactspace needs"};
     }
     MPI_Comm_rank(MPI_COMM_WORLD, &group.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &group.count);
+    if (group.count == 1) {
+        return Error{
+            "several processes were started, and MPI tells each that it is alone; expected mpirun "
+            "of the MPI that this tactspace was built with, or srun --mpi=pmix"};
+    }
+    if (group.rank > 0) interrupt.be_silent();
     return group;
 }
 
-RankGroup::~RankGroup() {
-    if (is_joined_) MPI_Finalize();
-}
-
-bool RankGroup::agrees(std::uint64_t number) const {
-    if (count == 1) return number != 0;
-    // The least of all numbers, and of all complements: the complement of the greatest.
-    const std::uint64_t own[2]{number, ~number};
-    std::uint64_t least[2]{};
-    MPI_Allreduce(own, least, 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
-    return least[0] == ~least[1] && number != 0;
+Expected<Done> RankGroup::agree(std::uint64_t number, const std::string& fault) const {
+    if (count == 1) return fault.empty() ? Expected<Done>(Done{}) : Error{fault};
+    const int faulty = least(fault.empty() ? count : rank, MPI_INT);
+    if (faulty < count) {
+        const std::string words = words_of(faulty, fault);
+        return Error{faulty == 0 ? words : "rank " + std::to_string(faulty) + ": " + words};
+    }
+    // The least complement is that of the greatest.
+    if (least(number, MPI_UINT64_T) == ~least(~number, MPI_UINT64_T)) return Done{};
+    return Error{"the ranks read different sets, or were given different options"};
 }
 
 TileDesk RankGroup::remote_desk() const { return {ask_for_tile, bring_values}; }
@@ -144,7 +178,7 @@ void RankGroup::serve(const TileDesk& desk) const {
         if (!status) {
             std::this_thread::sleep_for(kPause);
         } else if (status->MPI_TAG == kAsk) {
-            answer(*status, desk);
+            answer(*status, desk, *interrupt_);
         } else if (status->MPI_TAG == kValues) {
             take_values(*status, desk);
         } else {
@@ -156,26 +190,45 @@ void RankGroup::serve(const TileDesk& desk) const {
 }
 
 void RankGroup::meet() const {
-    if (count > 1) MPI_Barrier(MPI_COMM_WORLD);
+    if (count == 1) return;
+    MPI_Request request;
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    wait_for(request);
+}
+
+Expected<Done> RankGroup::ended(const Expected<Done>& outcome) {
+    if (count == 1) return outcome;
+    if (rank == 0 && !outcome) std::cerr << "tactspace: " << outcome.error().message << "\n";
+    const int signal = -least(-interrupting_signal(), MPI_INT);
+    if (signal == 0) {
+        MPI_Finalize();
+    } else {
+        interrupt_->stop_by(signal);
+    }
+    if (outcome && (rank == 0 || signal == 0)) return outcome;
+    return Error{""};
 }
 
 #else
 
-Expected<RankGroup> RankGroup::join() {
+Expected<RankGroup> RankGroup::join(Interrupt& interrupt) {
     if (processes_started() > 1) {
         return Error{
             "this tactspace was built without MPI, and every process would do all the work; "
-            "expected a build with cmake -DTACT_MPI=ON"};
+            "expected the package tactspace-mpi, or a build with cmake -DTACT_MPI=ON"};
     }
-    return RankGroup();
+    return RankGroup(interrupt);
 }
 
-RankGroup::~RankGroup() = default;
-bool RankGroup::agrees(std::uint64_t number) const { return number != 0; }
+Expected<Done> RankGroup::agree(std::uint64_t, const std::string& fault) const {
+    return fault.empty() ? Expected<Done>(Done{}) : Error{fault};
+}
+
 TileDesk RankGroup::remote_desk() const { return {}; }
 void RankGroup::leave() const {}
 void RankGroup::serve(const TileDesk&) const {}
 void RankGroup::meet() const {}
+Expected<Done> RankGroup::ended(const Expected<Done>& outcome) { return outcome; }
 
 #endif
 

@@ -165,7 +165,7 @@ void make_tiles_of(TileRun& run, Part part, const RankGroup& ranks) {
     };
     std::jthread server;
     if (ranks.count > 1) server = std::jthread([&] { ranks.serve(desk); });
-    make_tiles(run.source, part, run.threads, desk);
+    make_tiles(run.source, part, run.threads, desk, run.stop);
 }
 
 }  // namespace
@@ -216,7 +216,7 @@ Expected<Done> make_all_tiles(TileRun& run, const RankGroup& ranks) {
         if (ranks.rank == 0) {
             make_tiles_of(run, part, ranks);
         } else {
-            make_tiles(run.source, part, run.threads, ranks.remote_desk());
+            make_tiles(run.source, part, run.threads, ranks.remote_desk(), run.stop);
             ranks.leave();
         }
         // Nobody asks for tiles of the next part before all have left this one.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "model/common/fingerprint.h"
 #include "model/common/parallel.h"
@@ -30,10 +31,11 @@ void for_each_pair(const Tile& tile, Visit&& visit) {
     }
 }
 
-std::vector<double> nc_values(const TileSource& source, const Tile& tile) {
+std::vector<double> nc_values(const TileSource& source, const Tile& tile, std::stop_token stop) {
     std::vector<double> values;
     values.reserve(pair_count(tile));
     for_each_pair(tile, [&](std::size_t i, std::size_t j) {
+        if (stop.stop_requested()) return values.push_back(0.0);
         const PackedSpikes& a = source.spikes[i];
         const PackedSpikes& b = source.spikes[j];
         values.push_back(nc_dissimilarity(spike_form(a, b), a.samples, source.channel_weight));
@@ -41,7 +43,7 @@ std::vector<double> nc_values(const TileSource& source, const Tile& tile) {
     return values;
 }
 
-std::vector<double> oc_values(const TileSource& source, const Tile& tile) {
+std::vector<double> oc_values(const TileSource& source, const Tile& tile, std::stop_token stop) {
     std::vector<SignalPair> pairs;
     pairs.reserve(pair_count(tile));
     for_each_pair(tile, [&](std::size_t i, std::size_t j) {
@@ -50,6 +52,7 @@ std::vector<double> oc_values(const TileSource& source, const Tile& tile) {
     DtwOptions options;
     options.threads = 1;  // the others are at other tiles
     options.waiting_cost = source.waiting_cost;
+    options.stop = std::move(stop);
     return dtw(pairs, options);
 }
 
@@ -136,8 +139,10 @@ std::uint64_t fingerprint(const TileSource& source) {
     return number;
 }
 
-std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile) {
-    return part == Part::nc ? nc_values(source, tile) : oc_values(source, tile);
+std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile,
+                                std::stop_token stop) {
+    return part == Part::nc ? nc_values(source, tile, std::move(stop))
+                            : oc_values(source, tile, std::move(stop));
 }
 
 void put_tile(Dissimilarity& matrix, const Tile& tile, std::span<const double> values) {
@@ -155,11 +160,14 @@ std::vector<double> tile_of(const Dissimilarity& matrix, const Tile& tile) {
     return values;
 }
 
-void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk) {
+void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk,
+                std::stop_token stop) {
     const auto workers = static_cast<std::size_t>(thread_count(threads));
     parallel_for(workers, static_cast<int>(workers), {}, [&](std::size_t thread) {
         while (const auto index = desk.next(thread)) {
-            desk.done(*index, tile_values(source, part, tile_at(pattern_count(source), *index)));
+            const Tile tile = tile_at(pattern_count(source), *index);
+            const std::vector<double> values = tile_values(source, part, tile, stop);
+            if (!stop.stop_requested()) desk.done(*index, values);
         }
     });
 }

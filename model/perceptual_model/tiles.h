@@ -17,6 +17,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
@@ -67,7 +68,9 @@ std::vector<std::size_t> by_cost(std::span<const double> tile_costs);
 // A number that changes with anything a tile's value depends on.
 std::uint64_t fingerprint(const TileSource& source);
 
-std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile);
+// With a stop asked for, values are wrong, and it returns soon.
+std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile,
+                                std::stop_token stop = {});
 
 // Writes a tile's values to where they belong.
 void put_tile(Dissimilarity& matrix, const Tile& tile, std::span<const double> values);
@@ -82,7 +85,10 @@ struct TileDesk {
     std::function<void(std::size_t index, std::span<const double> values)> done;
 };
 
-// Takes tiles from the desk until there are no more. threads = 0: all cores.
-void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk);
+// Takes tiles from the desk until there are no more. threads = 0: all cores. With a stop asked for,
+// tiles that are under way are dropped, as one of long patterns may take minutes; the desk is asked
+// on, so that it knows that none is left.
+void make_tiles(const TileSource& source, Part part, int threads, const TileDesk& desk,
+                std::stop_token stop = {});
 
 }  // namespace tact

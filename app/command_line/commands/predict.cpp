@@ -14,6 +14,7 @@
 #include "app/command_line/output.h"
 #include "app/command_line/tile_run.h"
 #include "app/pictures/pictures.h"
+#include "model/common/fingerprint.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/perceptual_model/rank_sum.h"
@@ -27,7 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is left of a set when its patterns are coded.
 // Whose numbers these are.
 struct Named {
     std::vector<std::string> patterns;
@@ -288,41 +288,44 @@ Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop
                         as_ranked(metric, *std::move(matrix)), *image);
 }
 
+// The number that ranks agree in if they make tiles of one matrix.
+std::uint64_t work_number(const Work& work) {
+    const TileRun& run = work.tiles;
+    std::uint64_t number = mixed(mixed(fingerprint(run.source), run.share.k), run.share.n);
+    for (const Part part : run.parts) number = mixed(number, static_cast<std::uint64_t>(part));
+    return number;
+}
+
 // The tiles, made by all ranks together.
 Expected<Work> computed(const PredictCommand& command, const RankGroup& ranks,
                         std::stop_token stop) {
     Expected<Work> work = prepared(command, ranks, stop);
     // Before any of them waits for another in vain.
-    if (!ranks.agrees(work ? fingerprint(work->tiles.source) : 0)) {
-        return work ? Error{"the ranks read different sets, or one of them could not"}
-                    : work.error();
-    }
+    const Expected<Done> agreed =
+        work ? ranks.agree(work_number(*work), "") : ranks.agree(0, work.error().message);
+    if (!agreed) return agreed.error();
     if (const auto made = make_all_tiles(work->tiles, ranks); !made) return made.error();
     work->tiles.source = {};
     return work;
 }
 
-}  // namespace
+// A part is kept for a run that joins all of them.
+void say_kept(const PredictCommand& command, const TileRun& tiles) {
+    std::cerr << "tactspace: " << share_of_tiles(tiles) << " of part " << command.part
+              << " are kept in " << shown_text(tiles.keeping.path.string())
+              << "; --join makes the matrix of all parts\n";
+}
 
-Expected<Done> run(const PredictCommand& command) {
-    const Interrupt interrupt;  // first: threads, MPI's too, inherit what it blocks
-    Expected<RankGroup> ranks = RankGroup::join();
-    if (!ranks) return ranks.error();
-    const Expected<Metric> metric = metric_of(command);
-    if (!metric) return metric.error();
-    if (!has_tiles(command.metric)) {
-        return ranks->rank > 0 ? Done{} : run_whole(command, *metric, interrupt.token());
-    }
-    Expected<Work> work = computed(command, *ranks, interrupt.token());
+Expected<Done> run_tiles(const PredictCommand& command, Metric metric, const RankGroup& ranks,
+                         std::stop_token stop) {
+    Expected<Work> work = computed(command, ranks, std::move(stop));
     if (!work) return work.error();
-    if (ranks->rank > 0) return Done{};
+    if (ranks.rank > 0) return Done{};
     if (!command.part.empty()) {
-        std::cerr << "tactspace: " << share_of_tiles(work->tiles) << " of part " << command.part
-                  << " are kept in " << shown_text(work->tiles.keeping.path.string())
-                  << "; --join makes the matrix of all parts\n";
+        say_kept(command, work->tiles);
         return Done{};
     }
-    const Dissimilarity matrix = as_ranked(*metric, matrix_of(*work));
+    const Dissimilarity matrix = as_ranked(metric, matrix_of(*work));
     const Expected<Done> written = write_matrix(command, work->named, matrix, work->image);
     if (written && work->tiles.keeping.file) work->tiles.keeping.file->remove();
     std::error_code none;
@@ -330,6 +333,28 @@ Expected<Done> run(const PredictCommand& command) {
         if (written) fs::remove(file, none);
     }
     return written;
+}
+
+Expected<Done> run_on(const PredictCommand& command, const RankGroup& ranks, std::stop_token stop) {
+    const Expected<Metric> metric = metric_of(command);
+    if (!metric) return metric.error();
+    if (has_tiles(command.metric)) return run_tiles(command, *metric, ranks, std::move(stop));
+    if (ranks.rank > 0) return Done{};
+    if (ranks.count > 1) {
+        std::cerr << "tactspace: " << command.metric
+                  << " is not shared among ranks, and the first of " << ranks.count
+                  << " works alone; pm, nc and oc are shared\n";
+    }
+    return run_whole(command, *metric, std::move(stop));
+}
+
+}  // namespace
+
+Expected<Done> run(const PredictCommand& command) {
+    Interrupt interrupt;  // first: threads, MPI's too, inherit what it blocks
+    Expected<RankGroup> ranks = RankGroup::join(interrupt);
+    if (!ranks) return ranks.error();
+    return ranks->ended(run_on(command, *ranks, interrupt.token()));
 }
 
 }  // namespace tact

@@ -57,6 +57,25 @@ Dissimilarity made_from_tiles(const TileSource& source, Part part, int threads) 
 
 }  // namespace
 
+TEST_CASE("tiles: after a stop none is brought, and the desk still hears that threads are there") {
+    const TileSource source = source_of(short_codes(40));
+    for (const Part part : {Part::nc, Part::oc}) {
+        std::stop_source stop;
+        std::size_t asked = 0;
+        std::size_t brought = 0;
+        TileDesk desk;
+        // The third is under way when the stop comes.
+        desk.next = [&](std::size_t) -> std::optional<std::size_t> {
+            if (++asked == 3) stop.request_stop();
+            return asked > 3 ? std::nullopt : std::optional<std::size_t>(asked);
+        };
+        desk.done = [&](std::size_t, std::span<const double>) { ++brought; };
+        make_tiles(source, part, 1, desk, stop.get_token());
+        CHECK(brought == 2);
+        CHECK(asked == 4);
+    }
+}
+
 TEST_CASE("tiles: every pair lies in exactly one") {
     for (const std::size_t patterns : {2UL, 3UL, 4UL, 5UL, 12UL, 255UL, 256UL, 257UL, 1000UL}) {
         CAPTURE(patterns);
