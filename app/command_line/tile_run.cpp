@@ -47,7 +47,9 @@ std::vector<std::size_t> tiles_of_share(const TileRun& run, std::span<const doub
 }
 
 std::size_t wanted_count(const TileRun& run) {
-    const std::size_t all = tile_count(pattern_count(run.source));
+    // What tiles are made from is gone when the last of them is there.
+    const std::size_t all =
+        tile_count(run.made[static_cast<std::size_t>(run.parts[0])].matrix.size);
     return run.parts.size() * ((all - run.share.k + run.share.n) / run.share.n);
 }
 
