@@ -52,7 +52,7 @@ class RankGroup {
 
   private:
     explicit RankGroup(Interrupt& interrupt) : interrupt_(&interrupt) {}
-    Interrupt* interrupt_;
+    [[maybe_unused]] Interrupt* interrupt_;  // not used without MPI
 };
 
 }  // namespace tact
