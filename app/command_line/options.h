@@ -19,7 +19,8 @@ using Chosen = std::function<Expected<Done>()>;
 inline constexpr const char* kSetHelp =
     "a .tactspace.json file, a folder or zip file of .txt, .wav or effect files, or single ones; "
     "effects are "
-    "AHAP, .haptic, HJIF, .haps, .he, .hla, Pulsar presets, Android's XML or timings as JSON";
+    "AHAP, .haptic, HJIF, .haps, .he, .hla, Pulsar presets, Android's XML or timings as JSON, "
+    "on-off times of browsers as JSON";
 
 // For every option that is a number, in the place of CLI::Range: that one lets NaN through, and all
 // that strtod and strtol take, such as 0x10, 1e999 and the octal 010.

@@ -81,8 +81,8 @@ void draw_source(Ui& ui, const MapInUse& use) {
 void draw_no_maps(Ui& ui) {
     const std::string text =
         "No pattern here came from an effect file. Bring some in by File > Open... or File > Add "
-        "to set... (.ahap, .haptic, .hjif, .haps, .he, .hla): the map that each format was read "
-        "by then stands here, and another can be chosen.";
+        "to set... (.ahap, .haptic, .hjif, .haps, .he, .hla, .vibrate.json): the map that each "
+        "format was read by then stands here, and another can be chosen.";
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, text);
     ImGui::PopTextWrapPos();

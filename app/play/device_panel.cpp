@@ -204,6 +204,10 @@ std::vector<std::string> remarks_on(const Rendering& rendering) {
     for (const std::string& warning : rendering.warnings) {
         remarks.push_back("The pattern " + warning + ".");
     }
+    if (traits(rendering.by.kind).language == Language::on_off) {
+        remarks.emplace_back(
+            "Uncalibrated: its 165 Hz, and how soon it starts and stops, are guessed.");
+    }
     const auto of_frames = [&](auto which) {
         return static_cast<std::size_t>(std::ranges::count_if(rendering.frames, which));
     };

@@ -51,7 +51,7 @@ Patterns as files of other programs, in words what each loses, and what the whol
 set        a dict of n patterns, as write_set() takes it
 folder     for the files; made where it is missing
 format     "haptic", "ahap", "ahap-pair", "hjif", "android-xml", "android-kotlin", "android-timings",
-           "hla", "pulsar", "he", "openxr", "wav" or "csv"
+           "hla", "web", "pulsar", "he", "openxr", "wav" or "csv"
 patterns   names; (): all that the format holds
 onto       the actuator that 0 to 1 are written for: a name that the program knows, or a file; "": the
            one that was chosen when the effects were read, or the format's own

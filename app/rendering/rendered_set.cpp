@@ -29,9 +29,12 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
     return same ? waveform_at(*moved) : nullptr;
 }
 
-// Nobody has measured any (devices/rumble/motor_envelope.h).
+// Nobody has measured any (devices/rumble/motor_envelope.h, on_off_motor.h).
 std::string words_on_motors(const RenderedBy& by) {
     const Language language = traits(by.kind).language;
+    if (language == Language::on_off) {
+        return "; its frequency, and how soon it starts and stops, are guessed";
+    }
     const bool has_motors = language == Language::motor_pair || language == Language::intensity;
     return has_motors ? "; how fast its motors turn and how soon is a guess" : "";
 }

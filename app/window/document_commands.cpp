@@ -69,7 +69,7 @@ constexpr auto
                 {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
                 {"File", "Open...", ctrl('o'), always,
                  [](App& app) { open_dialog(app.ui, app.work); }, nullptr,
-                 "load import folder wav txt ahap haptic hjif haps he hla"},
+                 "load import folder wav txt ahap haptic hjif haps he hla vibrate web"},
                 {"File",
                  "Add to set...",
                  {},
@@ -157,7 +157,7 @@ constexpr auto
                  open_effect_export,
                  nullptr,
                  "ahap haptic hjif android pulsar richtap he hla openxr wav csv phone kotlin "
-                 "loss"},
+                 "web browser vibrate loss"},
                 {"File",
                  "Export stage as CSV...",
                  {},

@@ -8,7 +8,9 @@
 
 #include "devices/device/playback.h"
 #include "devices/rumble/motor_envelope.h"
+#include "devices/rumble/on_off_motor.h"
 #include "devices/rumble/rumble_plan.h"
+#include "model/io/effects_out/on_off.h"
 #include "model/signal/resample.h"
 #include "model/signal/spectrum.h"
 
@@ -95,6 +97,11 @@ std::vector<double> through_coil(std::vector<double> drive) {
     return made;
 }
 
+std::vector<double> switched(const Drive& drive, double level) {
+    const OnOff on_off = on_off_of_drive(drive.samples, drive.rate_hz, level);
+    return shaken_by(kGuessedPhoneMotor, on_off.ms, drive.rate_hz, drive.samples.size());
+}
+
 std::vector<double> played(RumblePlan& plan, const ActuatorTraits& about, std::size_t samples) {
     switch (about.language) {
         case Language::two_bands:
@@ -103,6 +110,7 @@ std::vector<double> played(RumblePlan& plan, const ActuatorTraits& about, std::s
             return two_motors(plan, about.period_s, samples);
         case Language::intensity:
         case Language::waveform:
+        case Language::on_off:
             break;
     }
     return buzz(plan, about.period_s, samples);
@@ -165,6 +173,8 @@ void render_uncalibrated(const Waveform& meant, Rendering& rendering) {
     if (about.language == Language::waveform) {
         for (double& sample : drive.samples) sample *= by.level;
         rendering.waveform.samples_g = through_coil(std::move(drive.samples));
+    } else if (about.language == Language::on_off) {
+        rendering.waveform.samples_g = switched(drive, by.level);
     } else {
         RumblePlan plan(std::move(drive), about.language, about.period_s, by.level);
         rendering.waveform.samples_g = played(plan, about, samples);

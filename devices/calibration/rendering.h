@@ -5,6 +5,8 @@
 // Motors      two sines whose frequency is the motor's speed and whose amplitude its square; the
 //             speed follows the duty with the motor's inertia (devices/rumble/motor_envelope.h)
 // Intensity   a buzz of 160 Hz as strong as the envelope
+// On, off     a phone's motor as a browser switches it (model/io/effects_out/on_off.h), with a rise
+//             and a fall that are guessed (devices/rumble/on_off_motor.h)
 // Voice coil  the waveform within the coil's band and within full scale; of a calibrated one what
 // its
 //             response makes of the drive that it is given, turned down as a whole by the limiter

@@ -106,6 +106,7 @@ Expected<Encoder> begin_protocol(const HidActuator& actuator, const HidPort& por
         case ActuatorKind::simple_haptic:
             return begin_simple_haptic(actuator, port);
         case ActuatorKind::voice_coil:
+        case ActuatorKind::phone_web:
             break;
     }
     return Error{actuator.name + " is no HID device"};

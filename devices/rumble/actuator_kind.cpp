@@ -17,6 +17,8 @@ constexpr std::array<ActuatorTraits, kActuatorKinds.size()> kTraits{{
     {"simple-haptic", "simple haptic controller", "strength alone, and no frequency",
      Language::intensity, 0.020},
     {"voice-coil", "voice coil", "the waveform within the coil's band", Language::waveform, 0.0},
+    {"phone-web", "phone's browser", "strength as the share of time that it runs, and no frequency",
+     Language::on_off, 0.001},
 }};
 
 }  // namespace

@@ -14,15 +14,17 @@ enum class ActuatorKind {
     dualshock_4,    // two motors
     dualsense,      // imitates two motors; its actuators themselves are a sound card
     simple_haptic,  // an intensity alone, by the haptics page of HID
-    voice_coil      // at an audio output: the waveform itself, within the coil's band
+    voice_coil,     // at an audio output: the waveform itself, within the coil's band
+    phone_web       // on or off alone: a page in a phone's browser
 };
 
-inline constexpr std::array<ActuatorKind, 6> kActuatorKinds{
+inline constexpr std::array<ActuatorKind, 7> kActuatorKinds{
     ActuatorKind::joy_con,   ActuatorKind::switch_pro,    ActuatorKind::dualshock_4,
-    ActuatorKind::dualsense, ActuatorKind::simple_haptic, ActuatorKind::voice_coil};
+    ActuatorKind::dualsense, ActuatorKind::simple_haptic, ActuatorKind::voice_coil,
+    ActuatorKind::phone_web};
 
 // How it is asked to vibrate.
-enum class Language { two_bands, motor_pair, intensity, waveform };
+enum class Language { two_bands, motor_pair, intensity, waveform, on_off };
 
 struct ActuatorTraits {
     const char* key;    // as on the command line: joy-con

@@ -30,6 +30,7 @@ RumblePlan::RumblePlan(Drive drive, Language language, double period_s, double l
       level_(level),
       size_(frame_count(drive_, period_s)) {
     assert(language != Language::waveform && "a waveform is no frames");
+    assert(language != Language::on_off && "on-off times are no frames");
     if (language == Language::two_bands) {
         tracked_.resize(size_);
         return;

@@ -269,6 +269,7 @@ Seeds effects_seeds() {
         R"({"version":{"major":1,"minor":0,"patch":0},"signals":{"continuous":{"envelopes":{"amplitude":[{"time":0,"amplitude":0.5,"emphasis":{"amplitude":1,"frequency":0.5}},{"time":1,"amplitude":0}],"frequency":[{"time":0,"frequency":0.5},{"time":1,"frequency":0}]}}}})",
         R"({"Metadata":{"Version":1},"PatternList":[{"AbsoluteTime":0,"Pattern":[{"Event":{"Type":"continuous","RelativeTime":0,"Duration":500,"Parameters":{"Intensity":80,"Frequency":50,"Curve":[{"Time":0,"Intensity":0,"Frequency":0},{"Time":500,"Intensity":1,"Frequency":20}]}}}]}]})",
         R"({"timings":[100,50,100],"amplitudes":[255,0,128],"repeat":-1})",
+        R"([0,40,15,10.5,200])",
         R"(<vibration-effect><waveform-envelope-effect><control-point amplitude="0.5" frequencyHz="150" durationMs="100"/></waveform-envelope-effect></vibration-effect>)",
         R"(<vibration-effect><waveform-effect><waveform-entry durationMs="100" amplitude="200"/><repeating><waveform-entry durationMs="10" amplitude="0"/></repeating></waveform-effect></vibration-effect>)"};
 }

@@ -113,10 +113,21 @@ ActuatorMap android() {
     return map;
 }
 
-std::array<ActuatorMap, 9> all_maps() {
-    std::array<ActuatorMap, 9> maps{
+ActuatorMap phone_web() {
+    ActuatorMap map;
+    map.name = "phone-web";
+    map.source =
+        "A phone's motor that a browser switches on and off: its 165 Hz are guessed, not confirmed "
+        "on a device.";
+    map.frequency_hz = {165.0, 165.0};
+    map.burst_at_0 = map.burst_at_1 = {165.0, 0.015, BurstShape::sine};
+    return map;
+}
+
+std::array<ActuatorMap, 10> all_maps() {
+    std::array<ActuatorMap, 10> maps{
         quest(), console_pcm(),  console_simple(), core_haptics(), core_haptics_squared(),
-        mpeg(),  interhaptics(), richtap(),        android()};
+        mpeg(),  interhaptics(), richtap(),        android(),      phone_web()};
     for (ActuatorMap& map : maps) map.source += kAssumedG;
     return maps;
 }
@@ -193,7 +204,7 @@ Transient steady_piece(const ActuatorMap& map, double share, double hz, double d
 }  // namespace
 
 std::span<const ActuatorMap> bundled_actuators() {
-    static const std::array<ActuatorMap, 9> kMaps = all_maps();
+    static const std::array<ActuatorMap, 10> kMaps = all_maps();
     return kMaps;
 }
 

@@ -85,6 +85,7 @@ Expected<Effects> read_haps(const Json& document, const EffectFile& file);
 Expected<Effects> read_he(const Json& document, const EffectFile& file);
 Expected<Effects> read_pulsar(const Json& document, const EffectFile& file);
 Expected<Effects> read_timings(const Json& document, const EffectFile& file);  // Android, HLA
+Expected<Effects> read_vibrate(const Json& document, const EffectFile& file);
 Expected<Effects> read_android_xml(std::string_view text, const EffectFile& file);
 
 // Refuses times that are all below 1 ms, which were seconds; of no time but 0 there is no telling.

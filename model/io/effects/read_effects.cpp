@@ -16,7 +16,7 @@ namespace tact {
 
 namespace {
 
-constexpr std::array<EffectFormatTraits, 9> kFormats{
+constexpr std::array<EffectFormatTraits, 10> kFormats{
     {{"", "no effects", "core-haptics"},
      {"ahap", "AHAP", "core-haptics"},
      {"haptic", "Meta .haptic", "quest"},
@@ -25,12 +25,19 @@ constexpr std::array<EffectFormatTraits, 9> kFormats{
      {"he", "RichTap or OpenHarmony .he", "richtap"},
      {"pulsar", "Pulsar preset", "core-haptics"},
      {"android", "Android", "android"},
-     {"hla", "Hapticlabs .hla", "android"}}};
+     {"hla", "Hapticlabs .hla", "android"},
+     {"web", "web vibration", "phone-web"}}};
 
 char first_sign(std::string_view text) {
     const std::string_view rest = without_bom(text);
     const std::size_t first = rest.find_first_not_of(" \t\r\n\v\f");
     return first == rest.npos ? '\0' : rest[first];
+}
+
+// Of an array.
+bool begins_with_number(std::string_view text) {
+    const char second = first_sign(text.substr(text.find('[') + 1));
+    return second == '-' || (second >= '0' && second <= '9');
 }
 
 // Whether an event of "Pattern" has the key, which tells AHAP from the first version of .he.
@@ -44,7 +51,14 @@ bool has_event_with(const Json& document, const char* key) {
     });
 }
 
+// Numbers and nothing else: arrays of other things are other programs'.
+bool is_of_numbers(const Json& document) {
+    if (!document.is_array() || document.empty()) return false;
+    return std::ranges::all_of(document, [](const Json& element) { return element.is_number(); });
+}
+
 EffectFormat format_of(const Json& document) {
+    if (is_of_numbers(document)) return EffectFormat::web;
     if (!document.is_object()) return EffectFormat::none;
     const auto has = [&](const char* key) { return document.contains(key); };
     if (has("signals")) return EffectFormat::haptic;
@@ -78,6 +92,8 @@ Expected<Effects> read_format(EffectFormat format, const Json& document, const E
         case EffectFormat::android:
         case EffectFormat::hla:
             return read_timings(document, file);
+        case EffectFormat::web:
+            return read_vibrate(document, file);
         case EffectFormat::none:
             break;
     }
@@ -100,8 +116,7 @@ Expected<Document> document_of(std::string_view text, const std::string& path) {
 
 EffectFile file_of(const std::string& path, EffectFormat format,
                    const std::optional<ActuatorMap>& map, Budget& budget) {
-    const std::string stem = valid_utf8(std::filesystem::path(path).stem().string());
-    return {path, stem, map ? *map : bundled_actuator(traits(format).map), budget};
+    return {path, effect_stem(path), map ? *map : bundled_actuator(traits(format).map), budget};
 }
 
 bool is_vibration_xml(std::string_view text) {
@@ -202,7 +217,17 @@ bool is_effect_name(std::string_view path) {
     constexpr std::array<std::string_view, 6> kEndings{".ahap", ".haptic", ".hjif",
                                                        ".haps", ".he",     ".hla"};
     const std::string ending = lower_case(std::filesystem::path(path).extension().string());
-    return std::ranges::find(kEndings, ending) != kEndings.end();
+    return lower_case(std::string(path)).ends_with(kVibrateEnding) ||
+           std::ranges::find(kEndings, ending) != kEndings.end();
+}
+
+std::string effect_stem(const std::filesystem::path& path) {
+    std::string name = valid_utf8(path.filename().string());
+    const std::string_view ending = kVibrateEnding;
+    if (name.size() <= ending.size() || !lower_case(name).ends_with(ending)) {
+        return valid_utf8(path.stem().string());
+    }
+    return name.substr(0, name.size() - ending.size());
 }
 
 std::string head_of_effects(const std::filesystem::path& path) {
@@ -215,7 +240,8 @@ std::string head_of_effects(std::string head, std::size_t size) {
     if (size > kMostEffectBytes) return {};
     if (auto decoded = utf8_of_utf16(head)) head = *std::move(decoded);
     const char first = first_sign(head);
-    return first == '{' || first == '<' ? head : std::string();
+    const bool may_be = first == '{' || first == '<' || (first == '[' && begins_with_number(head));
+    return may_be ? head : std::string();
 }
 
 std::string known_stranger(const std::filesystem::path& path, std::string_view head) {

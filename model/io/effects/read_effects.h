@@ -1,7 +1,8 @@
 // Files of other programs' effects, whichever of the formats it is: by content, not by name.
 //
 // AHAP, Meta .haptic, MPEG HJIF, Interhaptics .haps, RichTap and OpenHarmony .he, Pulsar presets,
-// Android's XML and its timings and amplitudes as JSON, Hapticlabs .hla.
+// Android's XML and its timings and amplitudes as JSON, Hapticlabs .hla, on-off times for
+// navigator.vibrate as a JSON array.
 //
 // Output    patterns with curves and transients, not samples; several effects of a file are several
 // Valid     files of at most kMostEffectBytes; errors as "FILE: PLACE: expected .."
@@ -18,7 +19,7 @@ namespace tact {
 
 inline constexpr std::size_t kMostEffectBytes = std::size_t{1} << 26;
 
-enum class EffectFormat { none, ahap, haptic, hjif, haps, he, pulsar, android, hla };
+enum class EffectFormat { none, ahap, haptic, hjif, haps, he, pulsar, android, hla, web };
 
 struct EffectFormatTraits {
     const char* key;   // "haptic"
@@ -30,11 +31,18 @@ const EffectFormatTraits& traits(EffectFormat format);
 // The format of a key; null if no format has it.
 const EffectFormatTraits* format_named(std::string_view key);
 
-// Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla.
+// Of the name of a file that holds on-off times for browsers.
+inline constexpr const char* kVibrateEnding = ".vibrate.json";
+
+// Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla,
+// .vibrate.json.
 bool is_effect_name(std::string_view path);
 
-// The beginning of a regular file that may be one of them, an object of JSON or XML; empty: it is
-// something else, or too large.
+// What a single effect of this file is called: its name without its ending.
+std::string effect_stem(const std::filesystem::path& path);
+
+// The beginning of a regular file that may be one of them, an object or numbers of JSON or XML;
+// empty: it is something else, or too large.
 std::string head_of_effects(const std::filesystem::path& path);
 // The same of the first bytes of a file of this size.
 std::string head_of_effects(std::string head, std::size_t size);

@@ -88,15 +88,6 @@ int flat_amplitude(double value) {
     return std::clamp(static_cast<int>(std::lround(255.0 * value)), 1, 255);
 }
 
-void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks) {
-    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
-    std::string hz = significant_digits(low.frequency_hz, 4);
-    if (high.frequency_hz != low.frequency_hz) {
-        hz += " to " + significant_digits(high.frequency_hz, 4);
-    }
-    remarks.push_back(hz + " Hz left out: the device has its own frequency");
-}
-
 // Where the greatest amplitude is 1, readers cannot know 0 to 255 from shares of 1.
 void lift_faintest(SteppedAmplitudes& steps, std::vector<std::string>& coarse) {
     if (std::ranges::max(steps.amplitudes) != 1) return;
@@ -122,6 +113,15 @@ SteppedAmplitudes android_steps(const Pattern& pattern, const ActuatorMap& map,
 }
 
 }  // namespace
+
+void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks) {
+    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
+    std::string hz = significant_digits(low.frequency_hz, 4);
+    if (high.frequency_hz != low.frequency_hz) {
+        hz += " to " + significant_digits(high.frequency_hz, 4);
+    }
+    remarks.push_back(hz + " Hz left out: the device has its own frequency");
+}
 
 bool is_staircase(const AmplitudeCurve& curve) {
     return std::ranges::all_of(runs_of(curve), &Run::flat);

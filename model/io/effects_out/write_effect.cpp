@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/io/effects/ahap_pair.h"
+#include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/writers.h"
 #include "model/text/json_fields.h"
 
@@ -13,7 +14,7 @@ namespace tact {
 
 namespace {
 
-constexpr std::array<TargetTraits, 13> kTargets{
+constexpr std::array<TargetTraits, 14> kTargets{
     {{"haptic", "Meta .haptic", ".haptic", "", "quest"},
      {"ahap", "AHAP", ".ahap", "", "core-haptics"},
      {"ahap-pair", "AHAP in two files", kContinuousEnding, kTransientsEnding, "core-haptics"},
@@ -22,6 +23,7 @@ constexpr std::array<TargetTraits, 13> kTargets{
      {"android-kotlin", "Android 16 envelope (Kotlin)", ".kt", "", "android"},
      {"android-timings", "Android timings and amplitudes", ".json", "", "android"},
      {"hla", "Hapticlabs .hla", ".hla", "", "android"},
+     {"web", "Web vibration (phones' browsers)", kVibrateEnding, "", "phone-web"},
      {"pulsar", "Pulsar preset", ".json", "", "core-haptics"},
      {"he", "RichTap .he", ".he", "", "richtap"},
      {"openxr", "XR_EXT_haptic_parametric (C)", ".c", "", "quest"},
@@ -65,6 +67,8 @@ WrittenEffect write_effect(TargetFormat format, const Pattern& own, const Effect
             return write_android_timings(pattern, target);
         case TargetFormat::hla:
             return write_hla(pattern, target);
+        case TargetFormat::web:
+            return write_web(pattern, target);
         case TargetFormat::pulsar:
             return write_pulsar(pattern, target);
         case TargetFormat::he:

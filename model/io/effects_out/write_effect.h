@@ -32,6 +32,7 @@ enum class TargetFormat {
     android_kotlin,
     android_timings,
     hla,
+    web,  // on-off times alone: phones' browsers
     pulsar,
     he,
     openxr,

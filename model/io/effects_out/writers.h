@@ -17,9 +17,13 @@ WrittenEffect write_hla(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_pulsar(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_he(const Pattern& pattern, const EffectTarget& target);
 WrittenEffect write_openxr(const Pattern& pattern, const EffectTarget& target);
+WrittenEffect write_web(const Pattern& pattern, const EffectTarget& target);
 
 // Whether it is flat between its jumps: then the steps of stepped() hold it.
 bool is_staircase(const AmplitudeCurve& curve);
+
+// "150 Hz left out: the device has its own frequency".
+void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks);
 
 // As text that ends with a line break.
 std::string printed(const Json& document);

@@ -50,7 +50,7 @@ Expected<Loaded> load_effects(const fs::path& path, const fs::path& second,
     if (second.empty()) remark_on_second(path, remarks);
     Loaded loaded;
     const bool is_pair = !second.empty() && effects->size() == 1;
-    loaded.set.name = is_pair ? effects->front().name : valid_utf8(path.stem().string());
+    loaded.set.name = is_pair ? effects->front().name : effect_stem(path);
     loaded.set.vibrations = *std::move(effects);
     loaded.effects = true;
     loaded.remarks = joined(remarks);

@@ -93,6 +93,7 @@ const std::map<std::string, Reader, std::less<>> kReaders{
     {"accelerations.csv", read_accelerations},
     {"generator.json", read_generator},
     {"click.haps", read_effect_example},
+    {"heartbeat.vibrate.json", read_effect_example},
     {"matrix.csv",
      [](const std::string& t, const std::string& f) { return fault_of(parse_matrix(t, f)); }},
     {"coordinates.csv",
