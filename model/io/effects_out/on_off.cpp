@@ -25,13 +25,13 @@ struct Course {
     }
 };
 
-struct Stretch {
+struct MsStretch {
     int from_ms = 0;
     int to_ms = 0;
 };
 
 struct FeltBurst {
-    Stretch at;
+    MsStretch at;
     int asked_ms = 0;  // its own length: one near the end has begun sooner, to have room
 };
 
@@ -79,20 +79,22 @@ struct Playing {
     const Course& course;
     int on_ms = kLeastOnMs;  // the least within a burst
     int off_ms = kLeastOffMs;
-    std::vector<Stretch> pulses{};
+    std::vector<MsStretch> pulses{};
 };
 
-// Whether a pause from here on would leave less owing than half of it. What lies behind the burst
-// does not count, so that no burst ends too soon.
-bool is_paid(const Playing& playing, const Stretch& burst, int now_ms, std::int64_t owed) {
-    const int until_ms = std::min(now_ms + playing.off_ms, burst.to_ms);
-    const int behind_ms = now_ms + playing.off_ms - until_ms;
-    const std::int64_t soon = playing.course.sum(now_ms, until_ms) + kFull * behind_ms;
-    return 2 * (owed + soon) <= kFull * playing.off_ms;
+// Whether a pause from here on would leave less owing than half of it; or, where it would last to
+// the end of the burst, less than no pause would.
+bool is_paid(const Playing& playing, const MsStretch& burst, int now_ms, int room_ms,
+             std::int64_t owed) {
+    int pause_ms = playing.off_ms;
+    const bool is_last = now_ms + playing.off_ms + playing.on_ms > room_ms;
+    if (is_last || now_ms + pause_ms > burst.to_ms) pause_ms = burst.to_ms - now_ms;
+    const std::int64_t soon = playing.course.sum(now_ms, now_ms + pause_ms);
+    return 2 * (owed + soon) <= kFull * pause_ms;
 }
 
 // Whether there is enough left of the burst for another pulse, and room before `room_ms`.
-bool is_owed(const Playing& playing, const Stretch& burst, int now_ms, int room_ms,
+bool is_owed(const Playing& playing, const MsStretch& burst, int now_ms, int room_ms,
              std::int64_t owed) {
     if (owed < 0 || now_ms + playing.on_ms > room_ms) return false;
     if (playing.course.asked[static_cast<std::size_t>(now_ms)] == 0) return false;
@@ -101,12 +103,12 @@ bool is_owed(const Playing& playing, const Stretch& burst, int now_ms, int room_
 }
 
 // The burst from `from_ms` on, which is its beginning unless another pulse was in the way.
-void play(Playing& playing, const Stretch& burst, int from_ms, int room_ms) {
+void play(Playing& playing, const MsStretch& burst, int from_ms, int room_ms) {
     bool is_on = true;
     int since_ms = from_ms;
     std::int64_t owed = from_ms < burst.to_ms ? playing.course.sum(burst.from_ms, from_ms) : 0;
     for (int n = from_ms; n < burst.to_ms; ++n) {
-        if (is_on && n - since_ms >= playing.on_ms && is_paid(playing, burst, n, owed)) {
+        if (is_on && n - since_ms >= playing.on_ms && is_paid(playing, burst, n, room_ms, owed)) {
             playing.pulses.push_back({since_ms, n});
             is_on = false;
             since_ms = n;
@@ -120,10 +122,10 @@ void play(Playing& playing, const Stretch& burst, int from_ms, int room_ms) {
     if (is_on) playing.pulses.push_back({since_ms, std::max(burst.to_ms, since_ms + kLeastOnMs)});
 }
 
-std::vector<int> entries_of(const std::vector<Stretch>& pulses, int length_ms) {
+std::vector<int> entries_of(const std::vector<MsStretch>& pulses, int length_ms) {
     std::vector<int> ms;
     int at_ms = 0;
-    for (const Stretch& pulse : pulses) {
+    for (const MsStretch& pulse : pulses) {
         if (ms.empty() && pulse.from_ms > 0) ms.push_back(0);
         if (pulse.from_ms > 0) ms.push_back(pulse.from_ms - at_ms);
         ms.push_back(pulse.to_ms - pulse.from_ms);

@@ -51,7 +51,8 @@ void remark_on(const OnOff& on_off, std::vector<std::string>& remarks) {
 }
 
 // With the shortest pulses that 99 times hold; of what is longer even so, its beginning.
-std::vector<int> entries_of(const SteppedAmplitudes& steps, std::vector<std::string>& remarks) {
+std::vector<int> fitting_entries(const SteppedAmplitudes& steps,
+                                 std::vector<std::string>& remarks) {
     OnOff on_off = on_off_of(steps);
     std::vector<int> entries = within_limit(on_off.ms);
     int coarser = 1;
@@ -85,7 +86,7 @@ WrittenEffect write_web(const Pattern& pattern, const EffectTarget& target) {
     if (has_shares(steps)) {
         written.remarks.emplace_back("amplitude becomes the share of time that the motor runs");
     }
-    written.text = text_of_json(Json(entries_of(steps, written.remarks))) + "\n";
+    written.text = text_of_json(Json(fitting_entries(steps, written.remarks))) + "\n";
     return written;
 }
 

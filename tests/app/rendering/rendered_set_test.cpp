@@ -93,6 +93,9 @@ TEST_CASE("rendered set: weaker than full, it says at which level") {
     CHECK(words_on(by) == "as a Joy-Con plays them, uncalibrated");
     by.level = 0.3;
     CHECK(words_on(by) == "as a Joy-Con plays them at a level of 30 %, uncalibrated");
+    by = {ActuatorKind::phone_web, 1.0};
+    CHECK(words_on(by) == "as a phone's browser plays them, uncalibrated");
+    CHECK(strength_words(by).find("starts and stops, are guessed") != std::string::npos);
 }
 
 TEST_CASE("device tab: at the level of the bar it reports what is played, and follows the bar") {

@@ -178,7 +178,8 @@ TEST_CASE("effects: the kind of a file is what is in it, and anything else is no
         "Parameters": {"Intensity": 1, "Frequency": 1}}}]})")
               .format == EffectFormat::he);
     CHECK(read("{}").format == EffectFormat::none);
-    CHECK(read("[1, 2]").format == EffectFormat::none);
+    CHECK(read("[1, 2]").format == EffectFormat::web);
+    CHECK(read("[[1, 2]]").format == EffectFormat::none);
     CHECK(read("<svg/>").format == EffectFormat::none);
 }
 
