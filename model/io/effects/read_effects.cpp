@@ -34,7 +34,7 @@ char first_sign(std::string_view text) {
     return first == rest.npos ? '\0' : rest[first];
 }
 
-// Of an array.
+// Whether an array does.
 bool begins_with_number(std::string_view text) {
     const char second = first_sign(text.substr(text.find('[') + 1));
     return second == '-' || (second >= '0' && second <= '9');

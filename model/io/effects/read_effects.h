@@ -31,7 +31,7 @@ const EffectFormatTraits& traits(EffectFormat format);
 // The format of a key; null if no format has it.
 const EffectFormatTraits* format_named(std::string_view key);
 
-// Of the name of a file that holds on-off times for browsers.
+// The end of the name of a file that holds on-off times for browsers.
 inline constexpr const char* kVibrateEnding = ".vibrate.json";
 
 // Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla,

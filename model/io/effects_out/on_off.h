@@ -29,7 +29,7 @@ namespace tact {
 inline constexpr int kLeastOnMs = 15;
 inline constexpr int kLeastOffMs = 10;
 
-// Of one call of navigator.vibrate in Chrome.
+// The limits of one call of navigator.vibrate in Chrome.
 inline constexpr std::size_t kMostVibrateEntries = 99;
 inline constexpr int kLongestVibrateMs = 10'000;
 
@@ -45,8 +45,8 @@ struct OnOff {
 // longer, where fewer entries are needed; the notes of a rhythm stay as they are.
 OnOff on_off_of(const SteppedAmplitudes& steps, int coarser = 1);
 
-// Of a drive of -1 to 1, played at a level: the greatest of each ms, where what is weaker for less
-// than 10 ms, such as the zeros of a tone from 50 Hz on, counts as what is around it.
+// The same for a drive of -1 to 1, played at a level: the greatest of each ms, where what is weaker
+// for less than 10 ms, such as the zeros of a tone from 50 Hz on, counts as what is around it.
 OnOff on_off_of_drive(std::span<const double> samples, double rate_hz, double level);
 
 }  // namespace tact

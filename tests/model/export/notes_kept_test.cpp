@@ -85,7 +85,7 @@ Kept kept_of(const VibrationSource& back, int notes) {
     return kept;
 }
 
-// Without amplitude, so that the levels of notes are none (tests/model/io/effects_out/on_off_test).
+// It has no amplitude, so that notes have no level (tests/model/io/effects_out/on_off_test).
 bool is_on_off(TargetFormat format) { return format == TargetFormat::web; }
 
 // Whose own limits are lower: 16 points of some events, 500 points in all.

@@ -1,4 +1,4 @@
-// Arrays of navigator.vibrate: whoever wrote them, and what is none.
+// Arrays of navigator.vibrate, whoever wrote them, and arrays that are something else.
 #include <doctest/doctest.h>
 
 #include "model/pattern/pattern.h"

@@ -26,7 +26,7 @@ int on_ms(const std::vector<int>& ms) {
     return sum;
 }
 
-// Of an amplitude of 0 to 1 for a time.
+// An amplitude of 0 to 1 for a time.
 std::vector<int> held(double amplitude, int for_ms, int coarser = 1) {
     const int step = static_cast<int>(std::lround(255.0 * amplitude));
     return on_off_of({{for_ms}, {step}}, coarser).ms;
