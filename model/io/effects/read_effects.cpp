@@ -57,8 +57,13 @@ bool is_of_numbers(const Json& document) {
     return std::ranges::all_of(document, [](const Json& element) { return element.is_number(); });
 }
 
-EffectFormat format_of(const Json& document) {
-    if (is_of_numbers(document)) return EffectFormat::web;
+bool is_vibrate_name(std::string_view path) {
+    return lower_case(std::string(path)).ends_with(kVibrateEnding);
+}
+
+EffectFormat format_of(const Json& document, std::string_view path) {
+    const bool is_array_named_so = document.is_array() && is_vibrate_name(path);
+    if (is_of_numbers(document) || is_array_named_so) return EffectFormat::web;
     if (!document.is_object()) return EffectFormat::none;
     const auto has = [&](const char* key) { return document.contains(key); };
     if (has("signals")) return EffectFormat::haptic;
@@ -190,7 +195,7 @@ Expected<EffectsRead> read_any(std::string_view text, const std::string& path,
     }
     const auto document = document_of(text, path);
     if (!document) return document.error();
-    const EffectFormat format = format_of(document->json);
+    const EffectFormat format = format_of(document->json, path);
     if (format == EffectFormat::none) return result;
     const EffectFile file = file_of(path, format, map, budget);
     auto effects = read_format(format, document->json, file);
@@ -217,8 +222,7 @@ bool is_effect_name(std::string_view path) {
     constexpr std::array<std::string_view, 6> kEndings{".ahap", ".haptic", ".hjif",
                                                        ".haps", ".he",     ".hla"};
     const std::string ending = lower_case(std::filesystem::path(path).extension().string());
-    return lower_case(std::string(path)).ends_with(kVibrateEnding) ||
-           std::ranges::find(kEndings, ending) != kEndings.end();
+    return is_vibrate_name(path) || std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 std::string effect_stem(const std::filesystem::path& path) {

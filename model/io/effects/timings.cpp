@@ -157,7 +157,7 @@ Expected<Effects> read_vibrate(const Json& document, const EffectFile& file) {
         shares.push_back(shares.size() % 2 == 0 ? 1.0 : 0.0);
         if (!reading.fault.empty()) return Error{reading.fault};
     }
-    const double longest_ms = *std::ranges::max_element(lengths_ms);
+    const double longest_ms = lengths_ms.empty() ? 0.0 : std::ranges::max(lengths_ms);
     if (const auto times = times_make_sense(file, longest_ms); !times) return times.error();
     if (!(longest_ms > 0.0)) return Error{file.path + ": expected a sum above 0 ms"};
     cut_fractions(lengths_ms, remarks);

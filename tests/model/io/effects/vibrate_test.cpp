@@ -46,6 +46,13 @@ TEST_CASE("vibrate: what cannot be such times is refused in a sentence") {
     CHECK(fault("[0, 0]") == "a.x: expected a sum above 0 ms");
     CHECK(fault("[0.1, 0.2]").find("these may be seconds") != std::string::npos);
     CHECK(fault("[100, 1e300]").find("/1: expected a number") != std::string::npos);
+    // Arrays of other things are other programs', but not by this name.
+    const auto named = [](const std::string& text) {
+        const auto read = read_effects(text, "a.vibrate.json");
+        return read ? "" : read.error().message;
+    };
+    CHECK(named(R"([100, "on"])").starts_with("a.vibrate.json: /1: expected a number"));
+    CHECK(named("[]") == "a.vibrate.json: expected a sum above 0 ms");
 }
 
 TEST_CASE("vibrate: arrays of anything but numbers are none of it") {
