@@ -40,9 +40,10 @@ bool has_shares(const SteppedAmplitudes& steps) {
 void remark_on(const OnOff& on_off, std::vector<std::string>& remarks) {
     if (on_off.lengthened > 0) {
         const auto count = static_cast<std::size_t>(on_off.lengthened);
-        remarks.push_back((count == 1 ? "a part of less than 15 ms is"
-                                      : grouped_digits(count) + " parts of less than 15 ms are") +
-                          std::string(" played for 15 ms: shorter ones are not felt"));
+        remarks.push_back(
+            (count == 1 ? "a part of less than 15 ms is"
+                        : grouped_digits(count) + " parts of less than 15 ms are") +
+            std::string(" played for 15 ms, which a motor needs to be felt (a guess)"));
     }
     if (on_off.floor_lost_s > 0.0) {
         remarks.push_back(significant_digits(on_off.floor_lost_s, 3) +
@@ -50,13 +51,14 @@ void remark_on(const OnOff& on_off, std::vector<std::string>& remarks) {
     }
 }
 
-// With the shortest pulses that 99 times hold; of what is longer even so, its beginning.
+// With the shortest pulses that 99 times hold; the beginning of what is longer even so.
 std::vector<int> fitting_entries(const SteppedAmplitudes& steps,
                                  std::vector<std::string>& remarks) {
     OnOff on_off = on_off_of(steps);
     std::vector<int> entries = within_limit(on_off.ms);
     int coarser = 1;
-    while (entries.size() > kMostVibrateEntries && coarser < kCoarsest) {
+    const int coarsest = has_shares(steps) ? kCoarsest : 1;
+    while (entries.size() > kMostVibrateEntries && coarser < coarsest) {
         on_off = on_off_of(steps, ++coarser);
         entries = within_limit(on_off.ms);
     }

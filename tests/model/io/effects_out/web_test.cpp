@@ -82,6 +82,7 @@ TEST_CASE("web: at most 99 times of 10 s, by longer pulses, and then by what com
     const std::vector<int> ms = entries(notes);
     CHECK(ms == std::vector<int>(kMostVibrateEntries, 50));  // never another rhythm
     CHECK(has_remark(notes, "the first 4.95 of 10 s are kept"));
+    CHECK_FALSE(has_remark(notes, "times as long"));
 }
 
 TEST_CASE("web: what was read is written again as it was, to the ms") {
