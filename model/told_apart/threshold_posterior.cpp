@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -16,14 +17,11 @@ constexpr std::size_t kThresholds = 61;
 constexpr double kBeyondAsked = 8.0;  // the prior reaches that factor beyond
 
 constexpr double kRise = 1.0 - kOddGuess - kOddLapse;
-// The log odds of F at the threshold: ln(F / (1 - F)) with F = (3/4 - 1/3) / kRise.
-const double kOddsAtThreshold =
-    portable::log((kToldApartShare - kOddGuess) / (kRise - (kToldApartShare - kOddGuess)));
+// The odds of (1 - F) to F at the threshold.
+constexpr double kMissOdds = kRise / (kToldApartShare - kOddGuess) - 1.0;
 
-double share_at(double log_pm, double log_threshold, double slope) {
-    const double log_odds = slope * (log_pm - log_threshold) + kOddsAtThreshold;
-    return kOddGuess + kRise / (1.0 + portable::exp(-log_odds));
-}
+// `odds`: (threshold / PM)^slope.
+double share_at(double odds) { return kOddGuess + kRise / (1.0 + kMissOdds * odds); }
 
 bool is_asked(double pm) { return std::isfinite(pm) && pm > 0.0; }
 
@@ -33,8 +31,9 @@ std::vector<double> shares_at(const ThresholdPosterior& posterior, double pm) {
     shares.reserve(posterior.weight.size());
     const double log_pm = portable::log(pm);
     for (const double log_threshold : posterior.log_pm) {
-        for (const double slope : kThresholdSlopes) {
-            shares.push_back(share_at(log_pm, log_threshold, slope));
+        double odds = portable::exp(log_threshold - log_pm);
+        for (std::size_t s = 0; s < kThresholdSlopes.size(); ++s, odds *= odds) {
+            shares.push_back(share_at(odds));
         }
     }
     return shares;
@@ -49,7 +48,7 @@ double entropy(double right) {
 
 double share_right(double pm, double threshold_pm, double slope) {
     if (!(pm > 0.0) || std::isinf(threshold_pm)) return kOddGuess;
-    return share_at(portable::log(pm), portable::log(threshold_pm), slope);
+    return share_at(portable::pow(threshold_pm / pm, slope));
 }
 
 Range range_of_pm(std::span<const double> pm) {
@@ -70,9 +69,11 @@ ThresholdPosterior threshold_posterior(Range pm, std::span<const AskedPm> answer
         posterior.log_pm.push_back(low + posterior.step * static_cast<double>(k));
     }
     posterior.weight.assign(kThresholds * kThresholdSlopes.size(), 1.0);
+    std::map<double, std::vector<double>> shares_of;  // by PM, each once
     for (const AskedPm& answer : answers) {
         if (!is_asked(answer.pm)) continue;
-        const std::vector<double> shares = shares_at(posterior, answer.pm);
+        std::vector<double>& shares = shares_of[answer.pm];
+        if (shares.empty()) shares = shares_at(posterior, answer.pm);
         double sum = 0.0;
         for (std::size_t k = 0; k < shares.size(); ++k) {
             sum += posterior.weight[k] *= answer.is_right ? shares[k] : 1.0 - shares[k];

@@ -27,6 +27,7 @@ inline constexpr double kOddGuess = 1.0 / 3.0;
 inline constexpr double kOddLapse = 0.02;
 inline constexpr double kToldApartShare = 0.75;  // at the threshold
 
+// From 1 on, each twice the one before.
 inline constexpr std::array kThresholdSlopes{1.0, 2.0, 4.0, 8.0, 16.0};
 
 // The share of trials that is right at a PM; guesses of whoever has an infinite threshold.

@@ -10,14 +10,20 @@ namespace {
 
 std::string trials_words(std::size_t trials) { return counted(trials, "trial", "trials"); }
 
-// What was answered, where it was all the same or no better than guessing; else empty.
+// What was answered, where it was all the same or no better than guesses; else empty.
 std::string answered_words(const ToldApartResults& results) {
     const std::string trials = trials_words(results.trials);
     if (results.right == results.trials) return "All " + trials + " were right. ";
     if (results.right == 0) return "None of " + trials + " was right. ";
     if (!results.may_be_guesses()) return {};
-    return "Guesses may be right as often (" + grouped_digits(results.right) + " of " + trials +
-           "). ";
+    return grouped_digits(results.right) + " of " + trials +
+           " right: guesses may be right as often. ";
+}
+
+// The threshold as the beginning of a sentence.
+std::string threshold_is() {
+    return "The PM from which pairs are told apart in " + percent(kToldApartShare) +
+           " of trials is ";
 }
 
 std::string lowest(const ToldApartResults& results) {
@@ -38,24 +44,20 @@ std::string found_words(const ToldApartResults& results) {
 }
 
 std::string below_words(const ToldApartResults& results) {
-    const std::string least = pm_digits(results.asked_pm.low);
-    const bool is_sure = results.threshold.high <= results.asked_pm.low;
-    return answered_words(results) + "Pairs are told apart in " + percent(kToldApartShare) +
-           " of trials from a PM on that is " +
-           (is_sure ? "below " + least + ", the smallest that was asked."
-                    : "most likely below " + least + ", the smallest that was asked, and below " +
-                          pm_digits(results.threshold.high) + " with 95 % certainty.");
+    const std::string said = answered_words(results) + threshold_is();
+    const std::string below =
+        "below " + pm_digits(results.asked_pm.low) + ", the smallest that was asked";
+    if (results.threshold.high <= results.asked_pm.low) return said + below + ".";
+    return said + "most likely " + below + ", and below " + pm_digits(results.threshold.high) +
+           " with 95 % certainty.";
 }
 
 std::string above_words(const ToldApartResults& results) {
-    const std::string most = pm_digits(results.asked_pm.high);
-    const bool is_sure = results.threshold.low >= results.asked_pm.high;
-    const std::string sure = "above " + most + ", the largest that was asked";
-    const std::string said = answered_words(results) + "Pairs are told apart in " +
-                             percent(kToldApartShare) + " of trials only from a PM on that is ";
-    if (is_sure) return said + sure + ".";
-    if (results.threshold.low < results.asked_pm.low) return said + "most likely " + sure + ".";
-    return said + "most likely " + sure + ", and above " + pm_digits(results.threshold.low) +
+    const std::string said = answered_words(results) + threshold_is();
+    const std::string above =
+        "above " + pm_digits(results.asked_pm.high) + ", the largest that was asked";
+    if (results.threshold.low >= results.asked_pm.high) return said + above + ".";
+    return said + "most likely " + above + ", and above " + pm_digits(results.threshold.low) +
            " with 95 % certainty.";
 }
 
@@ -81,12 +83,12 @@ std::string share_words(const ToldApartResults& results) {
 std::string threshold_words(const ToldApartResults& results) {
     switch (results.said) {
         case ThresholdSaid::too_few:
-            return "Too few trials to say from which PM on pairs are told apart: " +
+            return "Too few trials to say from which PM pairs are told apart: " +
                    grouped_digits(results.trials) + " of at least " +
                    std::to_string(limits::kFewestOddTrials) + ".";
         case ThresholdSaid::unclear:
             return answered_words(results) +
-                   "These trials do not say from which PM on pairs are told apart: it may be "
+                   "These trials do not say from which PM pairs are told apart: it may be "
                    "below " +
                    pm_digits(results.asked_pm.low) + ", the smallest that was asked, or above " +
                    pm_digits(results.asked_pm.high) + ", the largest.";
