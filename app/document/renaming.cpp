@@ -20,6 +20,7 @@ void rename_in(PatternSet& set, std::size_t index, const std::string& name) {
     const std::string before = set.vibrations[index].name;
     for (Vibration& vibration : set.vibrations) rename_measured(vibration, before, name);
     for (Ratings& ratings : set.ratings) std::ranges::replace(ratings.labels, before, name);
+    for (ToldApart& told : set.told_apart) rename_in(told, before, name);
     std::ranges::replace(set.study.patterns, before, name);
     set.vibrations[index].name = name;
 }

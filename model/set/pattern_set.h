@@ -19,6 +19,7 @@
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/signal/waveform.h"
 #include "model/study/study_design.h"
+#include "model/told_apart/told_apart.h"
 
 namespace tact {
 
@@ -126,6 +127,7 @@ struct PatternSet {
     MapPlaces map_places{};
     std::string unknown_json;
     std::optional<DesignSpace> generator;  // that candidates were made by last
+    std::vector<ToldApart> told_apart{};   // trials of single persons on single devices
 
     bool operator==(const PatternSet&) const = default;
 };

@@ -66,9 +66,14 @@ PatternSet part_of(const PatternSet& set, std::span<const std::size_t> members) 
     PatternSet part = set;
     part.vibrations.clear();
     part.ratings.clear();
+    part.told_apart.clear();
     for (const std::size_t member : members) part.vibrations.push_back(set.vibrations[member]);
     for (const Ratings& ratings : set.ratings) {
         if (auto rated = part_of(ratings, names_of(part))) part.ratings.push_back(*rated);
+    }
+    for (const ToldApart& told : set.told_apart) {
+        ToldApart within = among(told, names_of(part));
+        if (!within.answers.empty()) part.told_apart.push_back(std::move(within));
     }
     return part;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <map>
 
 #include "model/common/portable.h"
@@ -17,8 +16,6 @@ namespace {
 // Streams of one seed.
 constexpr std::uint64_t kOfPairs = 1;
 constexpr std::uint64_t kOfPlaces = 2;
-
-bool can_be_asked(double pm) { return std::isfinite(pm) && pm > 0.0; }
 
 bool is_of(const OddAnswer& answer, const TrialPair& pair) {
     return answer.trial.a == pair.a && answer.trial.b == pair.b;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/common/portable.h"
+#include "model/told_apart/told_apart.h"
 
 namespace tact {
 
@@ -22,8 +23,6 @@ constexpr double kMissOdds = kRise / (kToldApartShare - kOddGuess) - 1.0;
 
 // `odds`: (threshold / PM)^slope.
 double share_at(double odds) { return kOddGuess + kRise / (1.0 + kMissOdds * odds); }
-
-bool is_asked(double pm) { return std::isfinite(pm) && pm > 0.0; }
 
 // Of each threshold and slope, in the order of the weights.
 std::vector<double> shares_at(const ThresholdPosterior& posterior, double pm) {
@@ -54,7 +53,7 @@ double share_right(double pm, double threshold_pm, double slope) {
 Range range_of_pm(std::span<const double> pm) {
     Range range{std::numeric_limits<double>::infinity(), 0.0};
     for (const double one : pm) {
-        if (!is_asked(one)) continue;
+        if (!can_be_asked(one)) continue;
         range.low = std::min(range.low, one);
         range.high = std::max(range.high, one);
     }
@@ -71,7 +70,7 @@ ThresholdPosterior threshold_posterior(Range pm, std::span<const AskedPm> answer
     posterior.weight.assign(kThresholds * kThresholdSlopes.size(), 1.0);
     std::map<double, std::vector<double>> shares_of;  // by PM, each once
     for (const AskedPm& answer : answers) {
-        if (!is_asked(answer.pm)) continue;
+        if (!can_be_asked(answer.pm)) continue;
         std::vector<double>& shares = shares_of[answer.pm];
         if (shares.empty()) shares = shares_at(posterior, answer.pm);
         double sum = 0.0;
@@ -105,7 +104,7 @@ double threshold_below(const ThresholdPosterior& posterior, double probability) 
 
 PredictedShare predicted_share(const ThresholdPosterior& posterior, double pm) {
     PredictedShare predicted{kOddGuess, {kOddGuess, kOddGuess}};
-    if (!is_asked(pm)) return predicted;
+    if (!can_be_asked(pm)) return predicted;
     const std::vector<double> shares = shares_at(posterior, pm);
     std::vector<std::pair<double, double>> share_and_weight;
     predicted.share = 0.0;
@@ -127,7 +126,7 @@ PredictedShare predicted_share(const ThresholdPosterior& posterior, double pm) {
 }
 
 double expected_information(const ThresholdPosterior& posterior, double pm) {
-    if (!is_asked(pm)) return 0.0;
+    if (!can_be_asked(pm)) return 0.0;
     const std::vector<double> shares = shares_at(posterior, pm);
     double right = 0.0;
     double known = 0.0;  // entropy of the answer that is left where the threshold is known

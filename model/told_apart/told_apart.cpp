@@ -24,9 +24,10 @@ ToldApart among(const ToldApart& told, const std::vector<std::string>& names) {
         part.patterns.push_back(told.patterns[k]);
         part.versions.push_back(k < told.versions.size() ? told.versions[k] : std::string());
     }
-    std::erase_if(part.answers, [&](const OddAnswer& answer) {
+    const std::size_t gone = std::erase_if(part.answers, [&](const OddAnswer& answer) {
         return !is_there(part.patterns, answer.trial.a) || !is_there(part.patterns, answer.trial.b);
     });
+    if (gone > 0) part.unknown_json.clear();  // it is kept by the places of answers
     return part;
 }
 

@@ -62,6 +62,9 @@ inline constexpr Range kAskedPm{0.0, 1e12};
 inline constexpr Range kOddResponseS{0.0, 86'400.0};
 }  // namespace limits
 
+// Pairs of PM 0 are next to identical, and have no place on a scale of ratios.
+inline bool can_be_asked(double pm) { return pm > 0.0 && pm <= limits::kAskedPm.high; }
+
 // Another name of a pattern.
 void rename_in(ToldApart& told, const std::string& before, const std::string& after);
 

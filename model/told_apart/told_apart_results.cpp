@@ -52,7 +52,7 @@ ToldApartResults results_of(const ToldApart& told) {
     std::vector<double> pm;
     std::vector<AskedPm> asked;
     for (const OddAnswer& answer : told.answers) {
-        if (!(answer.trial.pm > 0.0)) continue;
+        if (!can_be_asked(answer.trial.pm)) continue;
         ++results.trials;
         if (answer.is_right()) ++results.right;
         pm.push_back(answer.trial.pm);

@@ -175,6 +175,7 @@ std::string merge(Merging& merging, Loaded&& more, const fs::path& path, bool pa
     all.files += more.files;
     append(all.set.vibrations, std::move(more.set.vibrations));
     append(all.set.ratings, std::move(more.set.ratings));
+    append(all.set.told_apart, std::move(more.set.told_apart));
     append(all.remarks, std::move(more.remarks));
     append(all.left_out, std::move(more.left_out));
     return {};

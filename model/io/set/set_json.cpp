@@ -8,6 +8,7 @@
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
+#include "model/io/set/told_apart_json.h"
 #include "model/set/layers.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
@@ -404,6 +405,7 @@ PatternSet set_of(JsonReading& reading, const Json& document, std::vector<std::s
     set.duration_s = number_field(object, "duration_s", set.duration_s, limits::kDurationS);
     read_vibrations(object, set, remarks);
     read_ratings(object, set);
+    set.told_apart = told_apart_field(object);
     Json unknown = Json::object();
     Json of_model = Json::object();
     JsonObject model = object_field(object, "model");
@@ -441,6 +443,7 @@ Json json_of(const PatternSet& set, const fs::path& folder) {
         document["patterns"].push_back(json_of(vibration, set.duration_s, folder));
     }
     for (const Ratings& ratings : set.ratings) document["ratings"].push_back(json_of(ratings));
+    for (const ToldApart& told : set.told_apart) document["told_apart"].push_back(json_of(told));
     Json model = json_of(set.model);
     if (!set.model_origin.trained_on.empty()) model["trained_on"] = set.model_origin.trained_on;
     if (set.model_origin.synthetic) model["synthetic"] = true;

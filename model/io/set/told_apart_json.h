@@ -1,0 +1,27 @@
+// Trials of one person on one device as JSON and back: the part `told_apart` of a set file.
+//
+//     [{"measured_on": "one person, on one device", "device": "phone Kim (web vibration)",
+//       "person": "Kim", "date": "2026-11-28T21:12:53Z", "seed": "000000000000002a",
+//       "patterns": ["Pulse", "Buzz"], "versions": ["0123456789abcdef", "fedcba9876543210"],
+//       "trials": [{"a": "Pulse", "b": "Buzz", "pm": 9, "odd_one": "b", "odd_place": 2,
+//                   "answer": 2, "response_s": 5.2}, ..]}, ..]
+//
+// Source    ours. Plays are counted from 1; `odd_one` is the one of the two that is played once.
+//           Of a trial everything but `response_s` has to be there: none has a usual value.
+//           "synthetic": true: nobody was asked
+// Left out  what the trials say (model/told_apart/told_apart_document.h): it is computed.
+#pragma once
+
+#include <vector>
+
+#include "model/text/json_fields.h"
+#include "model/told_apart/told_apart.h"
+
+namespace tact {
+
+// None where the key is missing. A fault is left in the reading.
+std::vector<ToldApart> told_apart_field(JsonObject& object);
+
+Json json_of(const ToldApart& told);
+
+}  // namespace tact
