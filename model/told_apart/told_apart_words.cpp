@@ -43,6 +43,16 @@ std::string found_words(const ToldApartResults& results) {
            " of trials.";
 }
 
+std::string unclear_words(const ToldApartResults& results) {
+    const std::string least = pm_digits(results.asked_pm.low);
+    const bool is_one = results.asked_pm.low == results.asked_pm.high;
+    return answered_words(results) +
+           "These trials do not say from which PM pairs are told apart: it may be below " + least +
+           (is_one ? " or above it, the only one that was asked."
+                   : ", the smallest that was asked, or above " + pm_digits(results.asked_pm.high) +
+                         ", the largest.");
+}
+
 std::string below_words(const ToldApartResults& results) {
     const std::string said = answered_words(results) + threshold_is();
     const std::string below =
@@ -87,11 +97,7 @@ std::string threshold_words(const ToldApartResults& results) {
                    grouped_digits(results.trials) + " of at least " +
                    std::to_string(limits::kFewestOddTrials) + ".";
         case ThresholdSaid::unclear:
-            return answered_words(results) +
-                   "These trials do not say from which PM pairs are told apart: it may be "
-                   "below " +
-                   pm_digits(results.asked_pm.low) + ", the smallest that was asked, or above " +
-                   pm_digits(results.asked_pm.high) + ", the largest.";
+            return unclear_words(results);
         case ThresholdSaid::below:
             return below_words(results);
         case ThresholdSaid::above:

@@ -47,8 +47,9 @@ TEST_CASE("threshold: posterior, predictions and information are those of NumPy"
 }
 
 TEST_CASE("threshold: a grid of 61 is as good as one of 4,801") {
-    // Half a step of the grid, of 0.13 at most here, is the most that its evenness may cost where a
-    // quantile lies in a steep part; within the middle half much less.
+    // Half a step of the grid, 8 % of a PM at most here: where nearly all of the probability is in
+    // one step, as of steep slopes, its evenness is what moves a quantile. An interval of 40
+    // answers is ten times as wide.
     for (const golden::Json& one : golden::read("told_apart.json", "cases")) {
         const ThresholdPosterior posterior =
             threshold_posterior(range_in(one.at("range_pm")), answers_in(one.at("answers")));
@@ -56,7 +57,6 @@ TEST_CASE("threshold: a grid of 61 is as good as one of 4,801") {
             const double own = threshold_below(posterior, one.at("probability")[k]);
             const double fine = one.at("fine_threshold_pm")[k];
             CHECK(std::abs(std::log(own / fine)) < 0.5 * posterior.step);
-            if (k > 0 && k < 4) CHECK(std::abs(std::log(own / fine)) < 0.25 * posterior.step);
         }
     }
 }

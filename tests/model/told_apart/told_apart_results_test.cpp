@@ -46,18 +46,19 @@ std::string threshold_said(const std::vector<std::tuple<double, int, int>>& coun
 }  // namespace
 
 TEST_CASE("told apart: a threshold between what was asked is given with its interval") {
-    const ToldApartResults results = results_of(told({{4, 2, 4}, {12, 5, 3}, {40, 6, 0}}));
+    const ToldApartResults results =
+        results_of(told({{4, 3, 5}, {10, 3, 1}, {20, 4, 0}, {40, 4, 0}}));
     CHECK(results.said == ThresholdSaid::found);
     CHECK(results.trials == 20);
-    CHECK(results.right == 13);
-    CHECK(threshold_words(results) == "Pairs beyond PM " + pm_digits(results.threshold_pm) + " (" +
-                                          pm_digits(results.threshold.low) + " to " +
-                                          pm_digits(results.threshold.high) +
-                                          ") were told apart in at least 75 % of trials.");
+    CHECK(results.right == 14);
+    CHECK(threshold_words(results) ==
+          "Pairs beyond PM 10 (4.6 to 26) were told apart in at least 75 % of trials.");
+    CHECK(pm_digits(results.threshold_pm) == "10");
+    CHECK(pm_digits(results.threshold.high) == "26");
     CHECK(results.threshold.low < results.threshold_pm);
     CHECK(results.threshold_pm < results.threshold.high);
     CHECK(share_words(results) ==
-          "13 of 20 trials were right: 65 % (43 to 82 %). A guess is right in a third of trials.");
+          "14 of 20 trials were right: 70 % (48 to 85 %). A guess is right in a third of trials.");
 }
 
 TEST_CASE("told apart: what the data do not say is not said") {
@@ -69,9 +70,13 @@ TEST_CASE("told apart: what the data do not say is not said") {
     CHECK(all ==
           "All 20 trials were right. The PM from which pairs are told apart in 75 % of "
           "trials is below 4, the smallest that was asked.");
-    const std::string likely = threshold_said({{4, 9, 1}});
-    CHECK(contains(likely, "most likely below 4, the smallest that was asked, and below "));
-    CHECK(contains(likely, " with 95 % certainty."));
+    CHECK(threshold_said({{4, 5, 0}, {20, 5, 0}}) ==
+          "All 10 trials were right. The PM from which pairs are told apart in 75 % of trials is "
+          "most likely below 4, the smallest that was asked, and below 4.5 with 95 % certainty.");
+    CHECK(threshold_said({{4, 1, 4}, {8, 4, 3}, {12, 5, 3}}) ==
+          "10 of 20 trials right: guesses may be right as often. The PM from which pairs are told "
+          "apart in 75 % of trials is most likely above 12, the largest that was asked, and above "
+          "9.6 with 95 % certainty.");
     const std::string none = threshold_said({{4, 0, 10}, {40, 0, 10}});
     CHECK(none ==
           "None of 20 trials was right. The PM from which pairs are told apart in 75 % of "
@@ -80,9 +85,13 @@ TEST_CASE("told apart: what the data do not say is not said") {
     CHECK(contains(guesses, "8 of 20 trials right: guesses may be right as often."));
     CHECK(contains(guesses, "above 40, the largest that was asked"));
     const std::string unclear = threshold_said({{10, 4, 2}, {11, 4, 2}});
-    CHECK(contains(unclear, "These trials do not say from which PM pairs are told apart"));
+    CHECK(unclear ==
+          "These trials do not say from which PM pairs are told apart: it may be below 10, the "
+          "smallest that was asked, or above 11, the largest.");
+    CHECK(
+        contains(threshold_said({{4, 8, 2}}), "below 4 or above it, the only one that was asked."));
     // An end beyond what was asked is said to be beyond.
-    CHECK(contains(threshold_said({{4, 2, 4}, {8, 4, 3}, {12, 4, 3}}), " to above 12)"));
+    CHECK(contains(threshold_said({{4, 4, 4}, {8, 4, 4}, {12, 4, 0}}), "(6 to above 12)"));
 }
 
 TEST_CASE("told apart: the predicted share rises with PM, and says where nothing was asked") {
@@ -178,12 +187,14 @@ TEST_CASE("told apart: a table has a row an answer, whatever the names are") {
     course.person = "=Kim, \"K\"";
     course.answers[0].trial.odd_is_b = true;
     const std::string text = told_apart_csv(course);
+    CHECK(contains(text, "'=Kim"));  // no formula in a spreadsheet
     CsvReader reader{text};
     const CsvRecord head = next_record(reader);
     CHECK(head.fields.size() == 14);
     const CsvRecord first = next_record(reader);
+    REQUIRE(first.fields.size() == 14);
     CHECK(first.fields == std::vector<std::string>{"one person, on one device", "0",
-                                                   "phone Kim (web vibration)", "'=Kim, \"K\"",
+                                                   "phone Kim (web vibration)", "=Kim, \"K\"",
                                                    "2026-11-28T21:12:53Z", "1", "a4", "b", "4", "2",
                                                    "b", "2", "1", "1.5"});
     const CsvRecord second = next_record(reader);
