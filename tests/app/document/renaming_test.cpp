@@ -32,6 +32,10 @@ TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among wha
     App& app = program.app;
     app.work.document.edit().study.patterns = {"p1", "p2", "p4"};
     app.work.document.edit().ratings = {{"P", {"p1", "p2", "p3", "p4"}, {1, 2, 3, 4, 5, 6}, {}}};
+    ToldApart told;
+    told.answers = {{{"p2", "p3", 9.0, 0, false}, 0, 1.0}};
+    told.patterns = {"p2", "p3"};
+    app.work.document.edit().told_apart = {told};
     commit_step(app.ui, app.work, "study");
     app.work.selection.partner = app.work.selection.pinned = app.lesson.before.pinned = "p2";
     app.picking.reference_a = "p2";
@@ -43,10 +47,13 @@ TEST_CASE("rename: a pattern stays in the study, in pairs, pinned, and among wha
     follow_changes(app);
     CHECK(study_names(app.work) == std::vector<std::string>{"p1", "tap", "p4"});
     CHECK(app.work.document.set.ratings[0].labels[1] == "tap");
+    CHECK(app.work.document.set.told_apart[0].answers[0].trial.a == "tap");
+    CHECK(app.work.document.set.told_apart[0].patterns[0] == "tap");
     CHECK(names_kept(app) == all("tap"));
     undo(app.ui, app.work);
     follow_changes(app);
     CHECK(study_names(app.work) == std::vector<std::string>{"p1", "p2", "p4"});
+    CHECK(app.work.document.set.told_apart == std::vector{told});
     CHECK(names_kept(app) == all("p2"));
     redo(app.ui, app.work);
     follow_changes(app);

@@ -352,9 +352,17 @@ TEST_CASE("part of a set: its patterns and their ratings, by names") {
     CHECK(problem.drop == std::vector<std::size_t>{4});
     set.ratings.push_back({"P1", {"e", "d", "b", "a"}, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, {}, {}});
     set.ratings.push_back({"P2", {"d", "c"}, {7.0}, {}, {}});
+    ToldApart told;
+    told.answers = {{{"a", "e", 3.0, 0, false}, 0, 0.0}, {{"a", "c", 4.0, 0, false}, 0, 0.0}};
+    told.patterns = {"a", "e", "c"};
+    told.versions = {"1", "2", "3"};
+    set.told_apart = {told, among(told, {"a", "c"})};
     const PatternSet part = part_of(set, std::vector<std::size_t>{0, 1, 4});
     CHECK(names_of(part) == std::vector<std::string>{"a", "b", "e"});
     REQUIRE(part.ratings.size() == 1);  // of one pattern nothing is left to say
+    REQUIRE(part.told_apart.size() == 1);
+    CHECK(part.told_apart[0].answers == std::vector{told.answers[0]});
+    CHECK(part.told_apart[0].versions == std::vector<std::string>{"1", "2"});
     CHECK(part.ratings[0].labels == std::vector<std::string>{"a", "b", "e"});
     CHECK(part.ratings[0].condensed == std::vector<double>{6.0, 3.0, 2.0});
 }

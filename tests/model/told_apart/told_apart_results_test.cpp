@@ -10,16 +10,13 @@
 #include "model/told_apart/told_apart_document.h"
 #include "model/told_apart/told_apart_words.h"
 #include "tests/model/told_apart/trial_pairs.h"
+#include "tests/support/temporary_folder.h"
 
 namespace told_apart_results_test {
 
 using namespace tact;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 // An answer to a pair of this PM.
 OddAnswer answer(double pm, bool is_right) {

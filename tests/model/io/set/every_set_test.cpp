@@ -139,6 +139,21 @@ Ratings ratings(Dice& dice, const std::vector<std::string>& labels) {
     return one;
 }
 
+ToldApart told_apart(Dice& dice, const std::string& a, const std::string& b) {
+    ToldApart told{dice.text(6),   dice.text(6), dice.text(6), dice.random(),
+                   dice.one_in(2), {},           {},           {}};
+    told.patterns = {a, b};
+    told.versions = {dice.text(4), "0123456789abcdef"};
+    for (std::size_t k = dice.below(41); k > 0; --k) {
+        const auto place = [&dice] { return static_cast<int>(dice.below(3)); };
+        told.answers.push_back({{a, b, dice.within(limits::kAskedPm), place(), dice.one_in(2)},
+                                place(),
+                                dice.share()});
+    }
+    if (dice.one_in(2)) told.unknown_json = R"({"mood":"good"})";
+    return told;
+}
+
 StudyDesign study(Dice& dice, const std::vector<std::string>& names) {
     StudyDesign design;
     if (!names.empty() && dice.one_in(2)) design.patterns = {names.front()};
@@ -184,6 +199,9 @@ PatternSet random_set(Dice& dice, bool with_recordings) {
     }
     for (std::size_t k = dice.below(4); k > 0; --k) {
         set.ratings.push_back(ratings(dice, names_of(set)));
+    }
+    for (std::size_t k = dice.below(3); k > 0 && set.vibrations.size() > 1; --k) {
+        set.told_apart.push_back(told_apart(dice, set.vibrations[0].name, set.vibrations[1].name));
     }
     if (dice.one_in(2)) set.model.nc_weight = dice.share();
     if (dice.one_in(2)) set.model_origin = {dice.text(20), dice.one_in(2), dice.one_in(2)};

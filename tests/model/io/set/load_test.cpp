@@ -79,6 +79,7 @@ TEST_CASE("load: several sets become one, of names that differ") {
     const fs::path b = folder.path / "b.json";
     PatternSet second = set_of_one("b");
     second.ratings.push_back({"r", {"b"}, {}, {}});
+    second.told_apart.resize(1);
     second.model.nc_weight = 0.25;
     REQUIRE(write_set_file(a, set_of_one("a")));
     REQUIRE(write_set_file(b, second));
@@ -92,6 +93,7 @@ TEST_CASE("load: several sets become one, of names that differ") {
     CHECK(loaded->set.vibrations[1].name == "b");
     CHECK(loaded->set.vibrations[2].name == "c");
     CHECK(loaded->set.ratings.size() == 1);
+    CHECK(loaded->set.told_apart == second.told_apart);
     CHECK(loaded->set.model == PerceptualModelParams{});
     REQUIRE(loaded->remarks.size() == 1);
     CHECK(contains(loaded->remarks[0], "model parameters of"));

@@ -51,6 +51,14 @@ PatternSet unusual_set() {
     set.study = {{"one two"}, 3,       2,      7,     StudyOrder::adaptive,
                  0.5,         1.5,     20,     0.25,  "audio/ALSA/ears",
                  {75.0, 1},   "Feel.", "Yes.", {0, 3}};
+    set.told_apart.push_back({"phone \u9707",
+                              "Kim",
+                              "2026-11-28T21:12:53Z",
+                              0xfedcba9876543210U,
+                              true,
+                              {{{"one two", "gone", 1.0 / 3.0, 2, true}, 1, 5.25}},
+                              {"one two", "gone"},
+                              {"0123456789abcdef", ""}});
     return set;
 }
 
