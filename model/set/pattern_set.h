@@ -127,7 +127,7 @@ struct PatternSet {
     MapPlaces map_places{};
     std::string unknown_json;
     std::optional<DesignSpace> generator;  // that candidates were made by last
-    std::vector<ToldApart> told_apart{};   // trials of single persons on single devices
+    std::vector<ToldApart> told_apart{};   // each measured on one person, on one device
 
     bool operator==(const PatternSet&) const = default;
 };

@@ -26,8 +26,8 @@ ToldApart noted_trials(const PatternSet& set, ToldApart about, std::span<const O
 // The answers that still count, at their pairs' PM of now.
 ToldApart still_told(const PatternSet& set, const ToldApart& told, const Dissimilarity& pm);
 
-// Of the trials that say something, the newest: kFewestOddTrials answers count; simulated ones only
-// if no person was asked.
+// The newest trials that say something: kFewestOddTrials answers count; simulated ones only if no
+// person was asked.
 struct UsableTrials {
     std::size_t place = 0;  // in set.told_apart
     ToldApart told;         // the answers that count

@@ -56,7 +56,7 @@ ThresholdPosterior posterior_so_far(const TrialDesign& design, std::span<const O
     return threshold_posterior(range_of_pm(pm), asked);
 }
 
-// Of the pairs those whose answers are expected to say most.
+// The pairs whose answers are expected to say most.
 std::vector<std::size_t> most_telling(const TrialDesign& design,
                                       const std::vector<std::size_t>& pairs,
                                       const ThresholdPosterior& posterior) {

@@ -1,7 +1,7 @@
 // Which pair is asked next, and in which order it is played.
 //
 // Source    the pair whose answer is expected to say most of the threshold (Kontsevich & Tyler
-//           1999, psi; of the threshold alone: Prins 2013). Of equals one by the seed. Places of
+//           1999, psi; of the threshold alone: Prins 2013). Equals are drawn by the seed. Places of
 //           the odd one and which of the two it is: blocks of six, each block in an order of its
 //           own, so that whoever always taps one place is right in a third of the trials.
 // Input     the design, and the answers so far in their order

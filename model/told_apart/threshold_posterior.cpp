@@ -24,7 +24,7 @@ constexpr double kMissOdds = kRise / (kToldApartShare - kOddGuess) - 1.0;
 // `odds`: (threshold / PM)^slope.
 double share_at(double odds) { return kOddGuess + kRise / (1.0 + kMissOdds * odds); }
 
-// Of each threshold and slope, in the order of the weights.
+// The share of each threshold and slope, in the order of the weights.
 std::vector<double> shares_at(const ThresholdPosterior& posterior, double pm) {
     std::vector<double> shares;
     shares.reserve(posterior.weight.size());

@@ -2,7 +2,7 @@
 //
 // Output    shares from 0 to 1, times in seconds, PM as it was in the answers; every one says that
 //           it was measured on one person, on one device
-// Left out  the form in which a set file keeps the answers (model/io/set/told_apart_json.h)
+// Left out  the form in which a set file keeps the answers (model/told_apart/told_apart_json.h)
 // Exact     numbers read back as the same ones
 #pragma once
 

@@ -10,7 +10,7 @@ namespace {
 
 std::string trials_words(std::size_t trials) { return counted(trials, "trial", "trials"); }
 
-// What was answered, where it was all the same or no better than guesses; else empty.
+// What was answered, if it was all the same or no better than guesses; empty otherwise.
 std::string answered_words(const ToldApartResults& results) {
     const std::string trials = trials_words(results.trials);
     if (results.right == results.trials) return "All " + trials + " were right. ";

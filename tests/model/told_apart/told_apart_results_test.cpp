@@ -23,7 +23,7 @@ OddAnswer answer(double pm, bool is_right) {
     return {{"a" + std::to_string(std::lround(pm)), "b", pm, 1, false}, is_right ? 1 : 2, 1.5};
 }
 
-// So many right and wrong at each PM.
+// Right and wrong answers at each PM.
 ToldApart told(const std::vector<std::tuple<double, int, int>>& counts) {
     ToldApart told;
     told.device = "phone Kim (web vibration)";

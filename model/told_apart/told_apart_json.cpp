@@ -1,4 +1,4 @@
-#include "model/io/set/told_apart_json.h"
+#include "model/told_apart/told_apart_json.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 //                   "answer": 2, "response_s": 5.2}, ..]}, ..]
 //
 // Source    ours. Plays are counted from 1; `odd_one` is the one of the two that is played once.
-//           Of a trial everything but `response_s` has to be there: none has a usual value.
+//           A trial needs all of its keys but `response_s`: none has a usual value.
 //           "synthetic": true: nobody was asked
 // Left out  what the trials say (model/told_apart/told_apart_document.h): it is computed.
 #pragma once
