@@ -108,6 +108,14 @@ TEST_CASE("odd trials: no pair is asked more often in a row than its share") {
     }
 }
 
+TEST_CASE("odd trials: a simulated person who errs takes either of the other two places") {
+    int times[3] = {};
+    for (std::uint64_t serial = 0; serial < 300; ++serial) {
+        ++times[synthetic_place({kNeverToldApart, 3.0, 1}, {"a", "b", 9.0, 1, false}, serial)];
+    }
+    for (const int count : times) CHECK(count > 75);  // three standard errors below 100
+}
+
 TEST_CASE("odd trials: pairs of one PM are drawn by the seed, every one in some course") {
     std::set<std::string> first;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -152,6 +160,7 @@ TEST_CASE("odd trials: pairs to ask go from the closest to the farthest in even 
     };
     CHECK(asked(12) == std::vector<double>{1, 2, 3, 4, 7, 8, 16, 32, 64});
     CHECK(asked(4) == std::vector<double>{1, 4, 16, 64});
+    CHECK(asked(6) == std::vector<double>{1, 2, 4, 16, 32, 64});  // 2.3, 5.3, 12.1, 27.9 are even
     CHECK(asked(2) == std::vector<double>{1, 64});
     CHECK(asked(1) == std::vector<double>{1});
     CHECK(asked(0).empty());
