@@ -1,9 +1,9 @@
 // From which PM on a person tells patterns apart: what answers say of it, by Bayes' rule on a grid.
 //
-// Source    the share that is right, p = 1/3 + (1 - 1/3 - lapse) F (Green & Swets 1966), with lapses
-//           as Wichmann & Hill 2001 show that they have to be allowed for: 0.02, fixed, so that one
-//           slip moves little. F is the logistic function of ln PM; the threshold is the PM at
-//           which p = 3/4. Posterior of threshold and slope: Kontsevich & Tyler 1999.
+// Source    the share that is right, p = 1/3 + (1 - 1/3 - lapse) F (Green & Swets 1966), with
+//           lapses as Wichmann & Hill 2001 show that they have to be allowed for: 0.02, fixed, so
+//           that one slip moves little. F is the logistic function of ln PM; the threshold is the
+//           PM at which p = 3/4. Posterior of threshold and slope: Kontsevich & Tyler 1999.
 // Input     PM above 0; others are passed over
 // Output    a prior that is even in the logarithms of threshold (an eighth of the smallest to eight
 //           times the largest PM) and slope (1 to 16: p rises from a tenth to nine tenths of its
