@@ -7,7 +7,8 @@
 
 namespace tact {
 
-// In the set: its twins, its ratings, its trials, and the choice of those that take part in studies.
+// In the set: its twins, its ratings, its trials, and the choice of those that take part in
+// studies.
 void rename_in(PatternSet& set, std::size_t index, const std::string& name);
 
 // In what is selected and copied; other rooms find it among the changes.
