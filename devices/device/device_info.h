@@ -6,7 +6,7 @@
 
 namespace tact {
 
-enum class DeviceKind { audio, hid };
+enum class DeviceKind { audio, hid, phone };
 
 // A computer that is busy now and then for so long plays without gaps. A stop does not wait for it;
 // a change of a loop does.
