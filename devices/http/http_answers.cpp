@@ -107,7 +107,8 @@ class HttpAnswers::Library final : public httplib::Server {
         }
         const double handshake_us = std::stod(request.get_header_value(kHandshake));
         const HttpReply reply =
-            route_({request.method, request.path, request.body, 1e-6 * handshake_us});
+            route_({request.method, request.target.substr(0, request.target.find('?')),
+                    request.body, 1e-6 * handshake_us});
         to.status = reply.status;
         if (!reply.text.empty()) to.set_content(reply.text, reply.type);
     }

@@ -20,7 +20,7 @@ namespace tact {
 
 struct HttpCall {
     std::string method;
-    std::string path;  // without percent signs and what follows "?"
+    std::string path;  // as it was sent, percent signs and all, without what follows "?"
     std::string body;
     double handshake_s = 0.0;
 };

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 namespace tact {
 
@@ -53,8 +54,8 @@ std::vector<NetworkInterface> network_interfaces() {
         if (auto one = private_interface(*entry)) found.push_back(*std::move(one));
     }
     freeifaddrs(all);
-    std::ranges::stable_sort(found, [](const NetworkInterface& a, const NetworkInterface& b) {
-        return is_inside(a) != is_inside(b) ? is_inside(b) : a.name < b.name;
+    std::ranges::sort(found, {}, [](const NetworkInterface& each) {
+        return std::tuple(is_inside(each), each.name, each.address);
     });
     return found;
 }

@@ -55,7 +55,7 @@ void PhoneDesk::set_side(int number, PhoneSide side) {
         PhoneState& phone = **found;
         phone.shown.side = side;
         const GivenPlayPtr& latest = latest_for(side);
-        if (latest != phone.play) {
+        if (latest != phone.play && (latest->play.loop || !phone.play->play.ms.empty())) {
             phone.play = latest->play.loop ? latest : std::make_shared<const GivenPlay>();
             ++phone.play_serial;
             phone.changed.notify_all();

@@ -19,14 +19,13 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-std::unique_ptr<PhoneServer> served(double request_s, std::size_t most_connections = 480) {
+std::unique_ptr<PhoneServer> served(double request_s) {
     PhoneServerSettings settings;
     settings.host = "127.0.0.1";
     settings.page = {{"index.html", "text/html", std::string(50'000, 'x')}};
     settings.request_s = request_s;
     settings.answer_s = request_s;
     settings.poll_s = 120.0;
-    settings.most_connections = most_connections;
     auto server = PhoneServer::open(std::move(settings));
     REQUIRE(server);
     return *std::move(server);
@@ -118,37 +117,10 @@ TEST_CASE("phone bounds: half-open and dripping connections end, while phones ar
     CHECK(half_open[1].reply().status == 0);  // that said nothing hears nothing
 }
 
-TEST_CASE("phone bounds: where all places are taken, who sends no request gives way") {
-    const auto server = served(120.0, 8);
-    const Place place(server->address());
-    std::vector<Connection> half_open;
-    for (int k = 0; k < 40; ++k) {
-        half_open.emplace_back(place.port);
-        half_open.back().send("GET /");
-    }
-    Phone phone{place};
-    CHECK(phone.join("Kim").status == 200);
-    CHECK(soon([&] { return std::ranges::count_if(half_open, &Connection::has_news) >= 32; }));
-    // Those who wait for an answer are not pushed out: the one that is new is closed at once.
-    std::vector<Phone> phones(8, Phone{place});
-    std::vector<Connection> waiting;
-    for (Phone& each : phones) {
-        each.join("Kim");
-        each.next();
-        waiting.emplace_back(place.port);
-        waiting.back().send(each.next_text());
-    }
-    CHECK(soon([&] { return asked(place, "GET", "").status == 0; }));
-    CHECK(std::ranges::none_of(waiting, &Connection::has_news));
-    server->play({{50}, false, PhoneSide::both});
-    for (const Connection& each : waiting) CHECK(each.reply().status == 200);
-    CHECK(asked(place, "GET", "").status == 200);
-}
-
 TEST_CASE("phone bounds: who takes no answer loses its place" * doctest::test_suite("long")) {
     PhoneServerSettings settings;
     settings.host = "127.0.0.1";
-    settings.page = {{"index.html", "text/html", std::string(64'000'000, 'x')}};
+    settings.page = {{"index.html", "text/html", std::string(16'000'000, 'x')}};
     settings.answer_s = 0.3;
     const auto server = PhoneServer::open(std::move(settings));
     REQUIRE(server);
@@ -160,8 +132,8 @@ TEST_CASE("phone bounds: who takes no answer loses its place" * doctest::test_su
         slow.back().send(request_text("GET", place.path));
     }
     CHECK(soon([&] { return std::ranges::all_of(slow, &Connection::has_news); }));
-    CHECK(soon([&] { return thread_count() == threads; }));
-    CHECK(slow[0].all().size() < 64'000'000);
+    CHECK(soon([&] { return thread_count() <= threads; }));
+    CHECK(slow[0].all().size() < 16'000'000);
 }
 
 TEST_CASE("phone bounds: a phone that asks too often is told so") {

@@ -131,7 +131,8 @@ TEST_CASE("phone device: what follows begins its rest after the end, whoever loo
     CHECK(soon([&] { return !device.status().playing; }));
 }
 
-TEST_CASE("phone device: a level and a changed loop are sent from where the play is") {
+TEST_CASE("phone device: a level and a changed loop are sent from where the play is" *
+          doctest::test_suite("long")) {
     Room room;
     PhoneDevice device(room.door());
     Drive drive = buzz(0.5);
