@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
 #include "devices/hid/haptic_page.h"
+#include "devices/http/request_bytes.h"
+#include "devices/phone/phone_names.h"
+#include "devices/phone/phone_requests.h"
 #include "devices/rumble/rumble_packets.h"
 #include "tests/fuzz/readers.h"
 
@@ -52,12 +56,64 @@ std::vector<std::string> acknowledgement_seeds() {
     return {std::string("\x21\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x80\x48", 15)};
 }
 
+// The body of any of the three requests of a phone's page.
+bool phone_request(std::string_view bytes) {
+    const auto join = parse_join(bytes);
+    if (join) {
+        hold(cleaned_nickname(join->nickname) == join->nickname, "a clean name is clean");
+        hold(unique_nickname(join->nickname, {join->nickname}) != join->nickname, "names differ");
+    }
+    const auto tell = parse_tell(bytes);
+    if (tell && !tell->played) {
+        const auto again = parse_tell(R"({"phone":")" + tell->phone + R"(","card":"x","answer":)" +
+                                      tell->answer + "}");
+        hold(again && again->answer == tell->answer, "an answer is read again as the same");
+    }
+    return parse_next(bytes) || join || tell;
+}
+
+std::vector<std::string> phone_request_seeds() {
+    const std::string phone = R"({"phone":"ABCDEFGHIJKLMNOPQRSTUV",)";
+    return {R"({"nickname":"Kim","vibrates":true,"language":"ko"})",
+            phone + R"("card":4,"play":17})", phone + R"("played":18})",
+            phone + R"("card":"r1","answer":{"k":4,"similarity":50,"plays":[2,1],"first":"left",)"
+                    R"("response_ms":8000}})"};
+}
+
+// Whole or byte by byte, a request is the same, and within its bounds.
+bool http_request(std::string_view bytes) {
+    RequestBytes whole;
+    take_in(whole, bytes);
+    end_of_bytes(whole);
+    RequestBytes dripped;
+    for (std::size_t k = 0; k < bytes.size() && take_in(dripped, bytes.substr(k, 1)); ++k) continue;
+    end_of_bytes(dripped);
+    hold(whole.refused == dripped.refused, "how bytes drip decides nothing");
+    if (whole.refused != 0) return false;
+    hold(whole.head() == dripped.head() && whole.body() == dripped.body(), "nor what is read");
+    hold(whole.head_bytes <= kMostHeadBytes && whole.body_bytes <= kMostBodyBytes, "bounds hold");
+    return true;
+}
+
+std::vector<std::string> http_request_seeds() {
+    return {"POST /x/join HTTP/1.1\r\nHost: a\r\nContent-Length: 2\r\n\r\n{}",
+            "GET /x/?a HTTP/1.1\r\nA: b\r\n\r\n"};
+}
+
 }  // namespace
 
 std::span<const Reader> device_readers() {
     static const std::vector<Reader> all{
         {"descriptor", descriptor, descriptor_seeds, {}},
-        {"acknowledgement", acknowledgement, acknowledgement_seeds, {}}};
+        {"acknowledgement", acknowledgement, acknowledgement_seeds, {}},
+        {"phone_request",
+         phone_request,
+         phone_request_seeds,
+         {"\"phone\"", "\"nickname\"", "\"answer\"", "\"plays\"", "\"similarity\"", "\\ud83d"}},
+        {"http_request",
+         http_request,
+         http_request_seeds,
+         {"Content-Length: ", "Transfer-Encoding: ", "\r\n", "\r\n\r\n"}}};
     return all;
 }
 

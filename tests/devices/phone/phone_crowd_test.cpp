@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "devices/device/crash_signals.h"
 #include "devices/phone/phone_server.h"
 #include "tests/support/page_phone.h"
 #include "tests/support/patience.h"
@@ -169,7 +170,8 @@ TEST_CASE("phone crowd: memory and threads stay as they are, however often phone
     rounds(1000);
     CHECK(soon([&] { return thread_count() <= threads; }));
     MESSAGE("1000 joins: " << resident_mb() - before_mb << " MB more");
-    CHECK(resident_mb() - before_mb < 4.0);
+    // A sanitizer keeps what was freed for a while.
+    if (!kHasSanitizer) CHECK(resident_mb() - before_mb < 4.0);
     CHECK(server->phones().empty());
 }
 
