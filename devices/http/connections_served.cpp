@@ -11,7 +11,7 @@ namespace tact {
 
 namespace {
 
-// Of a request that was refused, so that its sender hears that before the connection ends.
+// Bytes of a refused request that are read, so that its sender hears that it is refused.
 constexpr std::size_t kMostPassedOver = 65'536;
 constexpr double kPassedOverS = 1.0;
 

@@ -28,7 +28,7 @@ std::optional<NetworkInterface> private_interface(const ifaddrs& entry) {
                                     : std::nullopt;
 }
 
-// Of containers and virtual machines: no phone is there.
+// One of containers or virtual machines: no phone is there.
 bool is_inside(const NetworkInterface& which) {
     constexpr std::array<std::string_view, 6> kBeginnings{"docker", "br-",   "veth",
                                                           "virbr",  "vmnet", "lxc"};

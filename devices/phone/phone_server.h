@@ -6,7 +6,7 @@
 // Input     files of the page, cards and plays of the program; JSON of phones (phone_requests.h)
 // Valid     bounds of connections.h, phone_desk.h and request_bytes.h
 // Left out  logs: nothing is written anywhere
-// Errors    an address that is none of this computer, a port that is taken
+// Errors    an address that this computer does not have, a port that is taken
 #pragma once
 
 #include <functional>
@@ -21,7 +21,8 @@
 namespace tact {
 
 struct PhoneServerSettings {
-    // Of the interface to listen on. Default: the first private one of IPv4, or 127.0.0.1.
+    // The address of the interface to listen on. Default: the first private one of IPv4, or
+    // 127.0.0.1.
     std::string host{};
     int port = 0;  // 0: any that is free
     std::size_t most_phones = 400;

@@ -88,7 +88,7 @@ class Connection {
     bool is_open_ = false;
 };
 
-// Of "http://127.0.0.1:4711/TOKEN/".
+// The parts of "http://127.0.0.1:4711/TOKEN/".
 struct Place {
     int port = 0;
     std::string path;  // "/TOKEN/"

@@ -142,7 +142,7 @@ TEST_CASE("phone desk: latency is half the way there and back, the median of fiv
         CHECK(bench.desk.tell({phone, "", "", serial}, 0.01).status == 204);
     }
     CHECK(*latency() == doctest::Approx(0.03));
-    // Of another play, told twice, or much later: that measures nothing.
+    // Told of another play, twice, or much later: that measures nothing.
     CHECK(bench.desk.tell({phone, "", "", serial}).status == 204);
     CHECK(bench.desk.tell({phone, "", "", 99}).status == 204);
     bench.desk.play({{50}, false, PhoneSide::both});
@@ -221,7 +221,7 @@ TEST_CASE("phone desk: who waits is woken by a card, a play, a close and a secon
     };
     const auto show = [&](const NextRequest&) { bench.desk.show(choice("q")); };
     const auto play = [&](const NextRequest&) { bench.desk.play({{20}, false, PhoneSide::both}); };
-    // Of two polls the earlier one is answered at once. Which one that is, is a race: further ones
+    // The earlier one of two polls is answered at once. Which one that is, is a race: further ones
     // follow until it was the thread's.
     const auto poll = [&](const NextRequest& same) {
         while (!has_reply) {
