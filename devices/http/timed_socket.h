@@ -37,7 +37,7 @@ Expected<OwnedSocket> listening_socket(const std::string& ipv4, int port);
 
 int port_of(const OwnedSocket& socket);
 
-// A connection that waits to be taken; none if there is none, or no room for it.
+// A connection that waits to be taken; empty if nobody waits, or there is no room for it.
 OwnedSocket accepted_socket(const OwnedSocket& listening);
 
 // What has come, once something has; empty: the other side is done, or the moment has passed.

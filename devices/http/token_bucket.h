@@ -1,4 +1,4 @@
-// How many requests somebody may make: so many a second on average, some more at once.
+// How many requests somebody may make: a number a second on average, some more at once.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Which answer belongs to which request: the page's files, and its three questions to the desk.
 //
-// All routes lie below the token. Whatever is none of them, of whatever method, with a wrong token
-// or a right one, gets one and the same answer: 404, empty.
+// All routes lie below the token. Everything else, of whatever method, with a wrong token or a
+// right one, gets one and the same answer: 404, empty.
 #pragma once
 
 #include <string>
