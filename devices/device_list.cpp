@@ -107,6 +107,9 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
     if (device.kind == DeviceKind::hid) return open_hid(device);
+    if (device.kind == DeviceKind::phone) {
+        return Error{device.name + " are played on by whoever serves their page"};
+    }
     const Expected<int> channels = stream_channels(device, choice);
     if (!channels) return channels.error();
     if (choice.channel < 1 || choice.channel > *channels) {

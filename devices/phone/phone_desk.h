@@ -58,6 +58,7 @@ class PhoneDesk {
     PhoneReply tell(const TellRequest& request, double handshake_s = 0.0);
 
     void show(PhoneCards cards);
+    void show_one(int number, std::string card, bool is_there);
     void play(PhonePlay play);
     void set_side(int number, PhoneSide side);
     void close_phone(int number);

@@ -79,6 +79,18 @@ void PhoneDesk::show(PhoneCards cards) {
     for (const Phone& phone : phones_) give_card(*phone);
 }
 
+void PhoneDesk::show_one(int number, std::string card, bool is_there) {
+    const std::lock_guard lock(mutex_);
+    std::string& own = cards_.for_one[number];
+    own = std::move(card);
+    for (const Phone& phone : phones_) {
+        if (phone->shown.number != number) continue;
+        if (!is_there) return give_card(*phone);
+        phone->card = std::make_shared<const std::string>(own);
+        phone->card_id = id_of_card(own);
+    }
+}
+
 // Its serial rises only if its own card is another one.
 void PhoneDesk::give_card(PhoneState& phone) const {
     const auto own = cards_.for_one.find(phone.shown.number);

@@ -27,6 +27,7 @@
 namespace tact {
 
 inline constexpr double kResentS = 0.1;
+inline constexpr const char* kPhonesId = "phones";  // of all of them, in a list of devices
 inline constexpr const char* kNoPhone = "No phone that can vibrate is connected: scan the code";
 
 // The way to the phones: a server, unless a test has its own.

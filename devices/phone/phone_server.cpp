@@ -63,6 +63,10 @@ std::string PhoneServer::address() const { return works_->address; }
 
 void PhoneServer::show(PhoneCards cards) { works_->desk.show(std::move(cards)); }
 
+void PhoneServer::show_one(int number, std::string card, bool is_there) {
+    works_->desk.show_one(number, std::move(card), is_there);
+}
+
 void PhoneServer::play(PhonePlay play) { works_->desk.play(std::move(play)); }
 
 std::vector<ConnectedPhone> PhoneServer::phones() const { return works_->desk.phones(); }

@@ -48,6 +48,9 @@ class PhoneServer {
     // A phone gets the card of its number, or that for all; its serial rises only if its own text
     // changed.
     void show(PhoneCards cards);
+    // The card of one phone, in the place of what it had. `is_there`: its page has come to that by
+    // itself, and gets it only if it loads again.
+    void show_one(int number, std::string card, bool is_there);
     void play(PhonePlay play);  // to phones of that side
     std::vector<ConnectedPhone> phones() const;
     std::vector<PhoneAnswer> take_answers();
