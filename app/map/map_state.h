@@ -91,6 +91,14 @@ struct ShownVerdicts {
     bool is_known = false;  // not of very many
 };
 
+// What one person told apart on one device of the shown pairs, kept while both stay.
+struct ShownTold {
+    std::shared_ptr<const LiveMap> of;
+    std::uint64_t revision = 0;
+    std::string words;  // empty: nothing was measured, or it does not count any more
+    std::string help;
+};
+
 // What a length of the map is in PM, kept while that stays.
 struct ShownScale {
     std::shared_ptr<const LiveMap> of;
@@ -139,6 +147,7 @@ struct ShownMap {
     ShownLargest largest;
     ShownScale scale;
     ShownVerdicts verdicts;
+    ShownTold told;
     bool clustered_matrix = true;  // rows as a tree of clusters has them, not as the list
     ShownOrder order;
     std::shared_ptr<const LiveMap> places_noted_of;  // whose places the document has

@@ -15,6 +15,7 @@
 #include "app/progress/failure.h"
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
+#include "model/set/set_told_apart.h"
 #include "model/subset/confusable.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
@@ -244,6 +245,34 @@ void draw_verdict(Ui& ui, ShownMap& shown_map, const Rect& area, float used_px) 
     note_rect(ui.rects, "map:verdict", corner, corner + size, words);
 }
 
+const ShownTold& told_of(const Workspace& work, ShownMap& shown_map) {
+    const auto& map = shown_map.transition.shown;
+    ShownTold& known = shown_map.told;
+    if (known.of == map && known.revision == work.revision) return known;
+    known = {map, work.revision, {}, {}};
+    // Trials are of the patterns as they are meant.
+    const PatternSet& set = work.document.set;
+    if (set.told_apart.empty() || map->request.rendered_by) return known;
+    known.words = told_apart_words(set, map->prediction.pm, map->sorted_pm.front());
+    known.help = told_apart_help(set, map->prediction.pm);
+    return known;
+}
+
+// Beside the verdict by PM, and no part of it: what one person told apart. The height it takes.
+float draw_told_apart(Ui& ui, const Workspace& work, ShownMap& shown_map, const Rect& area) {
+    const ShownTold& told = told_of(work, shown_map);
+    if (told.words.empty()) return 0.0F;
+    const ImFont* font = ui.theme.fonts.small;
+    const std::string words = shortened(font, told.words, area.width());
+    const ImVec2 size = text_size(font, words);
+    draw_text(*ImGui::GetWindowDrawList(), font, area.min, ui.theme.dim_text, words);
+    ImGui::SetCursorScreenPos(area.min);
+    ImGui::Dummy(size);
+    note_item(ui.rects, "map:told apart", told.words);
+    draw_tooltip(ui, told.help.c_str());
+    return size.y + 0.5F * ui.theme.gap_px;
+}
+
 // How well the map fits, and its weakest pair: what one looks for first. The height that it takes;
 // none where there is no room for it.
 float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area,
@@ -288,8 +317,10 @@ float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& ar
         if (pressed) choose_pair(work, *places[a], *places[b]);
     }
     draw_tooltip(ui, "PM of the two that people will confuse first. A click chooses them.");
-    ImGui::SetCursorScreenPos({area.min.x, area.min.y + height});
-    return height;
+    const float told = draw_told_apart(
+        ui, work, shown_map, {{area.min.x, area.min.y + height - 0.5F * theme.gap_px}, area.max});
+    ImGui::SetCursorScreenPos({area.min.x, area.min.y + height + told});
+    return height + told;
 }
 
 }  // namespace
