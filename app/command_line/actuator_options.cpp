@@ -84,6 +84,39 @@ void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen)
     devices.callback([&] { chosen = [&command] { return run(command); }; });
 }
 
+void add_phones_command(CLI::App& app, PhonesCommand& options, Chosen& chosen) {
+    CLI::App& phones = add_command(
+        app, "phones", "a page for the phones in the room, to feel, tell apart and rate", options,
+        chosen);
+    phones.add_option("--host", options.host,
+                      "address of this computer in the phones' network; default: the first private "
+                      "one");
+    phones.add_option("--port", options.port, "default: any that is free")
+        ->check(within(0, 65'535));
+    auto* rate = phones.add_option("--rate", options.rate,
+                                   "a folder: every phone rates all pairs of the set's study, ten "
+                                   "patterns at most, in an order of its own; \"tactspace study\" "
+                                   "reads it");
+    phones
+        .add_option("--repetitions", options.repetitions,
+                    "how often each pair is rated; default: 1")
+        ->check(within(limits::kRepetitions))
+        ->needs(rate);
+    auto* trials = phones
+                       .add_option("--trials", options.trials,
+                                   "on each phone, this many trials of three plays, one of "
+                                   "which is another pattern: which pairs are told apart there")
+                       ->check(within(limits::kFewestOddTrials, limits::kMostOddTrials))
+                       ->excludes(rate);
+    phones.add_option("--seed", options.seed, "of the order of the trials; default: 1")
+        ->check(within(limits::kStudySeed))
+        ->needs(trials);
+    phones
+        .add_option("--out", options.out,
+                    "set file with what was told apart, as measured on one person each")
+        ->needs(trials);
+}
+
 void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen) {
     CLI::App& play =
         add_command(app, "play", "patterns on an actuator, to be felt", options, chosen);

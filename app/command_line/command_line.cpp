@@ -32,6 +32,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_render_command(app, commands.render, chosen);
     add_export_command(app, commands.exported, chosen);
     add_devices_command(app, commands.devices, chosen);
+    add_phones_command(app, commands.phones, chosen);
     add_play_command(app, commands.play, chosen);
     add_calibrate_command(app, commands.calibrate, chosen);
     add_subset_command(app, commands.subset, chosen);

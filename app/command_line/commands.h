@@ -377,6 +377,18 @@ struct CalibrateCommand {
 };
 Expected<Done> run(const CalibrateCommand& command);
 
+struct PhonesCommand {
+    CommonOptions common;
+    std::string host;            // address of the interface; empty: the first private one
+    int port = 0;                // 0: any that is free
+    std::filesystem::path rate;  // a folder: the phones rate all pairs together
+    int repetitions = 1;         // of every pair
+    int trials = 0;              // odd-one-out trials on each phone; 0: none
+    std::uint64_t seed = 1;      // of the trials' order
+    std::filesystem::path out;   // a set file: what was told apart is kept there with the set
+};
+Expected<Done> run(const PhonesCommand& command);
+
 struct PlayCommand {
     CommonOptions common;
     std::string pattern;

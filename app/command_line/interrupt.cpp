@@ -28,7 +28,7 @@ void end_by(int signal) {
 
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(Interrupted what) : what_(what) {
     sigemptyset(&signals_);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         if (!is_ignored(signal)) sigaddset(&signals_, signal);
@@ -60,8 +60,8 @@ void Interrupt::watch() {
 
 void Interrupt::stop_by(int signal) {
     int none = 0;
-    caught.compare_exchange_strong(none, signal);
-    if (!stop_.request_stop() || is_silent_) return;
+    if (what_ == Interrupted::too_early) caught.compare_exchange_strong(none, signal);
+    if (!stop_.request_stop() || is_silent_ || what_ == Interrupted::is_the_end) return;
     // Over what the progress line shows.
     std::fprintf(stderr, "%stactspace: stopping after the running work; once more stops at once\n",
                  isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "");

@@ -13,11 +13,15 @@
 
 namespace tact {
 
+// What a signal is to the work that it stops: an end before its time, or the end that it waits for,
+// as a page does that is served until Ctrl+C.
+enum class Interrupted { too_early, is_the_end };
+
 // While it lives, signals go to its thread. To be made before any other thread, as threads inherit
 // the mask of signals.
 class Interrupt {
   public:
-    Interrupt();
+    explicit Interrupt(Interrupted what = Interrupted::too_early);
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
@@ -33,6 +37,7 @@ class Interrupt {
   private:
     void watch();
 
+    Interrupted what_;
     sigset_t signals_{};
     sigset_t mask_before_{};
     std::stop_source stop_;

@@ -81,6 +81,7 @@ void add_manual_command(CLI::App& app, ManualCommand& command, Chosen& chosen);
 
 // actuator_options.cpp
 void add_devices_command(CLI::App& app, DevicesCommand& command, Chosen& chosen);
+void add_phones_command(CLI::App& app, PhonesCommand& options, Chosen& chosen);
 void add_play_command(CLI::App& app, PlayCommand& options, Chosen& chosen);
 void add_calibrate_command(CLI::App& app, CalibrateCommand& options, Chosen& chosen);
 void add_import_command(CLI::App& app, ImportCommand& command, Chosen& chosen);
@@ -117,6 +118,7 @@ struct Commands {
     FindingsCommand findings;
     DevicesCommand devices;
     PlayCommand play;
+    PhonesCommand phones;
     CalibrateCommand calibrate;
     GenerateCommand generate;
     ImportCommand import;

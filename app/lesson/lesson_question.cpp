@@ -92,13 +92,19 @@ bool& answer_seen(const LessonState& state) {
     return *ImGui::GetStateStorage()->GetBoolRef(id, false);
 }
 
-void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
-                 const QuestionAnswer& answer, const std::string& place) {
-    const LessonAnswers* answers = answers_of(state);
-    std::string text = filled(question.reveal, answers->numbers);
+// Said with the answer: the step's words, where the class put the pattern, the model, people.
+std::string reveal_words(const LessonState& state, const LessonQuestion& question,
+                         const QuestionAnswer& answer, const std::string& place) {
+    std::string text = filled(question.reveal, answers_of(state)->numbers);
     for (const std::string& more : {place, answer.model, answer.people}) {
         if (!more.empty()) text += (text.empty() ? "" : " ") + more;
     }
+    return text;
+}
+
+void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& question,
+                 const QuestionAnswer& answer, const std::string& place) {
+    std::string text = reveal_words(state, question, answer, place);
     const LessonScore score = score_of(state);
     if (score.asked > 0) {
         text += " Right so far: " + std::to_string(score.right) + " of " +
@@ -165,6 +171,31 @@ bool vote(LessonState& state, std::size_t option) {
     if (answer == nullptr || option >= answer->options.size()) return false;
     ++state.tallies[*state.step].votes[option];
     return true;
+}
+
+std::optional<QuestionInWords> question_in_words(const LessonState& state) {
+    const LessonQuestion* question = question_of(state);
+    if (question == nullptr || *state.step >= state.tallies.size()) return std::nullopt;
+    const QuestionAnswer* answer = answer_at(state, *state.step);
+    if (answer == nullptr) return std::nullopt;
+    const LessonNumbers& numbers = answers_of(state)->numbers;
+    QuestionInWords words{filled(question->ask, numbers), {}, !hides_answer(state), {}, {}};
+    for (const std::string& option : answer->options) {
+        words.options.push_back(filled(option, numbers));
+    }
+    if (!words.is_revealed) return words;
+    words.right = answer->right;
+    words.reveal = reveal_words(state, *question, *answer, {});
+    return words;
+}
+
+void count_elsewhere(LessonState& state, const std::vector<int>& votes) {
+    if (!hides_answer(state)) return;
+    Tally& tally = state.tallies[*state.step];
+    for (std::size_t k = 0; k < std::min(votes.size(), tally.votes.size()); ++k) {
+        tally.votes[k] += votes[k] - tally.elsewhere[k];
+        tally.elsewhere[k] = votes[k];
+    }
 }
 
 LessonScore score_of(const LessonState& state) {

@@ -50,7 +50,8 @@ using MapPlace = std::array<double, 2>;  // in a flat map
 // What a class said to a step's question.
 struct Tally {
     std::array<int, limits::kMaxOptions> votes{};
-    std::optional<MapPlace> place{};  // where the pattern was put
+    std::array<int, limits::kMaxOptions> elsewhere{};  // of these: not by hands, but by phones
+    std::optional<MapPlace> place{};                   // where the pattern was put
     bool revealed = false;
 
     bool operator==(const Tally&) const = default;

@@ -20,6 +20,7 @@ constexpr auto kChapters = std::to_array<ManualChapter>({
     {"things", "The ten commonest things"},
     {"model", "What the model can and cannot say"},
     {"touch", "Actuators, to feel and to measure"},
+    {"phones", "Phones in the room"},
     {"people", "Studies and training"},
     {"paper", "A study from question to paper"},
     {"teach", "Teaching"},

@@ -11,6 +11,7 @@
 #include "app/ui/widgets.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/protection.h"
+#include "devices/phone/phone_device.h"
 #include "model/set/layers.h"
 #include "viz/drawing/plot.h"
 
@@ -95,6 +96,8 @@ std::string calibration_text(const PlayState& play) {
 }
 
 DrivenBy driven_by(const PlayState& play) {
+    // A phone's motor knows no g, and protects itself.
+    if (play.choice.id == kPhonesId) return {nullptr, play.phone_full_scale_g, false, false};
     return {play.calibration, play.full_scale_g, play.is_protected, play.for_ear};
 }
 

@@ -6,12 +6,15 @@
 #include "app/document/editing.h"
 #include "app/play/playing.h"
 #include "devices/device_list.h"
+#include "devices/phone/phone_device.h"
 
 namespace tact {
 
 void keep_devices(Workspace& work, const PlayState& play) {
     Session& session = work.session;
-    session.device = play.for_ear ? std::string() : play.choice.id;
+    // Headphones and phones are of this run.
+    const bool stays = !play.for_ear && play.choice.id != kPhonesId;
+    session.device = stays ? play.choice.id : std::string();
     session.device_choices = play.choices;
     if (!session.device.empty()) {
         session.device_choices.insert(session.device_choices.begin(), play.choice);

@@ -16,7 +16,9 @@
 
 namespace tact {
 
-class AudioHost;  // devices/audio/audio_host.h
+class AudioHost;    // devices/audio/audio_host.h
+class PhoneDevice;  // devices/phone/phone_device.h
+class PhoneServer;  // devices/phone/phone_server.h
 
 // What a drive is made by, besides the vibration.
 struct DrivenBy {
@@ -92,8 +94,14 @@ struct PlayState {
     std::shared_ptr<AudioHost> audio;  // null: no sound in this program, as in tests and pictures
     Query<int, Listing> list_job;      // asked for by number
     int lists_asked = 0;
-    std::shared_ptr<const Listing> listed;  // null: not yet
-    std::string cards_fault;                // why it has no sound cards; empty: it may have
+    std::shared_ptr<const Listing> found;      // by that job; null: not yet
+    std::shared_ptr<const Listing> listed_of;  // the found ones that `listed` was made of
+    std::shared_ptr<const Listing> listed;     // with the phones, which no job has to look for
+
+    std::shared_ptr<PhoneServer> phones;      // null: no page is served to phones
+    std::weak_ptr<PhoneDevice> phone_device;  // `device`, where that is the phones
+    double phone_full_scale_g = 1.0;          // the loudest pattern's peak: full strength on them
+    std::string cards_fault;                  // why it has no sound cards; empty: it may have
 
     std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
     DeviceChoice opened;             // as which it was opened

@@ -13,6 +13,7 @@
 #include "devices/audio/audio_host.h"
 #include "devices/device/ledger.h"
 #include "devices/device_list.h"
+#include "devices/phone/phone_device.h"
 
 namespace tact {
 
@@ -20,6 +21,8 @@ namespace {
 
 constexpr double kHoverRestS = 0.15;
 constexpr double kMeterFallDbPerS = 30.0;
+bool is_phones(const DeviceInfo& device) { return device.kind == DeviceKind::phone; }
+
 const Vibration* vibration_named(const Workspace& work, const std::string& name) {
     const auto place = place_named(work.document.set, name);
     return place ? &work.document.set.vibrations[*place] : nullptr;
@@ -162,10 +165,16 @@ void open_chosen(Ui& ui, PlayState& play) {
     longer.buffer_s = wanted.buffer_s;
     if (longer == wanted && !play.gapless && play.sounding) return;
     const std::optional<DeviceInfo> info = chosen_device(play);
-    if (!info || !play.audio) return;
-    auto device = open_device(play.audio, *info, wanted);
+    if (!info || (!play.audio && !is_phones(*info))) return;
     play.opened = wanted;
     play.opened_place = place_of_sound(*info);
+    if (is_phones(*info)) {
+        auto phones = std::make_shared<PhoneDevice>(play.phones);
+        play.phone_device = phones;
+        play.device = std::move(phones);
+        return;
+    }
+    auto device = open_device(play.audio, *info, wanted);
     if (device) {
         play.device = std::move(*device);
     } else {
@@ -243,11 +252,31 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
 }
 
 // Why there are no cards is said once, and then where devices are chosen.
-void take_list(Ui& ui, PlayState& play, std::shared_ptr<const Listing> listed) {
-    play.listed = std::move(listed);
+void take_list(Ui& ui, PlayState& play, std::shared_ptr<const Listing> found) {
+    play.found = std::move(found);
     const std::string fault = cards_fault(*play.audio);
     if (fault != play.cards_fault && !fault.empty()) complain(ui, fault);
     play.cards_fault = fault;
+}
+
+// Phones are a device as long as a page is served to them.
+void list_phones(PlayState& play) {
+    const bool has_phones = play.listed && std::ranges::any_of(*play.listed, is_phones);
+    const bool is_new = play.found != play.listed_of || has_phones != (play.phones != nullptr);
+    if (!is_new) return;
+    play.listed_of = play.found;
+    if (!play.phones) {
+        play.listed = play.found;
+        return;
+    }
+    Listing all = play.found ? *play.found : Listing{};
+    DeviceInfo phones;
+    phones.id = kPhonesId;
+    phones.kind = DeviceKind::phone;
+    phones.name = "Phones";
+    phones.interface = "web vibration: on-off times alone, no strength and no frequency";
+    all.push_back(std::move(phones));
+    play.listed = std::make_shared<const Listing>(std::move(all));
 }
 
 // A pattern that the mouse has rested on in the map is felt once.
@@ -317,8 +346,9 @@ void take_escape(Ui& ui, Timeline& timeline, PlayState& play, bool is_pressed) {
 void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
     if (play.list_job.has_begun()) {
-        if (auto listed = play.list_job.latest()) take_list(ui, play, std::move(listed));
+        if (auto found = play.list_job.latest()) take_list(ui, play, std::move(found));
     }
+    list_phones(play);
     follow_calibration(ui, work, rendered, play);
     tell_softened(ui, play);
     follow_place(timeline, play);

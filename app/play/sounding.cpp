@@ -1,10 +1,12 @@
 #include "app/play/sounding.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
 #include "app/progress/failure.h"
+#include "devices/phone/phone_device.h"
 
 namespace tact {
 
@@ -26,8 +28,18 @@ std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
     return play.drives_asked;
 }
 
+// Where two play in turn, phones of side A play the first, those of side B the second.
+void aim_phones(const PlayState& play, std::size_t at) {
+    const auto phones = play.phone_device.lock();
+    if (!phones) return;
+    const bool in_turn = play.sounding->names.size() == 2 && !play.sounding->selects;
+    phones->set_side(!in_turn ? PhoneSide::both : at == 0 ? PhoneSide::a : PhoneSide::b);
+}
+
 void give_next(Ui& ui, Timeline& timeline, PlayState& play, const MadeDrive& made) {
     if (!made.remark.empty()) say(ui, made.remark);
+    aim_phones(play,
+               (play.sounding->at + 1) % std::max<std::size_t>(play.sounding->names.size(), 1));
     const Expected<Done> waits = play.device->play_after(made.drive, play.gap_s);
     if (waits) return;
     complain(ui, waits.error().message);
@@ -51,6 +63,7 @@ double level_now(const PlayState& play) {
 
 void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop) {
     play.halted = false;
+    aim_phones(play, play.sounding->at);
     if (play.sounding->has_begun) return play.device->change(drive);
     play.sounding->has_begun = true;
     play.device->set_level(level_now(play));

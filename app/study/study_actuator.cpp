@@ -24,7 +24,7 @@ constexpr double kEarlyS = 0.1;
 
 bool is_controller(const PlayState& play) {
     const std::optional<DeviceInfo> info = chosen_device(play);
-    return info && info->kind == DeviceKind::hid;
+    return info && info->kind != DeviceKind::audio;
 }
 
 double largest_of(const Drive& drive, bool is_controller) {

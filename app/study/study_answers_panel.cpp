@@ -3,16 +3,23 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
+#include <string>
 
 #include "app/compare/people_text.h"
 #include "app/document/pattern_looks.h"
+#include "app/map/map_follow.h"
 #include "app/progress/failure.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
+#include "model/map/alienation.h"
 #include "model/map/procrustes.h"
+#include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
+#include "viz/drawing/plot.h"
 #include "viz/space/space_view.h"
 
 namespace tact {
@@ -33,7 +40,62 @@ bool has_map(const PerceptualSpace& space, std::size_t patterns) {
            space.verdict != MdsVerdict::constant;
 }
 
-void draw_map(const Ui& ui, const Workspace& work, ShownMap& shown_map, const StudyState& studying,
+// PM's map of the patterns that people rated, turned onto theirs.
+struct MapBeside {
+    Eigen::MatrixXd points;
+    std::string words;
+};
+
+// None while the map on screen has not all of them, or other dimensions.
+std::optional<MapBeside> pm_beside(const Workspace& work, const ShownMap& shown_map,
+                                   std::span<const std::string> labels,
+                                   const Eigen::MatrixXd& people) {
+    const auto& map = shown_map.transition.shown;
+    if (!map || map->space.points.cols() != people.cols()) return std::nullopt;
+    const std::vector<std::string> names = names_of(*map->request.set);
+    if (!has_map(map->space, names.size())) return std::nullopt;
+    Eigen::MatrixXd points(people.rows(), people.cols());
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        const auto found = std::ranges::find(names, labels[k]);
+        if (found == names.end()) return std::nullopt;
+        points.row(static_cast<Eigen::Index>(k)) = map->space.points.row(found - names.begin());
+    }
+    const auto k = alienation(points, people);
+    const bool is_exact = map_state(work, shown_map) == MapState::exact;
+    return MapBeside{
+        procrustes(points, people).aligned,
+        std::string(is_exact ? "PM" : "PM, preview") +
+            (k ? ", K " + stepped(*k, 0.01) + "; of unrelated maps about 0.5" : std::string())};
+}
+
+void draw_map_words(const Ui& ui, const Rect& area, const std::string& words) {
+    draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small, area.min, ui.theme.dim_text,
+              words);
+}
+
+constexpr float kLeastMapPx = 260.0F;
+
+// The map of all people, and PM's beside it where there is room: both turn together.
+void draw_with_pm(Ui& ui, const Workspace& work, ShownMap& shown_map, SpaceScene scene,
+                  const Rect& area) {
+    const auto beside = pm_beside(work, shown_map, scene.labels, *scene.points);
+    const bool has_room = area.width() > 2.0F * kLeastMapPx * ui.theme.scale;
+    if (!beside || !has_room) {
+        draw_space("study map", ui.theme, area, scene, shown_map.camera);
+        return;
+    }
+    const float middle = 0.5F * (area.min.x + area.max.x);
+    const Rect left{area.min, {middle, area.max.y}};
+    const Rect right{{middle, area.min.y}, area.max};
+    draw_space("study map", ui.theme, left, scene, shown_map.camera);
+    draw_map_words(ui, left, "People");
+    scene.points = &beside->points;
+    draw_space("study map of PM", ui.theme, right, scene, shown_map.camera);
+    draw_map_words(ui, right, beside->words);
+    note_rect(ui.rects, "study map of PM", right.min, right.max, beside->words);
+}
+
+void draw_map(Ui& ui, const Workspace& work, ShownMap& shown_map, const StudyState& studying,
               const StudyAnswers& answers, const Rect& area) {
     const std::vector<std::string>& labels = answers.results->study.labels;
     const auto shown = studying.shown;
@@ -58,6 +120,7 @@ void draw_map(const Ui& ui, const Workspace& work, ShownMap& shown_map, const St
     scene.labels = labels;
     scene.looks = looks;
     scene.points = &points;
+    if (!shown) return draw_with_pm(ui, work, shown_map, scene, area);
     draw_space("study map", ui.theme, area, scene, shown_map.camera);
 }
 

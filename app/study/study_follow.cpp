@@ -16,6 +16,7 @@
 #include "app/study/study_masking.h"
 #include "app/ui/file_question.h"
 #include "devices/device/memory_device.h"
+#include "devices/phone/phone_device.h"
 #include "model/io/people/study_csv.h"
 #include "model/set/felt_versions.h"
 #include "model/set/set_ratings.h"
@@ -139,6 +140,9 @@ std::string unused_code(const Workspace& work, const StudyState& studying,
 
 std::string study_calibration(const PlayState& play) {
     const std::string level = ", level " + significant(play.level);
+    if (play.choice.id == kPhonesId) {
+        return "uncalibrated, on-off times alone, the loudest pattern at full strength" + level;
+    }
     if (play.calibration) {
         std::string text = calibration_text(play);
         text.front() = 'c';  // in the middle of a sentence

@@ -40,6 +40,7 @@ enum class Dialog {
     pad,
     leave_out,
     plan,
+    phones,
     save_workspace,
     conduct_rules,
     course

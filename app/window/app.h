@@ -9,6 +9,7 @@
 #include "app/ask/steps_state.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/candidates/candidates_state.h"
+#include "app/classroom/classroom.h"
 #include "app/compare/compare_state.h"
 #include "app/course/course_state.h"
 #include "app/document/workspace.h"
@@ -22,6 +23,7 @@
 #include "app/model_bench/model_state.h"
 #include "app/opening/opening_state.h"
 #include "app/patterns/patterns_state.h"
+#include "app/phones/phones_state.h"
 #include "app/physiology/physiology_state.h"
 #include "app/planning/plan_state.h"
 #include "app/play/play_state.h"
@@ -98,6 +100,7 @@ struct App {
     LibraryState library;
     StudyState studying;
     PlanState planning;
+    PhonesState phones;
     CalibrateState calibrating;
     LessonState lesson;
     CourseState course;
@@ -106,6 +109,12 @@ struct App {
     std::uint64_t of_document = 0;  // number of the one that the rooms know of; 0: of none yet
     DocumentRooms aside;
 };
+
+// What a class with phones touches.
+inline Classroom classroom_of(App& app) {
+    return {app.ui,   app.work,     app.layout, app.shown_map,
+            app.play, app.studying, app.lesson, app.phones};
+}
 
 // What a lesson drives.
 inline LessonHands hands_of(App& app) {

@@ -262,6 +262,10 @@ void draw_dialogs(App& app) {
     }
     if (app.ui.dialog == Dialog::devices)
         draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
+    if (app.ui.dialog == Dialog::phones) {
+        act_on_phones(classroom_of(app),
+                      draw_phones_dialog(app.ui, app.work, app.timeline, app.play, app.phones));
+    }
     if (app.ui.dialog == Dialog::calibrate)
         draw_calibrate(app.ui, app.work, app.timeline, app.rendered, app.play, app.calibrating);
 }

@@ -298,6 +298,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     take_escape(app.ui, app.timeline, app.play, was_pressed(pressed, key::kEscape));
     app.play.held = is_study_running(app.studying);
     app.play.gapless = app.play.held || app.ui.dialog == Dialog::calibrate;
+    follow_class(classroom_of(app));
     follow_sound(app.ui, app.work, app.timeline, app.rendered, app.play);
     use_device(app.studying, app.play.device);
     follow_playhead(app);
@@ -450,6 +451,8 @@ double next_wake_s(const App& app) {
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||
         is_autosaving(app.lesson))
         wake_s = std::min(wake_s, 0.5);
+    // Who fell asleep is seen while one looks.
+    if (app.ui.dialog == Dialog::phones) wake_s = std::min(wake_s, 1.0);
     wake_s = std::min({wake_s, study_wake_s(app.ui, app.studying), aging_wake_s(app.ui)});
     // A little later than it fades, lest the clock's last digit asks for it twice.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);

@@ -119,6 +119,7 @@ bool is_of_document(Dialog dialog) {
         case Dialog::about:
         case Dialog::keys:
         case Dialog::devices:
+        case Dialog::phones:
         case Dialog::calibrate:
         case Dialog::save_workspace:
         case Dialog::conduct_rules:
@@ -288,6 +289,7 @@ void stop_jobs(App& app) {
     app.exports.effects.job.end();
     app.exports.paper.job.end();
     app.planning.job.end();
+    app.phones.patterns_job.end();
     app.comparing.findings_job.end();
     app.rendered.job.end();
     app.comparing.fit_job.end();

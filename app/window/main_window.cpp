@@ -9,6 +9,7 @@
 #include "app/lesson/presenting.h"
 #include "app/lesson/speaker_notes.h"
 #include "app/map/map_follow.h"
+#include "app/phones/phones_follow.h"
 #include "app/play/emergency_stop.h"
 #include "app/play/playing.h"
 #include "app/screen/window.h"
@@ -132,6 +133,8 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     // The jobs end before what they wake does.
     release_device(app.studying);
     stop_sound(app.timeline, app.play);
+    app.play.phones.reset();
+    end_phones(app.phones);
     stop_jobs(app);
     end_session(app);
     return answer;

@@ -259,7 +259,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
                  physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
                  steps, transform, pad, maybes, exports, generating, importing, table, sounds,
-                 library, studying, planning, calibrating, lesson, course, palette, manual,
+                 library, studying, planning, phones, calibrating, lesson, course, palette, manual,
                  of_document, aside] = app;
     copy_looks(ui, still.ui);
     copy_work(work, still.work);
@@ -283,7 +283,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     // is the person's to leave; what is aside is not shown, and what is being read is not there
     // yet.
     (void)std::tie(opening, steps, transform, pad, maybes, exports, generating, importing, table,
-                   sounds, planning, calibrating, lesson, course, palette, manual, aside);
+                   sounds, planning, phones, calibrating, lesson, course, palette, manual, aside);
     stand_still(still);
     bring_up_to_date(still);
     return view;

@@ -322,6 +322,7 @@ async function follow(answered) {
             takeNews(body, isOld);
         } else if (!is_woken) {
             if (!document.hidden) setTrouble(true);
+            if (failures > 0 && player.run?.loop) stopPlay();  // nobody could stop it
             await pause(retryAfter_ms(failures++));
         }
         is_woken = false;

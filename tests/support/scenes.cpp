@@ -446,6 +446,7 @@ void add_dialogs(std::vector<Scene>& all) {
          {"import recordings", "Import recordings..."},
          {"actuator maps", "Actuator maps..."},
          {"devices", "Devices..."},
+         {"phones", "Phones..."},
          {"save workspace", "Save workspace as..."}});
     for (const auto& [name, command] : kDialogs) {
         all.push_back({std::string("dialog, ") + name, [command](Program& p) { run(p, command); }});

@@ -362,6 +362,7 @@ const Checks& checks() {
         {"render", {}},      // waveforms: no model, nobody's ratings
         {"devices", {}},     // what is plugged in
         {"play", {}},        // an actuator moves
+        {"phones", {}},      // served until it is interrupted: what one person felt
         {"calibrate", {}},   // what an actuator did
         {"findings", {}},    // the bundled sets and the published model alone
         {"generate", {}},    // patterns from a design space, without a model

@@ -181,6 +181,7 @@ const Checks& checks() {
         {"measure", {}},
         {"devices", {}},
         {"play", {}},
+        {"phones", {}},
         {"calibrate", {}},
         {"generate", {}},
         {"from-sound", {}},

@@ -1,0 +1,266 @@
+#include "app/phones/phones_dialog.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/document/editing.h"
+#include "app/phones/phones_follow.h"
+#include "app/play/playing.h"
+#include "app/ui/dialog.h"
+#include "app/ui/widgets.h"
+#include "devices/phone/phone_device.h"
+#include "model/text/numbers.h"
+#include "model/text/shown_text.h"
+#include "viz/drawing/plot.h"
+
+namespace tact {
+
+namespace {
+
+constexpr float kPhonesDialogPx = 860.0F;
+constexpr float kCodePx = 220.0F;
+constexpr float kLeastModulePx = 2.0F;
+
+// Where the page is served: an address of this computer for each network that it is in.
+void draw_networks(Ui& ui, PhonesState& state) {
+    const bool may_be_others = state.interfaces.empty() || ImGui::IsWindowAppearing();
+    if (may_be_others) state.interfaces = network_interfaces();
+    draw_label(ui, "Network");
+    ImGui::SetNextItemWidth(320.0F * ui.theme.scale);
+    const auto chosen = std::ranges::find(state.interfaces, state.host, &NetworkInterface::address);
+    const auto words = [](const NetworkInterface& one) { return one.name + "  " + one.address; };
+    const std::string shown = chosen != state.interfaces.end() ? words(*chosen)
+                              : state.interfaces.empty()       ? "This computer alone"
+                                                               : words(state.interfaces.front());
+    const bool open = ImGui::BeginCombo("##phones network", label_of(shown).c_str());
+    note_item(ui.rects, "combo:phones network", shown);
+    draw_tooltip(ui, "The network that the phones are in, too");
+    if (!open) return;
+    for (const NetworkInterface& one : state.interfaces) {
+        if (ImGui::Selectable(label_of(words(one)).c_str(), one.address == state.host)) {
+            state.host = one.address;
+        }
+        note_item(ui.rects, "phones network:" + one.address);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_off(Ui& ui, PlayState& play, PhonesState& state) {
+    wrapped_text(
+        "A phone that scans a code opens a page of this program: it feels the patterns, answers "
+        "the questions of a lesson, and rates pairs. Phones and this computer have to be in one "
+        "network; nothing goes any further.");
+    ImGui::Spacing();
+    draw_networks(ui, state);
+    ImGui::Spacing();
+    if (primary_button(ui, "Serve the page")) serve_phones(ui, play, state);
+    note_item(ui.rects, "button:serve phones");
+    if (!state.fault.empty()) coloured_text(ui.theme.warning, state.fault);
+}
+
+// Black on white in both themes: cameras read nothing else as surely.
+void draw_code(const Ui& ui, const QrCode& code) {
+    const std::size_t side = code.side + 2 * kQuietModules;
+    const float module =
+        std::max(kLeastModulePx, std::floor(kCodePx * ui.theme.scale / static_cast<float>(side)));
+    const float size = module * static_cast<float>(side);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32_WHITE);
+    for (std::size_t k = 0; k < code.dark.size(); ++k) {
+        if (!code.dark[k]) continue;
+        const ImVec2 from{at.x + module * static_cast<float>(kQuietModules + k % code.side),
+                          at.y + module * static_cast<float>(kQuietModules + k / code.side)};
+        list.AddRectFilled(from, {from.x + module, from.y + module}, IM_COL32_BLACK);
+    }
+    ImGui::Dummy({size, size});
+}
+
+void draw_address(Ui& ui, const PhonesState& state) {
+    const std::string address = state.server->address();
+    ImGui::TextUnformatted(address.c_str());
+    note_item(ui.rects, "phones:address", address);
+    ImGui::SameLine(0.0F, ui.theme.gap_px);
+    if (link(ui, "copy address", "Copy the address")) ImGui::SetClipboardText(address.c_str());
+    note_item(ui.rects, "link:copy address");
+}
+
+std::string latency_words(const ConnectedPhone& phone) {
+    if (!phone.vibrates) return "does not vibrate";
+    if (!phone.is_here) return "asleep";
+    if (!phone.latency_s) return "vibrates";
+    return "vibrates, " + stepped(1e3 * *phone.latency_s, 1.0) + " ms late";
+}
+
+constexpr std::array kSides{
+    Choice{PhoneSide::both, "Both", "Plays all that is played"},
+    Choice{PhoneSide::a, "A", "Plays the first of A|B, the current pattern"},
+    Choice{PhoneSide::b, "B", "Plays the second of A|B, which the current one is held against"}};
+
+void draw_side(Ui& ui, PhonesState& state, const ConnectedPhone& phone) {
+    PhoneSide side = phone.side;
+    const std::string noted = "phone " + std::to_string(phone.number) + " side:";
+    if (draw_segments(ui, kSides, side, noted)) state.server->set_side(phone.number, side);
+}
+
+void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesDeeds& deeds) {
+    const std::string number = std::to_string(phone.number);
+    ImGui::PushID(phone.number);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shown_text(phone.nickname).c_str());
+    note_item(ui.rects, "phone:" + number, phone.nickname);
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, latency_words(phone));
+    note_item(ui.rects, "phone " + number + " state", latency_words(phone));
+    ImGui::TableNextColumn();
+    draw_side(ui, state, phone);
+    ImGui::TableNextColumn();
+    ImGui::BeginDisabled(!phone.vibrates || state.rating.has_value());
+    if (row_link(ui, "trials", "Tell apart...")) deeds.trials_on = phone.number;
+    note_item(ui.rects, "phone " + number + " trials");
+    ImGui::EndDisabled();
+    draw_tooltip(ui,
+                 "Which of three is another one? Trials on this phone, of the pairs that PM "
+                 "puts closest: what may be confused on it, and by this person.");
+    ImGui::SameLine();
+    if (row_link(ui, "close phone", "Close")) state.server->close_phone(phone.number);
+    note_item(ui.rects, "phone " + number + " close");
+    draw_tooltip(ui, "The page on this phone ends");
+    ImGui::PopID();
+}
+
+void draw_phones(Ui& ui, PhonesState& state, PhonesDeeds& deeds) {
+    const std::string words = phones_words(state);
+    ImGui::TextUnformatted(words.c_str());
+    note_item(ui.rects, "phones:here", words);
+    if (state.phones.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(ui, "Scan the code with a phone that is in the same network.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    constexpr ImGuiTableFlags kFlags =
+        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
+    const float height = std::min(dialog_room_px(), kCodePx * ui.theme.scale);
+    if (!ImGui::BeginTable("phones", 4, kFlags, {0.0F, height})) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("");
+    // Segments go below each other where they have no room beside.
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                            segments_width(ui, kSides) + ui.theme.gap_px);
+    ImGui::TableSetupColumn("");
+    for (const ConnectedPhone& phone : state.phones) draw_phone(ui, state, phone, deeds);
+    ImGui::EndTable();
+}
+
+void draw_playing(Ui& ui, Timeline& timeline, PlayState& play) {
+    const bool plays = play.choice.id == kPhonesId;
+    wrapped_text(plays ? "Play, A|B and the keys of the window play on the phones."
+                       : "Phones feel what is tapped on them. To play there from the window:");
+    if (plays) return;
+    if (ImGui::Button("Play on the phones")) {
+        choose_device(ui, timeline, play, remembered_choice(play, kPhonesId));
+        play.level = 1.0;  // a phone's motor is weak: nobody is startled, and 10 % is not felt
+    }
+    note_item(ui.rects, "button:play on phones");
+}
+
+constexpr std::array kTimes{Choice{1, "once"}, Choice{2, "twice"}, Choice{4, "four times"}};
+
+// Several that are selected take part in the place of the study's.
+std::string rating_obstacle(const Workspace& work) {
+    const std::size_t selected = selected_indices(work).size();
+    const bool are_chosen = selected >= kLeastRatedTogether && selected <= kMostRatedTogether;
+    return are_chosen ? std::string() : class_rating_obstacle(work.document.set);
+}
+
+void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesDeeds& deeds) {
+    if (!state.rating) {
+        const std::string obstacle = rating_obstacle(work);
+        ImGui::BeginDisabled(!obstacle.empty() || state.phones.empty());
+        deeds.rate_together = ImGui::Button("Rate together");
+        note_item(ui.rects, "button:rate together", obstacle);
+        ImGui::EndDisabled();
+        draw_tooltip(ui, obstacle.empty()
+                             ? "Every phone rates all pairs of the study's patterns, in an order "
+                               "of its own. The answers are a study as any other."
+                             : obstacle.c_str());
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        dim_text(ui, "each pair");
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_segments(ui, kTimes, state.repetitions, "phones rate:");
+        return;
+    }
+    const RatingProgress progress = progress_of(*state.rating);
+    const std::string words = counted(progress.raters, "phone rates", "phones rate") + ", " +
+                              std::to_string(progress.finished) + " to the end, " +
+                              counted(progress.answers, "answer", "answers");
+    wrapped_text(words);
+    note_item(ui.rects, "phones:rating", words);
+    if (!state.rating->fault.empty()) coloured_text(ui.theme.warning, state.rating->fault);
+    deeds.show_answers = ImGui::Button("Show the answers");
+    note_item(ui.rects, "button:show rating");
+    ImGui::SameLine();
+    if (ImGui::Button("End the rating")) end_rating(ui, state);
+    note_item(ui.rects, "button:end rating");
+}
+
+constexpr std::array kCounts{Choice{10, "10"}, Choice{20, "20"}, Choice{40, "40"}};
+
+void draw_trials(Ui& ui, PhonesState& state) {
+    if (!state.trials) {
+        dim_text(ui, "Tell apart, in trials:");
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        draw_segments(ui, kCounts, state.trials_asked, "phones trials:");
+        return;
+    }
+    const std::string words = words_on(state.trials->trials);
+    wrapped_text(words);
+    note_item(ui.rects, "phones:trials", words);
+    if (link(ui, "end trials", "Stop the trials")) end_trials(ui, state);
+    note_item(ui.rects, "link:end trials");
+}
+
+void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, PhonesState& state,
+             PhonesDeeds& deeds) {
+    if (ImGui::BeginTable("phones page", 2, ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                (kCodePx + 40.0F) * ui.theme.scale);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableNextColumn();
+        draw_code(ui, state.code);
+        ImGui::TableNextColumn();
+        draw_phones(ui, state, deeds);
+        ImGui::EndTable();
+    }
+    draw_address(ui, state);
+    draw_divider(ui.theme);
+    draw_playing(ui, timeline, play);
+    ImGui::Spacing();
+    draw_rating(ui, work, state, deeds);
+    draw_trials(ui, state);
+    ImGui::Spacing();
+    if (link(ui, "stop phones", "Close the page")) stop_phones(ui, timeline, play, state);
+    note_item(ui.rects, "link:stop phones");
+    draw_tooltip(ui, "No phone plays or answers any more; what was answered is kept.");
+}
+
+}  // namespace
+
+PhonesDeeds draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
+                               PhonesState& state) {
+    PhonesDeeds deeds;
+    if (!begin_dialog(ui, "Phones", kPhonesDialogPx)) return deeds;
+    if (!state.server) {
+        draw_off(ui, play, state);
+    } else {
+        draw_on(ui, work, timeline, play, state, deeds);
+    }
+    end_dialog(ui);
+    return deeds;
+}
+
+}  // namespace tact
