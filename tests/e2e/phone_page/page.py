@@ -190,6 +190,7 @@ def test_window_plays(phone):
     phone.until("document.getElementById('level').getBoundingClientRect().width == 0", "a bar that follows")
     phone.calls()
     test_loop(phone, story)
+    test_loop_alone(phone, story)
     test_plays_and_reload(phone, story)
     test_local_stop(phone, story)
     story.end()
@@ -202,6 +203,16 @@ def test_loop(phone, story):
     hold(all(call["ms"] == [100, 150] for call in calls), calls)
     times = [call["at"] - calls[0]["at"] - 250 * k for k, call in enumerate(calls)]
     hold(min(times) > -MOST_LATE_MS and max(times) < MOST_LATE_MS, "rounds drift", times)
+
+
+def test_loop_alone(phone, story):
+    """While the computer is away nobody could stop a loop: the page does."""
+    story.stub.faults += [("next", 500)] * 3
+    story.stub.show({"kind": "wait"})  # ends the poll that waits
+    until(lambda: not story.stub.faults, "a computer that is away")
+    phone.until("calls.length > 0 && calls[calls.length - 1].ms[0] == 0", "the loop ends")
+    story.stub.play([100, 150], loop=True)
+    phone.until("calls[calls.length - 1].ms[0] == 100", "and another one begins")
 
 
 def test_plays_and_reload(phone, story):
