@@ -130,6 +130,18 @@ bool take_rating(ClassRating& rating, int phone, const std::string& json) {
     return true;
 }
 
+RatedAnswer take_rating(ClassRating& rating, PhoneServer& server, const PhoneAnswer& answer) {
+    RatedAnswer taken;
+    const auto known = rating.raters.find(answer.phone);
+    if (known == rating.raters.end()) return taken;
+    const Rater& rater = known->second;
+    taken.is_kept = take_rating(rating, answer.phone, answer.json);
+    taken.is_last = rater.record.answers.size() == rater.trials.size();
+    server.show_one(answer.phone, card_of(rating, answer.phone, answer.nickname),
+                    taken.is_kept && !taken.is_last);
+    return taken;
+}
+
 RatingProgress progress_of(const ClassRating& rating) {
     RatingProgress progress;
     for (const auto& [phone, rater] : rating.raters) {

@@ -19,6 +19,7 @@
 
 #include "app/phones/phone_cards.h"
 #include "app/phones/phone_patterns.h"
+#include "devices/phone/phone_server.h"
 #include "model/common/expected.h"
 #include "model/io/people/study_file.h"
 #include "model/set/pattern_set.h"
@@ -57,6 +58,14 @@ std::string card_of(ClassRating& rating, int phone, const std::string& nickname)
 // True: the answer is on the disk, and the phone's card is another one. False: it answers no trial
 // that is to come (a page that was late), or it cannot be kept, which `fault` says.
 bool take_rating(ClassRating& rating, int phone, const std::string& json);
+
+// The same of an answer that has come, and the phone's page told: it continues by itself unless the
+// answer was not kept, or was the last.
+struct RatedAnswer {
+    bool is_kept = false;
+    bool is_last = false;
+};
+RatedAnswer take_rating(ClassRating& rating, PhoneServer& server, const PhoneAnswer& answer);
 
 struct RatingProgress {
     std::size_t raters = 0;  // who have answered

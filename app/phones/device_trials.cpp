@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "devices/phone/on_off_times.h"
 #include "model/set/set_told_apart.h"
 #include "model/text/utc_time.h"
 
@@ -27,13 +28,6 @@ std::vector<std::vector<int>> plays_of(const DeviceTrials& trials) {
     return plays;
 }
 
-bool is_felt(const PhonePattern& pattern) {
-    for (std::size_t k = 0; k < pattern.ms.size(); k += 2) {
-        if (pattern.ms[k] > 0) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 std::optional<DeviceTrials> device_trials(const TrialDesign& design,
@@ -41,7 +35,7 @@ std::optional<DeviceTrials> device_trials(const TrialDesign& design,
                                           const std::string& person) {
     DeviceTrials trials{design, {}, {}, {}, person};
     for (const PhonePattern& pattern : patterns) {
-        if (is_felt(pattern)) trials.ms[pattern.name] = pattern.ms;
+        if (is_ever_on(pattern.ms)) trials.ms[pattern.name] = pattern.ms;
     }
     std::erase_if(trials.design.pairs, [&](const TrialPair& pair) {
         return !trials.ms.contains(pair.a) || !trials.ms.contains(pair.b);

@@ -29,11 +29,12 @@ inline constexpr const char* kPhoneDevice = "phones (web vibration)";
 inline constexpr const char* kPhoneStrength =
     "uncalibrated, on-off times alone: amplitude as the share of time that the motor runs";
 
-// The peak that counts as full strength, g: the loudest pattern's; 1 for silence.
-double phone_full_scale_g(const PatternSet& set);
+struct PhonePatterns {
+    std::vector<PhonePattern> patterns;
+    double full_scale_g = 1.0;  // that counts as full strength: the loudest's peak; 1 for silence
+};
 
 // Nothing when stopped.
-std::optional<std::vector<PhonePattern>> phone_patterns(const PatternSet& set,
-                                                        std::stop_token stop = {});
+std::optional<PhonePatterns> phone_patterns(const PatternSet& set, std::stop_token stop = {});
 
 }  // namespace tact

@@ -26,9 +26,9 @@ PhonePatternsRequest request_of(const Workspace& work) {
 std::optional<MadePhonePatterns> made_patterns(const PhonePatternsRequest& request,
                                                const std::stop_token& stop,
                                                std::atomic<float>& /*progress*/) {
-    auto patterns = phone_patterns(*request.set, stop);
-    if (!patterns) return std::nullopt;
-    return MadePhonePatterns{request, *std::move(patterns), phone_full_scale_g(*request.set)};
+    auto made = phone_patterns(*request.set, stop);
+    if (!made) return std::nullopt;
+    return MadePhonePatterns{request, std::move(made->patterns), made->full_scale_g};
 }
 
 void follow_patterns(Ui& ui, const Workspace& work, PlayState& play, PhonesState& state) {
@@ -62,13 +62,7 @@ void take_choice(PhonesState& state, const PhoneAnswer& answer) {
 // True: it is kept.
 bool take_rated(Ui& ui, PhonesState& state, const PhoneAnswer& answer) {
     ClassRating& rating = *state.rating;
-    const bool is_kept = take_rating(rating, answer.phone, answer.json);
-    std::string card = card_of(rating, answer.phone, answer.nickname);
-    // A page continues by itself; one whose answer was not kept is told where it is.
-    const auto& answers = rating.raters.at(answer.phone);
-    const bool is_last = answers.record.answers.size() == answers.trials.size();
-    state.shown.for_one[answer.phone] = card;
-    state.server->show_one(answer.phone, std::move(card), is_kept && !is_last);
+    const bool is_kept = take_rating(rating, *state.server, answer).is_kept;
     if (!rating.fault.empty()) complain(ui, "An answer could not be kept: " + rating.fault);
     return is_kept;
 }
@@ -166,7 +160,6 @@ void end_phones(PhonesState& state) {
     state.code = {};
     state.phones.clear();
     state.said.clear();
-    state.shown = {};
     state.patterns_job.end();
     state.cards_of.reset();
 }
@@ -197,8 +190,7 @@ PhonesNews follow_phones(Ui& ui, const Workspace& work, PlayState& play, PhonesS
         state.trials.reset();
     }
     if (std::exchange(state.cards_due, false)) {
-        state.shown = cards_of(state);
-        state.server->show(state.shown);
+        state.server->show(cards_of(state));
     }
     return news;
 }
@@ -225,8 +217,8 @@ std::string phones_words(const PhonesState& state) {
 void begin_rating(Ui& ui, Workspace& work, PhonesState& state,
                   const std::filesystem::path& folder) {
     if (!state.server) return;
-    const auto patterns = phone_patterns(work.document.set);
-    auto rating = class_rating(work.document.set, *patterns, folder);
+    auto made = phone_patterns(work.document.set);
+    auto rating = class_rating(work.document.set, std::move(made->patterns), folder);
     if (!rating) return complain(ui, rating.error().message);
     end_trials(ui, state);
     state.rating = *std::move(rating);

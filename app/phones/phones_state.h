@@ -66,7 +66,6 @@ struct PhonesState {
     std::optional<ChoiceCard> question;  // of a lesson, while it asks
     // Options said to each question, by its id and the number of the phone.
     std::map<std::string, std::map<int, std::size_t>> said;
-    PhoneCards shown;                                   // last, of what is under way
     bool cards_due = false;                             // something of it has changed
     std::shared_ptr<const MadePhonePatterns> cards_of;  // the patterns of the cards
     std::deque<PhoneAnswer> waiting;                    // to be taken, one after the other

@@ -29,14 +29,14 @@ void append_stretch(std::vector<int>& to, std::span<const int> ms, std::int64_t 
     }
 }
 
+}  // namespace
+
 bool is_ever_on(std::span<const int> ms) {
     for (std::size_t k = 0; k < ms.size(); k += 2) {
         if (ms[k] > 0) return true;
     }
     return false;
 }
-
-}  // namespace
 
 std::int64_t length_ms(std::span<const int> ms) {
     return std::accumulate(ms.begin(), ms.end(), std::int64_t{0});

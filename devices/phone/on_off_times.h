@@ -10,6 +10,9 @@
 
 namespace tact {
 
+// Whether anything of them is felt.
+bool is_ever_on(std::span<const int> ms);
+
 std::int64_t length_ms(std::span<const int> ms);
 
 // What is left at `from_ms`; of a loop: the same loop, beginning there.

@@ -94,15 +94,9 @@ void greet(PhoneRun& run, PhoneServer& server) {
 }
 
 void take_rated(PhoneRun& run, PhoneServer& server, const PhoneAnswer& answer) {
-    const bool is_kept = take_rating(*run.rating, answer.phone, answer.json);
+    const RatedAnswer taken = take_rating(*run.rating, server, answer);
     if (!run.rating->fault.empty()) tell("an answer could not be kept: " + run.rating->fault);
-    const auto rater = run.rating->raters.find(answer.phone);
-    if (rater == run.rating->raters.end()) return;
-    const std::size_t done = rater->second.record.answers.size();
-    const bool is_last = done == rater->second.trials.size();
-    server.show_one(answer.phone, card_of(*run.rating, answer.phone, answer.nickname),
-                    is_kept && !is_last);
-    if (is_kept && is_last) tell(answer.nickname + " has rated all pairs.");
+    if (taken.is_kept && taken.is_last) tell(answer.nickname + " has rated all pairs.");
 }
 
 void take_tried(PhoneRun& run, PhoneServer& server, const PhoneAnswer& answer) {
@@ -142,9 +136,9 @@ Expected<PhoneRun> phone_run(const PhonesCommand& command, std::stop_token stop)
     Expected<PatternSet> set = load_as_meant(command.common);
     if (!set) return set.error();
     PhoneRun run{*std::move(set), {}, {}, {}};
-    auto patterns = phone_patterns(run.set, stop);
-    if (!patterns) return Error{"stopped before the page was there"};
-    run.patterns = *std::move(patterns);
+    auto made = phone_patterns(run.set, stop);
+    if (!made) return Error{"stopped before the page was there"};
+    run.patterns = std::move(made->patterns);
     if (!command.rate.empty()) {
         run.set.study.repetitions = command.repetitions;
         auto rating = class_rating(run.set, run.patterns, command.rate);
