@@ -1,6 +1,5 @@
 // The window while a hall of phones rates together: no frame is kept waiting by them.
 #define DOCTEST_CONFIG_DISABLE
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +11,7 @@
 #include "app/phones/phones_follow.h"
 #include "model/common/quantile.h"
 #include "tests/bench/owed.h"
+#include "tests/support/many_sockets.h"
 #include "tests/support/page_phone.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -27,13 +27,6 @@ constexpr std::size_t kHall = 400;
 constexpr std::size_t kFingers = 4;  // threads that act for all of them
 // All of them together answer this often: each once in four seconds.
 constexpr auto kBetweenAnswers = std::chrono::milliseconds(40);
-
-void allow_many_sockets() {
-    rlimit limit{};
-    getrlimit(RLIMIT_NOFILE, &limit);
-    limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, 4096);
-    setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 void rate_on(std::vector<Phone>& phones, std::size_t finger, const std::atomic<bool>& ends,
              std::atomic<int>& taken) {

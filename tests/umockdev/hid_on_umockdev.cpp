@@ -13,8 +13,8 @@
 #include "devices/hid/haptic_page.h"
 #include "devices/hid/hid_device.h"
 #include "devices/hid/last_words.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/haptic_descriptor.h"
-#include "tests/support/patience.h"
 #include "tests/umockdev/pads.h"
 
 using namespace tact;
@@ -42,20 +42,10 @@ Drive sweep() {
     return drive;
 }
 
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto until = end_of_patience();
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > until) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
-
 // Plays, and waits for the end with its neutral packets.
 void play_through(HidDevice& device, const Drive& drive) {
     REQUIRE(device.play(drive, false));
-    CHECK(soon([&] { return !device.status().playing; }));
+    CHECK(comes_true([&] { return !device.status().playing; }));
     CHECK(device.status().trouble == "");
 }
 
@@ -177,7 +167,7 @@ TEST_CASE("umockdev: a DualShock 4 by Bluetooth and a DualSense on its cable pla
         HidDevice second(listed("DualSense"));
         REQUIRE(first.play(sweep(), false));  // both at a time
         play_through(second, sweep());
-        CHECK(soon([&] { return !first.status().playing; }));
+        CHECK(comes_true([&] { return !first.status().playing; }));
         of_dualshock = first.statistics();
         of_dualsense = second.statistics();
     }
@@ -216,9 +206,9 @@ TEST_CASE("umockdev: one that is unplugged while it plays is noticed, and listed
     MockBench bench({joy_con()});
     HidDevice device(listed("Joy-Con (L)"));
     REQUIRE(device.play(sweep(), true));
-    REQUIRE(soon([&] { return bench.written("hidraw0").size() > 5; }));
+    REQUIRE(comes_true([&] { return bench.written("hidraw0").size() > 5; }));
     bench.unplug("hidraw0");
-    CHECK(soon([&] { return !device.status().playing; }));
+    CHECK(comes_true([&] { return !device.status().playing; }));
     CHECK(device.status().trouble == "Joy-Con (L) was unplugged, or is out of reach");
     CHECK_FALSE(device.status().connected);
     CHECK_FALSE(device.play(sweep(), false));
@@ -230,7 +220,7 @@ TEST_CASE("umockdev: one that is unplugged while it rests is noticed within a se
     HidDevice device(listed("Joy-Con (L)"));
     play_through(device, sweep());
     bench.unplug("hidraw0");
-    CHECK(soon([&] { return !device.status().connected; }));
+    CHECK(comes_true([&] { return !device.status().connected; }));
     CHECK(device.status().trouble == "Joy-Con (L) was unplugged, or is out of reach");
 }
 
@@ -268,7 +258,7 @@ TEST_CASE("umockdev: a program may write on while its bench is taken down") {
             while (write(pad, report.data(), report.size()) > 0) continue;
             _exit(0);
         }
-        CHECK(soon([&] { return bench->written("hidraw4").size() > 3; }));
+        CHECK(comes_true([&] { return bench->written("hidraw4").size() > 3; }));
         bench.reset();
         kill(child, SIGKILL);
         CHECK(waitpid(child, nullptr, 0) == child);

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/patience.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/raw_phone.h"
 
 namespace connections_test {
@@ -16,16 +16,6 @@ using namespace tact;
 using namespace tact::raw_phone;
 
 namespace {
-
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto end = end_of_patience();
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
 
 // Answers that wait until they may go.
 struct Door {
@@ -67,10 +57,10 @@ TEST_CASE("connections: where all places are taken, who sends no request gives w
     for (int k = 0; k < 8; ++k) {
         waiting.emplace_back(door.port);
         waiting.back().send(kRequest);
-        CHECK(soon([&] { return door.waiting == k + 1; }));
+        CHECK(comes_true([&] { return door.waiting == k + 1; }));
     }
-    CHECK(soon([&] { return std::ranges::all_of(half_open, &Connection::has_news); }));
-    CHECK(soon([&] { return door.connections->count() == 8; }));
+    CHECK(comes_true([&] { return std::ranges::all_of(half_open, &Connection::has_news); }));
+    CHECK(comes_true([&] { return door.connections->count() == 8; }));
     // Who waits for an answer is not pushed out: the one that is new is closed at once.
     const Connection refused(door.port);
     refused.send(kRequest);
@@ -78,7 +68,7 @@ TEST_CASE("connections: where all places are taken, who sends no request gives w
     CHECK(std::ranges::none_of(waiting, &Connection::has_news));
     door.open();
     for (const Connection& each : waiting) CHECK(each.reply().body == "hi");
-    CHECK(soon([&] { return door.connections->count() == 0; }));
+    CHECK(comes_true([&] { return door.connections->count() == 0; }));
     const Connection later(door.port);
     later.send(kRequest);
     CHECK(later.reply().body == "hi");
@@ -95,7 +85,7 @@ TEST_CASE("connections: a request that is cut by its sender ends, and one whole 
     for (const char sign : kRequest) whole.send(std::string_view(&sign, 1));
     CHECK(whole.reply().body == "hi");
     { const Connection none(door.port); }
-    CHECK(soon([&] { return door.connections->count() == 0; }));
+    CHECK(comes_true([&] { return door.connections->count() == 0; }));
     CHECK(door.waiting == 2);
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "devices/phone/phone_server.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/page_phone.h"
-#include "tests/support/patience.h"
 
 namespace phone_bounds_test {
 
@@ -32,16 +32,6 @@ std::unique_ptr<PhoneServer> served(double request_s) {
     return *std::move(server);
 }
 
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto end = end_of_patience();
-    while (!condition()) {
-        if (Clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
-
 double since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -57,7 +47,7 @@ Connection waiting_poll(const Phone& phone) {
     Connection other(phone.place.port);
     one.send(phone.next_text());
     other.send(phone.next_text());
-    CHECK(soon([&] { return one.has_news() || other.has_news(); }));
+    CHECK(comes_true([&] { return one.has_news() || other.has_news(); }));
     return one.has_news() ? std::move(other) : std::move(one);
 }
 
@@ -121,7 +111,7 @@ TEST_CASE("phone bounds: half-open and dripping connections end, while phones ar
     const auto all_closed = [](const std::vector<Connection>& all) {
         return std::ranges::all_of(all, &Connection::has_news);
     };
-    CHECK(soon([&] { return all_closed(half_open) && all_closed(dripping); }));
+    CHECK(comes_true([&] { return all_closed(half_open) && all_closed(dripping); }));
     CHECK(since(begin) >= kRequestS);
     drips.clear();
     CHECK(half_open[0].reply().status == 408);
@@ -142,8 +132,8 @@ TEST_CASE("phone bounds: who takes no answer loses its place" * doctest::test_su
         slow.emplace_back(place.port);
         slow.back().send(request_text("GET", place.path));
     }
-    CHECK(soon([&] { return std::ranges::all_of(slow, &Connection::has_news); }));
-    CHECK(soon([&] { return thread_count() <= threads; }));
+    CHECK(comes_true([&] { return std::ranges::all_of(slow, &Connection::has_news); }));
+    CHECK(comes_true([&] { return thread_count() <= threads; }));
     CHECK(slow[0].all().size() < 16'000'000);
 }
 
@@ -157,7 +147,7 @@ TEST_CASE("phone bounds: a phone that asks too often is told so") {
         phone.card = phone.play = 0;
         return sent(phone.place, phone.next_text()).status == 429;
     };
-    CHECK(soon(asks_too_often));
+    CHECK(comes_true(asks_too_often));
     CHECK_FALSE(other.next().empty());
 }
 
@@ -183,7 +173,7 @@ TEST_CASE("phone bounds: the server ends within a second while 50 phones wait an
     MESSAGE("the end took " << 1e3 * took_s << " ms");
     CHECK(took_s < 1.0);
     for (const Connection& each : waiting) CHECK(each.reply().status == 410);
-    CHECK(soon([&] { return thread_count() < threads; }));
+    CHECK(comes_true([&] { return thread_count() < threads; }));
     CHECK_FALSE(Connection(place.port).is_open());
 }
 

@@ -1,6 +1,5 @@
 // A hall of phones, by a bounded number of threads.
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,8 +14,9 @@
 
 #include "devices/device/crash_signals.h"
 #include "devices/phone/phone_server.h"
+#include "tests/support/comes_true.h"
+#include "tests/support/many_sockets.h"
 #include "tests/support/page_phone.h"
-#include "tests/support/patience.h"
 
 namespace phone_crowd_test {
 
@@ -27,14 +27,6 @@ namespace {
 
 constexpr std::size_t kPhones = 400;
 constexpr std::size_t kThreads = 8;
-
-// Both ends of every connection are of this process.
-void allow_many_sockets() {
-    rlimit limit{};
-    getrlimit(RLIMIT_NOFILE, &limit);
-    limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, 4096);
-    setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 std::size_t thread_count() {
     const std::filesystem::directory_iterator tasks("/proc/self/task");
@@ -83,16 +75,6 @@ std::size_t polled(std::vector<Phone>& phones, const Change& change) {
         count += phones[k].news_of(waiting[k].reply()).empty() ? 0 : 1;
     }
     return count;
-}
-
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto end = end_of_patience();
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
 }
 
 }  // namespace
@@ -147,7 +129,7 @@ TEST_CASE("phone crowd: 400 phones join, wait, play and answer, each for itself"
         CHECK(asked(phones[0].place, "POST", "join", "{}").status == 503);
         for (const ConnectedPhone& phone : server->phones()) CHECK(phone.latency_s);
     }
-    CHECK(soon([&] { return thread_count() <= threads_before; }));
+    CHECK(comes_true([&] { return thread_count() <= threads_before; }));
 }
 
 TEST_CASE("phone crowd: memory and threads stay as they are, however often phones come" *
@@ -165,10 +147,10 @@ TEST_CASE("phone crowd: memory and threads stay as they are, however often phone
         }
     };
     rounds(300);
-    CHECK(soon([&] { return thread_count() <= threads; }));
+    CHECK(comes_true([&] { return thread_count() <= threads; }));
     const double before_mb = resident_mb();
     rounds(1000);
-    CHECK(soon([&] { return thread_count() <= threads; }));
+    CHECK(comes_true([&] { return thread_count() <= threads; }));
     MESSAGE("1000 joins: " << resident_mb() - before_mb << " MB more");
     // A sanitizer keeps what was freed for a while.
     if (!kHasSanitizer) CHECK(resident_mb() - before_mb < 4.0);

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "devices/phone/on_off_times.h"
-#include "tests/support/patience.h"
+#include "tests/support/comes_true.h"
 
 namespace phone_device_test {
 
@@ -48,16 +48,6 @@ struct Room {
     }
 };
 
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto end = end_of_patience();
-    while (!condition()) {
-        if (Clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
-
 Drive buzz(double seconds) {
     Drive drive;
     drive.rate_hz = 1000.0;
@@ -91,7 +81,7 @@ TEST_CASE("phone device: a play goes out once, and ends by the clock") {
     PhoneDevice device(room.door());
     REQUIRE(device.play(buzz(0.06), false));
     CHECK(device.status().playing);
-    CHECK(soon([&] { return !device.status().playing; }));
+    CHECK(comes_true([&] { return !device.status().playing; }));
     CHECK(room.count() == 1);
     CHECK(length_ms(room.play(0).ms) == 60);
     CHECK_FALSE(room.play(0).loop);
@@ -104,7 +94,7 @@ TEST_CASE("phone device: a loop is as long as its drive, and a stop is told") {
     Drive drive = buzz(0.05);
     drive.samples.resize(80, 0.0);
     REQUIRE(device.play(drive, true));
-    CHECK(soon([&] { return room.count() == 1; }));
+    CHECK(comes_true([&] { return room.count() == 1; }));
     CHECK(room.play(0) == PhonePlay{{50, 30}, true, PhoneSide::b});
     device.stop();
     CHECK(room.count() == 2);
@@ -121,14 +111,14 @@ TEST_CASE("phone device: what follows begins its rest after the end, whoever loo
     REQUIRE(device.play(buzz(0.12), false));
     REQUIRE(device.play_after(buzz(0.05), 0.1));
     REQUIRE(device.play_after(buzz(0.07), 0.0));
-    CHECK(soon([&] { return room.count() == 3; }));
+    CHECK(comes_true([&] { return room.count() == 3; }));
     CHECK(length_ms(room.play(1).ms) == 50);
     CHECK(length_ms(room.play(2).ms) == 70);
     // Never early; how late is the system's, and what is late is not added up.
     CHECK(room.time_between(0, 1) >= 0.215);
     CHECK(room.time_between(0, 2) >= 0.265);
     CHECK_FALSE(device.status().playing);  // the end of the first one is told once
-    CHECK(soon([&] { return !device.status().playing; }));
+    CHECK(comes_true([&] { return !device.status().playing; }));
 }
 
 TEST_CASE("phone device: a level and a changed loop are sent from where the play is" *
@@ -138,22 +128,22 @@ TEST_CASE("phone device: a level and a changed loop are sent from where the play
     Drive drive = buzz(0.5);
     drive.samples.resize(1000, 0.0);
     REQUIRE(device.play(drive, true));
-    CHECK(soon([&] { return room.count() == 1; }));
+    CHECK(comes_true([&] { return room.count() == 1; }));
     Drive other = buzz(0.25);
     other.samples.resize(1000, 0.0);
     device.change(other);
-    CHECK(soon([&] { return room.count() == 2; }));
+    CHECK(comes_true([&] { return room.count() == 2; }));
     const PhonePlay changed = room.play(1);
     CHECK(changed.loop);
     CHECK(length_ms(changed.ms) == 1000);
     CHECK(changed.ms != std::vector{250, 750});  // turned: 0.1 s of it were over
     CHECK(room.time_between(0, 1) >= 0.09);      // no more often
     device.set_level(0.0);
-    CHECK(soon([&] { return room.count() == 3; }));
+    CHECK(comes_true([&] { return room.count() == 3; }));
     CHECK(room.play(2).ms.empty());
     CHECK(device.status().playing);
     device.set_level(2.0);
-    CHECK(soon([&] { return room.count() == 4; }));
+    CHECK(comes_true([&] { return room.count() == 4; }));
     CHECK(length_ms(room.play(3).ms) == 1000);
     device.stop();
 }
@@ -164,12 +154,12 @@ TEST_CASE("phone device: a largest level and a longest time hold" * doctest::tes
     Drive drive = buzz(10.0);
     drive.longest_s = 0.1;
     REQUIRE(device.play(drive, true));
-    CHECK(soon([&] { return !device.status().playing; }));
+    CHECK(comes_true([&] { return !device.status().playing; }));
     CHECK(room.count() == 2);
     CHECK(room.play(1).ms.empty());
     drive.largest_level = 0.01;
     REQUIRE(device.play(drive, false));
-    CHECK(soon([&] { return room.count() >= 3; }));
+    CHECK(comes_true([&] { return room.count() >= 3; }));
     CHECK(room.play(2).ms.empty());
     CHECK(device.status().clipped);
 }
@@ -179,10 +169,10 @@ TEST_CASE("phone device: it ends silently, and plays of one side leave the other
     {
         PhoneDevice device(room.door(), PhoneSide::a);
         REQUIRE(device.play(buzz(5.0), true));
-        CHECK(soon([&] { return room.count() == 1; }));
+        CHECK(comes_true([&] { return room.count() == 1; }));
         device.set_side(PhoneSide::b);
         REQUIRE(device.play(buzz(5.0), true));
-        CHECK(soon([&] { return room.count() == 3; }));
+        CHECK(comes_true([&] { return room.count() == 3; }));
         CHECK(room.play(1) == PhonePlay{{}, false, PhoneSide::a});
         CHECK(room.play(2).side == PhoneSide::b);
         CHECK(device.status().peak <= 1.0);

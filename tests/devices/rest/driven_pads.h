@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "devices/hid/haptic_page.h"
-#include "tests/support/patience.h"
+#include "tests/support/comes_true.h"
 #include "tests/umockdev/pads.h"
 
 namespace tact {
@@ -45,16 +45,6 @@ inline Packet plain(Packet packet) {
 
 inline bool is_neutral(const Kind& kind, const Packet& packet) {
     return plain(packet) == plain(kind.neutral);
-}
-
-template <class Condition>
-bool soon(const Condition& condition) {
-    const auto until = end_of_patience();
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > until) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
 }
 
 inline bool is_driven(const MockBench& bench, const Kind& kind) {

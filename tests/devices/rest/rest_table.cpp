@@ -100,7 +100,7 @@ std::vector<Ending> endings() {
         {"refused twice",
          [](MockBench& bench, const Kind& kind, Player&) {
              bench.refuse(kind.pad.node, 2);
-             CHECK(soon([&] { return bench.has_refused(kind.pad.node); }));
+             CHECK(comes_true([&] { return bench.has_refused(kind.pad.node); }));
          }},
         {"stall, then Ctrl+C",
          [](MockBench& bench, const Kind& kind, Player& player) {
@@ -114,7 +114,7 @@ std::vector<Ending> endings() {
              bench.hold(kind.pad.node);
              std::this_thread::sleep_for(std::chrono::milliseconds(80));
              kill(player.pid, SIGINT);
-             CHECK_MESSAGE(soon([&] { return player.has_ended(); }), "it does not end");
+             CHECK_MESSAGE(comes_true([&] { return player.has_ended(); }), "it does not end");
              bench.let_go(kind.pad.node);
          }},
         {"Ctrl+C, and refused once", [](MockBench& bench, const Kind& kind, Player& player) {
@@ -147,14 +147,14 @@ struct Row {
 };
 
 void bring_to_end(const Ending& ending, MockBench& bench, Row& row) {
-    CHECK_MESSAGE(soon([&] { return is_at_rest(bench, row.kind); }), "it is never neutral");
+    CHECK_MESSAGE(comes_true([&] { return is_at_rest(bench, row.kind); }), "it is never neutral");
     if (ending.leaves_it_running) {
-        CHECK(soon([&] { return row.player.is_halted(); }));
+        CHECK(comes_true([&] { return row.player.is_halted(); }));
         CHECK(is_at_rest(bench, row.kind));
         kill(row.player.pid, SIGCONT);
     }
-    CHECK_MESSAGE(soon([&] { return row.player.has_ended(); }), "the program does not end");
-    CHECK(soon([&] { return is_at_rest(bench, row.kind); }));
+    CHECK_MESSAGE(comes_true([&] { return row.player.has_ended(); }), "the program does not end");
+    CHECK(comes_true([&] { return is_at_rest(bench, row.kind); }));
     if (row.player.terminal >= 0) close(row.player.terminal);
 }
 
@@ -170,7 +170,7 @@ std::vector<Clock::duration> times_to_rest(const Ending& ending, const std::stri
     }
     for (Row& row : rows) {
         CAPTURE(row.kind.name);
-        const bool is_played = soon([&] { return is_driven(bench, row.kind); });
+        const bool is_played = comes_true([&] { return is_driven(bench, row.kind); });
         REQUIRE_MESSAGE(is_played, bytes_of(set + row.kind.pad.node));
         row.acted = Clock::now();
         ending.act(bench, row.kind, row.player);

@@ -54,7 +54,7 @@ Screen screen_in(const TemporaryFolder& folder) {
                           "-screen", "0", "1024x768x24", "-nolisten", "tcp"},
                          (folder.path / "xvfb").string(), file);
     close(file);
-    REQUIRE(soon([&] { return bytes_of(told).ends_with('\n'); }));
+    REQUIRE(comes_true([&] { return bytes_of(told).ends_with('\n'); }));
     screen.name = ":" + bytes_of(told);
     screen.name.pop_back();
     return screen;
@@ -92,14 +92,15 @@ Process playing(const TemporaryFolder& folder, MockBench& bench, const Kind& kin
     Process window;
     window.pid =
         started({std::getenv("TACTSPACE_PROGRAM"), set.string()}, (folder.path / "said").string());
-    CHECK_MESSAGE(soon([&] {
+    CHECK_MESSAGE(comes_true([&] {
                       return window.has_ended() ||
                              bytes_of(places).find("\nlevel\t") != std::string::npos;
                   }),
                   "there is no level");
     REQUIRE_MESSAGE(!window.has_ended(), bytes_of(folder.path / "said"));
     press("space");
-    REQUIRE_MESSAGE(soon([&] { return is_driven(bench, kind); }), bytes_of(folder.path / "said"));
+    REQUIRE_MESSAGE(comes_true([&] { return is_driven(bench, kind); }),
+                    bytes_of(folder.path / "said"));
     return window;
 }
 
@@ -137,14 +138,14 @@ Clock::duration time_to_rest(const Ending& ending, const Kind& kind) {
     setenv("DISPLAY", screen.name.c_str(), 1);
     Process window = playing(folder, bench, kind);
     const Clock::time_point acted = ending.act(screen, window);
-    CHECK_MESSAGE(soon([&] { return is_at_rest(bench, kind); }), "it is never neutral");
+    CHECK_MESSAGE(comes_true([&] { return is_at_rest(bench, kind); }), "it is never neutral");
     if (std::string_view(ending.name) == "SIGTSTP") {
-        CHECK(soon([&] { return window.is_halted(); }));
+        CHECK(comes_true([&] { return window.is_halted(); }));
         CHECK(is_at_rest(bench, kind));
         kill(window.pid, SIGCONT);
         kill(window.pid, SIGTERM);
     }
-    CHECK_MESSAGE(soon([&] { return window.has_ended(); }), "the program does not end");
+    CHECK_MESSAGE(comes_true([&] { return window.has_ended(); }), "the program does not end");
     if (!window.has_ended()) kill(window.pid, SIGKILL);
     const int how = window.ended.value_or(0);
     CHECK((WIFSIGNALED(how) ? -WTERMSIG(how) : WEXITSTATUS(how)) == ending.wanted);
