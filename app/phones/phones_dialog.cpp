@@ -69,8 +69,10 @@ void draw_code(const Ui& ui, const QrCode& code) {
     list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32_WHITE);
     for (std::size_t k = 0; k < code.dark.size(); ++k) {
         if (!code.dark[k]) continue;
-        const ImVec2 from{at.x + module * static_cast<float>(kQuietModules + k % code.side),
-                          at.y + module * static_cast<float>(kQuietModules + k / code.side)};
+        const std::size_t column = kQuietModules + k % code.side;
+        const std::size_t row = kQuietModules + k / code.side;
+        const ImVec2 from{at.x + module * static_cast<float>(column),
+                          at.y + module * static_cast<float>(row)};
         list.AddRectFilled(from, {from.x + module, from.y + module}, IM_COL32_BLACK);
     }
     ImGui::Dummy({size, size});

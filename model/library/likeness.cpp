@@ -82,7 +82,7 @@ bool add_to(Row& row, std::span<const Waveform> others,
 }  // namespace
 
 bool is_comparable(double duration_s, double with_duration_s) {
-    return duration_s <= std::max(kLongestAlways_s, kLongestTimes * with_duration_s);
+    return duration_s <= std::max(kLongestAlwaysS, kLongestTimes * with_duration_s);
 }
 
 std::optional<LikenessRow> likeness_row(const Waveform& wanted, std::span<const Waveform> others,

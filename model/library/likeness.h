@@ -9,7 +9,7 @@
 // for a pair when others come or go, but its rank.
 //
 // Source    Lim & Park 2023, section 5.3; asking for one row is ours
-// Valid     what lasts longer than kLongestTimes the one in question, and kLongestAlways_s, feels
+// Valid     what lasts longer than kLongestTimes the one in question, and kLongestAlwaysS, feels
 //           like another thing: it is left out
 // Exact     same input, same bits, on any number of threads
 #pragma once
@@ -26,7 +26,7 @@
 namespace tact {
 
 inline constexpr double kLongestTimes = 4.0;
-inline constexpr double kLongestAlways_s = 1.0;
+inline constexpr double kLongestAlwaysS = 1.0;
 
 // Whether a vibration of this length is short enough to be held against one of that.
 bool is_comparable(double duration_s, double with_duration_s);

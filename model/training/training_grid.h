@@ -22,7 +22,7 @@ namespace tact {
 
 inline constexpr int kMostTrainedLayers = 4;
 inline constexpr std::size_t kTrainedLayers =
-    static_cast<std::size_t>((kMostTrainedLayers + 1) * (kMostTrainedLayers + 1));
+    std::size_t{kMostTrainedLayers + 1} * std::size_t{kMostTrainedLayers + 1};
 
 using ChannelUnits = PerReceptor<int>;
 struct MixUnits {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 #include "app/command_line/commands.h"
 #include "app/command_line/interrupt.h"
@@ -178,7 +179,7 @@ Expected<nlohmann::json> play_in_turn(Device& device, std::size_t count,
     Prepared next = prepare(0);
     const double longest_s = next.drive.longest_s;
     for (std::size_t k = 0; k < count; ++k) {
-        const Prepared pattern = std::move(next);
+        const Prepared pattern = std::exchange(next, {});
         if (count > 1) std::cerr << "tactspace: " << pattern.name << "\n";
         if (!waits) {
             const auto begun = device.play(pattern.drive, command.loop);
