@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-constexpr double kGapLimitS = 20.0;  // of the proof
+constexpr double kGapLimitS = 20.0;  // time limit of the proof
 constexpr std::uint64_t kGapSeed = 1;
 
 std::optional<FoundGap> find_gap(const GapRequest& request, std::stop_token stop,
@@ -52,7 +52,7 @@ std::vector<std::size_t> not_dropped(const Workspace& work) {
     return places;
 }
 
-// All that are not dropped, where none is picked.
+// The picked patterns; without a pick, all that are not dropped.
 std::vector<std::size_t> picked_places(const Workspace& work) {
     const auto& names = work.selection.picked;
     if (names.empty()) return not_dropped(work);
@@ -75,7 +75,7 @@ void ask_for(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesSta
     say(ui, "Searching what is farthest from all others.");
 }
 
-// Where the pattern stands in the set already: it is not added twice.
+// The place of an equal pattern in the set, so that it is not added twice.
 std::optional<std::size_t> place_of(const PatternSet& set, const Pattern& wanted) {
     for (std::size_t k = 0; k < set.vibrations.size(); ++k) {
         const auto* pattern = std::get_if<Pattern>(&set.vibrations[k].source);
@@ -95,7 +95,7 @@ void select_too(Workspace& work, const std::vector<std::size_t>& places, bool ke
 
 void take_gap(Ui& ui, Workspace& work, const FoundGap& found) {
     std::vector<Vibration> fresh;
-    std::vector<std::string> there;  // names: places move when others are added
+    std::vector<std::string> there;  // names, because places move when patterns are added
     for (const Pattern& pattern : found.chosen) {
         if (const auto place = place_of(work.document.set, pattern)) {
             there.push_back(work.document.set.vibrations[*place].name);

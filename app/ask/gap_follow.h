@@ -1,5 +1,5 @@
-// Filling the gap, and growing to as many patterns as are to be picked: each is searched beside the
-// window and taken as one step of undo.
+// Filling the gap in a pick, and growing a pick to a number of patterns. Each search runs in the
+// background, and its answer is one step of undo.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,15 @@
 
 namespace tact {
 
-// The one pattern that is farthest from all that are picked, or where none are from all there are.
+// Searches the pattern that is farthest from all picked ones; without a pick, from all of the set.
 void fill_the_gap(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state);
 
-// As many as are missing to `count`.
+// Searches the patterns that are missing to `count`.
 void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
              std::size_t count);
 
-// Once a frame: takes what was found, and says how far it lies and how sure that is.
+// Once a frame: puts found patterns into the set, and reports their distance and whether it is
+// proven.
 void follow_gap(Ui& ui, Workspace& work, MaybesState& state);
 void stop_filling(MaybesState& state);
 bool is_filling(const MaybesState& state);

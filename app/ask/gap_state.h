@@ -1,4 +1,4 @@
-// Filling the gap between the patterns that are picked: what was asked, and what was found.
+// Filling the gap between the picked patterns: the question and its answer.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@
 namespace tact {
 
 struct GapRequest {
-    std::uint64_t revision = 0;  // of the document
+    std::uint64_t revision = 0;  // document's revision
     std::shared_ptr<const PatternSet> set;
-    std::vector<std::size_t> picked;       // places in it
-    std::vector<PatternParameter> free{};  // may change where there is no design space
+    std::vector<std::size_t> picked;       // places in the set
+    std::vector<PatternParameter> free{};  // numbers that may change if there is no design space
     std::size_t missing = 1;
     std::uint64_t seed = 1;
     std::optional<RenderedBy> rendered_by{};
@@ -32,10 +32,10 @@ struct FoundGap {
     GapAnswer answer;
     std::size_t candidates = 0;
     bool all_there_are = false;  // the design space is finite, and all of it was compared
-    bool coarse = false;         // by coarse envelopes
+    bool coarse = false;         // computed from coarse envelopes
 };
 
-// It is under way while asked() has a request.
+// The search is under way while asked() has a request.
 using GapQuery = Query<GapRequest, FoundGap>;
 
 }  // namespace tact

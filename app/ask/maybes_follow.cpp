@@ -18,7 +18,7 @@ void begin(const Ui& ui, MaybesQuery& query) {
     query.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
 }
 
-// The track stays a while when the mouse has left the slider, so that it can be rested on.
+// The track stays for a while after the mouse has left the slider, so that the mouse can reach it.
 void follow_rested(const Ui& ui, const Workspace& work, MaybesState& state) {
     if (work.selection.rested) {
         state.rested = work.selection.rested;
@@ -50,7 +50,7 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
     return request;
 }
 
-// The same neighbours by exact envelopes, once they are found.
+// The exact places of the same neighbours, once they are known.
 std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
     const auto found = state.variants.current();
     if (!found || found->patterns.empty()) return std::nullopt;
@@ -92,7 +92,7 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     const auto track =
         rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
     state.track.want(track);
-    // Once the preview is there, which it would keep waiting.
+    // The exact job starts after the preview is there, as it would delay the preview.
     const bool is_previewed = track && state.track.current() != nullptr;
     const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : MaybesRequest{};
     state.exact_track.want(exact.exact ? std::optional(exact) : std::nullopt);

@@ -1,4 +1,5 @@
-// Keeping what there might be in step with what is asked: rested on, suggested, varied.
+// Recomputes proposed patterns when their question changes: the track of a number, a suggestion,
+// variants.
 #pragma once
 
 #include "app/ask/maybes_state.h"
@@ -12,25 +13,25 @@ namespace tact {
 void make_maybes_jobs(const Ui& ui, MaybesState& state);
 void stop_maybes_jobs(MaybesState& state);
 
-// Once a frame, after the panes: what is rested on and suggested is of this frame.
+// Call once a frame, after the panes: the rested number and the suggestion are those of this frame.
 void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                    MaybesState& state);
 
 bool is_asking(const MaybesState& state);
 
-// What of it is known by now, for the map on screen.
+// The proposals known so far, for the map on screen.
 MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state);
 
-// Whether there are neighbours to ask for: of a pattern that can be edited, in a map, which takes
-// three.
+// Whether neighbours can be asked for: the pattern can be edited and is in a map, which needs three
+// patterns.
 bool can_vary(const Workspace& work);
 
-// Neighbours of the pattern in the editor are asked for; again: others.
+// Asks for neighbours of the pattern in the editor; called again, for other ones.
 void vary(Ui& ui, const Workspace& work, MaybesState& state);
 void stop_varying(MaybesState& state);
 std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state);
 
-// One step: the pattern becomes its k-th neighbour.
+// Gives the pattern the numbers of its k-th neighbour: one step of undo.
 void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// Patterns that there are not, shown in the map: the track of a number, a suggestion, neighbours.
+// Proposed patterns shown in the map: the track of a number, a suggestion, neighbours.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,14 +17,14 @@
 
 namespace tact {
 
-// Where these would be in the map, each in the place of the pattern of a row.
+// A question: the places of these patterns in the map, each in the place of the pattern of `row`.
 struct MaybesRequest {
     std::shared_ptr<const LiveMap> map;
-    Eigen::MatrixXd points;  // of the map, as it is shown
+    Eigen::MatrixXd points;  // the map as shown
     std::size_t row = 0;
     std::vector<Pattern> patterns{};
     std::optional<VaryQuestion> vary{};  // makes the patterns first
-    bool exact = false;                  // else by coarse envelopes: at once, and a preview
+    bool exact = false;                  // false: from coarse envelopes, a quick preview
 
     bool operator==(const MaybesRequest& other) const {
         return map == other.map && row == other.row && patterns == other.patterns &&
@@ -36,14 +36,14 @@ struct MaybesRequest {
 struct FoundMaybes {
     MaybesRequest request;
     std::vector<Pattern> patterns;
-    Eigen::MatrixXd places;  // a row each
+    Eigen::MatrixXd places;  // one row per pattern
 };
 
 using MaybesQuery = Query<MaybesRequest, FoundMaybes>;
 
-// A point that is put somewhere else: its pattern is searched.
+// A point was moved: asks for the pattern that belongs to its new place.
 struct ReachRequest {
-    MaybesRequest where;  // the map and the row; its patterns do not count
+    MaybesRequest where;  // the map and the row; its patterns are ignored
     ReachQuestion question;
 
     bool operator==(const ReachRequest& other) const {
@@ -59,7 +59,7 @@ struct FoundReach {
     Reached reached;
 };
 
-// Patterns all around one, kept while they are of the same.
+// Patterns around one, kept until that pattern or the numbers that may change are others.
 struct KeptSurroundings {
     std::optional<Pattern> of;
     std::vector<PatternParameter> free;
@@ -68,29 +68,31 @@ struct KeptSurroundings {
 };
 
 struct PutThere {
-    std::string name;                          // of the pattern; empty: none is moved
-    std::optional<Eigen::RowVectorXd> wanted;  // place of the map
+    std::string name;                          // the moved pattern; empty: no pattern is moved
+    std::optional<Eigen::RowVectorXd> wanted;  // a place in the map
     bool is_dragged = false;                   // in this frame
-    std::optional<Eigen::RowVectorXd> aim;     // of the last one, shown until the next edit ...
+    std::optional<Eigen::RowVectorXd> aim;     // target of the last move, until the next edit ...
     std::uint64_t aim_of = 0;                  // ... after this revision
     KeptSurroundings around;
-    MaybesQuery cloud;                    // what can be reached
-    Query<ReachRequest, FoundReach> job;  // let go there: under way
+    MaybesQuery cloud;                    // the places that can be reached
+    Query<ReachRequest, FoundReach> job;  // the search after the mouse button was released
 };
 
 struct MaybesState {
     MaybesQuery track;        // a preview, soon followed by ...
-    MaybesQuery exact_track;  // ... where it really leads
+    MaybesQuery exact_track;  // ... the exact track
     MaybesQuery suggestion;
     MaybesQuery variants;                      // a preview, soon followed by ...
-    MaybesQuery exact_variants;                // ... where they really are
-    std::optional<RestedNumber> rested;        // whose track is shown
-    double rested_until_s = 0.0;               // it goes then, unless the mouse is on it
+    MaybesQuery exact_variants;                // ... the exact places
+    std::optional<RestedNumber> rested;        // the number whose track is shown
+    double rested_until_s = 0.0;               // the track disappears then, unless the mouse is on
+                                               // it
     std::optional<SuggestedChange> suggested;  // in the last frame
-    std::string varied;                        // name of the pattern; empty: nothing is varied
+    std::string varied;                        // name of the varied pattern; empty: no pattern is
+                                               // varied
     double how_far = 3.0;                      // felt steps
     std::uint64_t vary_seed = 1;
-    std::vector<PatternParameter> held;  // numbers that neither varying nor moving may change
+    std::vector<PatternParameter> held;  // numbers that varying and moving keep
     PutThere put;
     GapQuery gap;
 };

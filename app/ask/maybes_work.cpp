@@ -10,7 +10,7 @@ namespace tact {
 
 namespace {
 
-constexpr Eigen::Index kMostAnew = 60;  // points of a map that is made for each pattern
+constexpr Eigen::Index kMostAnew = 60;  // points of a map that is computed for each pattern
 
 }  // namespace
 
@@ -28,7 +28,8 @@ std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
     found.places.resize(count, request.points.cols());
     const auto& by = request.map->request.rendered_by;
     const bool anew = request.exact && request.points.rows() <= kMostAnew;
-    // A map that is made anew takes all cores itself; of quick places each has one to itself.
+    // A map computed again for each pattern uses all cores by itself; quick places use one core
+    // each.
     std::atomic<Eigen::Index> done = 0;
     const auto place_one = [&](std::size_t k) {
         Waveform waveform = render(found.patterns[k]);
@@ -83,8 +84,8 @@ MaybesRequest exactly(MaybesRequest request, std::size_t patterns) {
     return request;
 }
 
-// Of the map on screen; none where there is no map of the document as it is, or the pattern is not
-// in it, or is longer than all others.
+// A request for the map on screen; nullopt if that map belongs to an earlier revision, or the
+// pattern is missing from it or longer than all others.
 std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
                                          const std::string& name, std::vector<Pattern> patterns) {
     const MapTransition& map = shown_map.transition;

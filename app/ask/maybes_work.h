@@ -1,4 +1,4 @@
-// The work of the jobs that ask where patterns would be in a map. Private to the room.
+// Jobs that compute the places of proposed patterns in a map. Private to the room.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// Keeps what is the same for every pattern in the place of one.
+// Keeps whatever does not depend on the proposed pattern between calls.
 class MaybesWork {
   public:
     std::optional<FoundMaybes> operator()(const MaybesRequest& request, std::stop_token stop,
@@ -31,17 +31,17 @@ class MaybesWork {
     bool exact_ = false;
 };
 
-// The same by exact envelopes, where the map is exact and that many patterns take no more than this
-// by estimate; else as it is.
+// The same request with exact envelopes if the map is exact and the estimated time for this many
+// patterns is at most `kLongestExactS`; otherwise the request unchanged.
 inline constexpr double kLongestExactS = 8.0;
 MaybesRequest exactly(MaybesRequest request, std::size_t patterns);
 
-// Of the map on screen; none where there is no map of the document as it is, or the pattern is not
-// in it. Patterns that are longer than all others are left out.
+// A request for the map on screen; nullopt if that map belongs to an earlier revision or lacks the
+// pattern. Patterns longer than the longest of the set are left out.
 std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
                                          const std::string& name, std::vector<Pattern> patterns);
 
-// Those that may change, of all there are; empty: all.
+// The numbers that may change; empty: all.
 std::vector<PatternParameter> free_of(const MaybesState& state);
 
 }  // namespace tact

@@ -48,7 +48,7 @@ Vibration mixed_vibration(const PadState& pad) {
     return felt;
 }
 
-// The mouse inside the square; it is felt where it rests with the button held.
+// The point under the mouse, inside the square; its mix is played while the button is held there.
 void take_pad_mouse(Ui& ui, Workspace& work, PadState& pad, const Rect& square) {
     ImGui::SetCursorScreenPos(square.min);
     ImGui::InvisibleButton("pad", square.size());
@@ -68,7 +68,7 @@ void take_pad_mouse(Ui& ui, Workspace& work, PadState& pad, const Rect& square) 
     if (rests) work.selection.pressed = mixed_vibration(pad);
 }
 
-// The pattern of a corner: its mark, and its name toward the middle.
+// The pattern of a corner: its mark, and its name towards the middle.
 void draw_corner(const Ui& ui, const Workspace& work, const Rect& square, std::size_t k,
                  const std::string& name, bool alone_below) {
     const auto place = place_named(work.document.set, name);
@@ -108,7 +108,7 @@ void draw_square(Ui& ui, const Workspace& work, const PadState& pad, const Rect&
     list.AddCircle(at, 7.0F * theme.scale, theme.text, 0, 1.5F * theme.scale);
 }
 
-// The mix from its begin to its end.
+// The wave of the mix, whole.
 void draw_wave(Ui& ui, Workspace& work, const PadState& pad, ImVec2 corner, float width_px) {
     const Theme& theme = ui.theme;
     const float words_px = text_size(theme.fonts.small, "0").y;

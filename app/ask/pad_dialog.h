@@ -1,4 +1,4 @@
-// The pad: a square with patterns in its corners; inside it is their mix, seen and felt.
+// The pad: a square with patterns in its corners. A point inside it is their mix, seen and felt.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace tact {
 
-// What is selected and made of parameters, four at most, the one in the editor first.
+// The selected parametric patterns, at most four, the one in the editor first.
 std::vector<std::string> pad_corners(const Workspace& work);
 
-// On these, where there are two at least.
+// Opens the pad on these names; there must be at least two.
 void open_pad(Ui& ui, const Workspace& work, PadState& pad);
 
-// Enter adds the mix behind the first corner: one step of undo. Esc leaves the set as it is.
+// Enter adds the mix behind the first corner as one step of undo. Esc leaves the set unchanged.
 void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// The pad of up to four patterns: which they are, and where in it the mix is.
+// The pad of up to four patterns: its corners and the place of the mix.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct PadState {
     double right = 0.5;
     double down = 0.5;
 
-    // The mix, kept while what it is of stays.
+    // The mix, kept until its corners or weights change.
     std::vector<Pattern> mixed_of;
     double mixed_right = -1.0;
     double mixed_down = -1.0;

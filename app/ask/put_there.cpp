@@ -20,7 +20,7 @@ const Pattern* pattern_to_put(const Workspace& work, const std::string& name) {
     return place ? editable_pattern(work.document.set.vibrations[*place]) : nullptr;
 }
 
-// Made anew where they are of another pattern, or other numbers may change.
+// The surroundings are computed again for another pattern, or when other numbers may change.
 const std::vector<Pattern>& kept_surroundings(KeptSurroundings& kept, const Pattern& pattern,
                                               const MaybesState& state, const FeltSteps& steps) {
     std::vector<PatternParameter> free = free_of(state);

@@ -1,5 +1,5 @@
-// A point of the map is put somewhere else: what its pattern would have to be, or how near it
-// comes.
+// Moving a point of the map: the search for the pattern that belongs to its new place, or comes
+// nearest to it.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,21 +13,21 @@
 
 namespace tact {
 
-// In this frame the point of a pattern is dragged to a place of the map, and perhaps let go there.
+// Records that the mouse drags the point of a pattern in this frame, and whether it was released.
 struct PointMove {
-    std::size_t place = 0;  // of the pattern in the document
+    std::size_t place = 0;  // the dragged pattern, in the document
     Eigen::RowVectorXd to;
     bool ended = false;
 };
 void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
                 const PointMove& move);
 
-// Once a frame: takes what was found as one step of undo, and says how near it came. The place that
-// was wanted and the other points stay until the next edit.
+// Once a frame: puts the found pattern into the set as one step of undo, and reports its distance
+// from the target. The target and the other points stay on screen until the next edit.
 void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state);
 void stop_putting(MaybesState& state);
 
-// What the map shows of it.
+// The part of it that the map shows.
 void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state);
 
 // "0.8 of 66 from there."

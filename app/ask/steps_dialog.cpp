@@ -95,7 +95,7 @@ void draw_search_of_steps(Ui& ui, StepsState& state) {
     }
 }
 
-// How far along the way each is: dots on a line, and the distances of neighbours under it.
+// The position of each step along the path: dots on a line, with the distances of neighbours below.
 void draw_way(const Ui& ui, const EvenSteps& steps) {
     const Theme& theme = ui.theme;
     const float s = theme.scale;

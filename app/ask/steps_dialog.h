@@ -7,7 +7,7 @@
 
 namespace tact {
 
-// Enter adds them, Esc leaves the set as it is. Each row is felt while it is held.
+// Enter adds the steps, Esc leaves the set unchanged. A row is played while it is held.
 void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state);
 
 }  // namespace tact

@@ -18,7 +18,7 @@ std::optional<FoundSteps> found_steps(const StepsRequest& request, std::stop_tok
     return FoundSteps{request, *std::move(steps)};
 }
 
-// The partner of the one in the editor, else another pattern made of parameters.
+// The partner of the pattern in the editor, or another parametric pattern.
 std::string other_than(const Workspace& work, const std::string& name) {
     const PatternSet& set = work.document.set;
     const std::string& partner = work.selection.partner;

@@ -1,4 +1,4 @@
-// What "Steps between" is left at, and what its job has found.
+// State of the dialog "Steps between", and the answer of its job.
 #pragma once
 
 #include <optional>
@@ -23,12 +23,12 @@ struct FoundSteps {
 struct StepsState {
     std::string from;  // names
     std::string to;
-    int count = 5;  // with both ends
+    int count = 5;  // including both ends
     StepMeasure measure = StepMeasure::pm;
-    std::optional<PatternParameter> along;  // none: all that the two differ in
+    std::optional<PatternParameter> along;  // nullopt: all numbers in which the two differ
 
     Query<StepsRequest, FoundSteps> job;
-    bool cancelled = false;  // by the person, until something else is asked for
+    bool cancelled = false;  // cancelled by the person, until another question
 };
 
 }  // namespace tact

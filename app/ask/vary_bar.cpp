@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-// Which numbers varying and moving may change.
+// The numbers that varying and moving may change.
 void draw_free_numbers(Ui& ui, MaybesState& state) {
     const std::string words = state.held.empty()
                                   ? "May change: all"
@@ -47,7 +47,7 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
     ImGui::EndPopup();
 }
 
-// What is varied, and how far that is; above the numbers, which stay where they are.
+// The varied pattern and its distance stand above the numbers, so that the numbers do not move.
 void draw_found(Ui& ui, const MaybesState& state) {
     dim_text(ui, shortened(ui.theme.fonts.regular, "Neighbours of " + state.varied,
                            ImGui::GetContentRegionAvail().x));

@@ -1,4 +1,4 @@
-// The row over the map while a pattern is varied, or one is searched for a place.
+// The row above the map while a pattern is varied, or searched for a place.
 #pragma once
 
 #include "app/ask/maybes_state.h"

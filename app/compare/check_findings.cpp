@@ -16,7 +16,7 @@ struct Predicted {
     Prediction prediction;
 };
 
-// What a set shares with one predicted before is not computed again.
+// A set reuses the matrices of a set predicted before if it shares them.
 std::optional<Predicted> predicted(const std::string& name, const CheckOptions& check,
                                    const Prediction* previous) {
     const std::string path = "sets/" + name + ".tactspace.json";

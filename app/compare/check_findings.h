@@ -16,9 +16,9 @@ namespace tact {
 
 struct CheckOptions {
     int threads = 0;                                  // 0: all cores
-    std::optional<PerceptualModelParams> model = {};  // in the place of each set's own
+    std::optional<PerceptualModelParams> model = {};  // replaces each set's own
     std::stop_token stop = {};
-    // Makes what gets the share of the work done on a set, by its name.
+    // Called with a set's name; returns the callback for the share of the work done on it.
     std::function<std::function<void(double)>(const std::string&)> progress_of = {};
 };
 

@@ -1,10 +1,10 @@
 // The metrics against the ratings of 598 people, who heard 36 Morse signals: the one test of PM on
-// ratings that everybody can read, and one that PM does not win.
+// ratings that are public, and PM is not the best there.
 //
 // Source    Rothkopf 1957, J. Exp. Psychol. 53, 94-101: heard, not felt; the carrier (150 Hz, 1 g)
 //           and the unit (50 ms) are ours
-// Output    how well each metric agrees, also beyond the length of the signals; nothing when
-//           stopped
+// Output    how well each metric agrees, also beyond what the length of the signals explains;
+//           nothing when stopped
 // Exact     same input, same bits, on any number of threads.
 #pragma once
 
@@ -26,13 +26,13 @@ struct MorseRow {
     Metric metric = Metric::pm;
     Evaluation agreement;
     DurationControl beyond_length;
-    std::size_t distinct = 0;  // values among its pairs
+    std::size_t distinct = 0;  // distinct values among its pairs
 };
 
 struct MorseCheck {
     std::size_t patterns = 0;
     std::size_t pairs = 0;
-    std::vector<MorseRow> rows;  // a metric each, the best rho first
+    std::vector<MorseRow> rows;  // one per metric, the best rho first
 };
 
 struct MorseOptions {

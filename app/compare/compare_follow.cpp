@@ -27,7 +27,7 @@ bool wants_comparison(const Layout& layout, const ShownMap& shown_map) {
            shown_map.show_people;
 }
 
-// Of the map on screen, in the order of the people's own map.
+// The map on screen, with its rows in the order of the people's own map.
 std::vector<Eigen::Index> rated_rows(const RatedPeople& said, Eigen::Index patterns) {
     if (said.rated.part) return {said.rated.rated.begin(), said.rated.rated.end()};
     std::vector<Eigen::Index> rows(static_cast<std::size_t>(patterns));

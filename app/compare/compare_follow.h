@@ -1,4 +1,4 @@
-// Keeping the comparison with people, and of the chosen pair, in step with the map on screen.
+// Updates the comparison with people, and that of the chosen pair, when the map on screen changes.
 #pragma once
 
 #include <filesystem>
@@ -18,35 +18,35 @@ namespace tact {
 
 void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& comparing);
 
-// Takes what the jobs have finished; asks for what the open tab shows and has not yet.
+// Collects finished jobs, and starts those that the open tab needs.
 void take_compare_answers(RenderingState& rendered, Comparing& comparing);
 void follow_comparing(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
                       RenderingState& rendered, Comparing& comparing);
 
-// The comparison of the map on screen; of an earlier one: is_stale.
+// The newest comparison; `is_stale`: it belongs to an earlier map.
 struct ShownComparison {
-    std::shared_ptr<const Comparison> comparison;  // null: none yet
+    std::shared_ptr<const Comparison> comparison;  // null: no comparison yet
     bool is_stale = false;
     bool is_computing = false;
 };
 ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_map,
                                  const Comparing& comparing);
 
-// A comparison of this many patterns waits for a word of the person, or was cancelled by them.
+// A comparison of this many patterns waits until the person asks for it, or the person cancelled
+// it.
 bool comparison_waits(const Workspace& work, const Comparing& comparing);
 void ask_for_comparison(const Workspace& work, Comparing& comparing);
 void cancel_comparison(const Workspace& work, Comparing& comparing);
 
-// Metrics of one's own: a matrix in a file, or a function in Python, of which it may have several.
+// Foreign metrics: a matrix in a file, or a Python function; one file may hold several.
 void add_metric_dialog(Ui& ui, const Workspace& work);
 void add_metric(Ui& ui, Comparing& comparing, const std::filesystem::path& file);
 void remove_metric(Comparing& comparing, const std::string& key);
 
-// The map of the ratings, laid over the one on screen: one row a pattern of the shown map, NaN for
-// those that nobody rated. None without ratings of its patterns, or while their comparison is under
-// way.
+// The map of the ratings, aligned to the one on screen: one row per pattern of the shown map, NaN
+// for unrated patterns. Nullopt without ratings of its patterns, or while they are being compared.
 std::optional<Eigen::MatrixXd> people_over_map(const ShownMap& shown_map,
                                                const Comparing& comparing);
-std::string people_over_map_text(const Comparing& comparing);  // whose it is
+std::string people_over_map_text(const Comparing& comparing);  // the raters
 
 }  // namespace tact

@@ -1,5 +1,5 @@
-// Rating against prediction, pair by pair, and the pairs that they tell most differently. Declared
-// in app/compare/compare_panels.h.
+// Rating against prediction, pair by pair, and the pairs with the largest difference. Declared in
+// app/compare/compare_panels.h.
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     ImGui::PopID();
 }
 
-// Heading and rows, of which only whole ones are shown: a name, and its ranks in small type.
+// Heading and whole rows, as many as fit: a name, and its ranks in small type.
 float whole_rows_px(const Ui& ui, std::size_t rows, float room_px) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float heading_px = ui.theme.fonts.semibold->FontSize + spacing;
@@ -108,7 +108,7 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     const ScatterAction action = draw_scatter("pairs", ui.theme, area, scene);
     note_rect(ui.rects, "view:Pairs", area.min, area.max, y_title + ", " + corner);
     for (std::size_t k = 0; k < rank.size() && !ui.rects.file.empty() && rank.size() < 200; ++k) {
-        if (std::isnan(people.condensed[k])) continue;  // nobody rated it: it has no point
+        if (std::isnan(people.condensed[k])) continue;  // unrated pairs have no point
         const ImVec2 at = scatter_point(ui.theme, area, scene, k);
         note_rect(ui.rects, "pair point:" + std::to_string(k), at, at);
     }
@@ -133,7 +133,7 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
     if (area.width() < 40.0F || area.height() < 40.0F) return;
     const ComparedMetric& row = metric_of_key(comparison, comparing.panel.metric);
     const float s = ui.theme.scale;
-    // The list scrolls before the picture becomes a strip.
+    // The list scrolls before the picture gets too narrow.
     const float list_px = whole_rows_px(ui, row.farthest.size(), 0.45F * area.height());
     const float least = std::min(0.42F * area.width(), 220.0F * s);
     const WordsAndPicture parts =

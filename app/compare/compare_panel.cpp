@@ -40,7 +40,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     draw_tooltip(ui,
                  "A metric of your own beside the others: a matrix by the names of the patterns "
                  "(.csv), or a function of two arrays and a rate (.py).");
-    // To put others in their place; without any a button below offers it.
+    // Replaces the ratings; without ratings the button below offers to open some.
     if (work.document.set.ratings.empty()) return;
     flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
@@ -51,7 +51,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
                  "rating with the participant. Names must be those of the patterns.");
 }
 
-// What each of one's own is from, or why it is not there, with a link that takes it away.
+// The source of each foreign metric, or its error, with a link that removes it.
 void draw_foreign(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     std::string gone;
     ImGui::PushFont(ui.theme.fonts.small);
@@ -72,7 +72,7 @@ void draw_foreign(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     if (!gone.empty()) remove_metric(comparing, gone);
 }
 
-// Ratings belong to the patterns that were felt: which of those are others by now, or gone.
+// Ratings belong to the patterns that were felt: names those that have changed or are gone.
 void draw_versions(Ui& ui, const PatternSet& set, const RatedPeople& people) {
     const std::string edited = words_on_edited(people.edited);
     const std::string gone = words_on_gone(people.gone);
@@ -88,7 +88,7 @@ void draw_versions(Ui& ui, const PatternSet& set, const RatedPeople& people) {
     note_item(ui.rects, "compare:unrecorded", kUnrecorded);
 }
 
-// What is the same for all metrics: who was asked, how far they can be relied on, chance.
+// Facts that hold for all metrics: the raters, their reliability, chance.
 void draw_people(Ui& ui, const Comparison& comparison) {
     const RatedPeople& people = comparison.people->said;
     const AlienationChance& chance = people.rated.k_chance;
@@ -113,7 +113,7 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     ImGui::PopFont();
 }
 
-// What the chosen row is made of: its pairs against the ratings, without any how well its map fits.
+// Details of the chosen row: its pairs against the ratings; without ratings, the fit of its map.
 void draw_chosen_metric(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
                         const Comparison& comparison, Rect area) {
     const Fonts& fonts = ui.theme.fonts;
@@ -143,7 +143,7 @@ void draw_table_view(Ui& ui, Workspace& work, const ShownMap& shown_map, Compari
     const float s = ui.theme.scale;
     const float row_px = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
     const bool has_people = comparison.people.has_value();
-    // Head and rows; with people remarks follow.
+    // Heading and rows; with ratings, remarks follow.
     const float lines =
         2.0F + static_cast<float>(comparison.metrics.size()) + (has_people ? 4.0F : 0.0F);
     const WordsWanted table{(has_people ? 420.0F : 220.0F) * s, (has_people ? 640.0F : 420.0F) * s,
@@ -155,7 +155,7 @@ void draw_table_view(Ui& ui, Workspace& work, const ShownMap& shown_map, Compari
     draw_chosen_metric(ui, work, shown_map, comparing, comparison, parts.picture);
 }
 
-// People rate intended patterns: beside their twins each of the two sides can be held against that.
+// Ratings belong to intended patterns: with twins, either side can be compared with them.
 void draw_sides(Ui& ui, Workspace& work) {
     const bool has_twins = std::ranges::any_of(work.document.set.vibrations, measures_another);
     if (shown_side(work) != Side::both || !has_twins) return;
@@ -226,7 +226,7 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
     if (comparing.panel.view == CompareView::findings)
         return draw_findings(ui, comparing, rest_of_pane());
     if (!draw_comparison_state(ui, work, shown_map, comparing)) return;
-    // Kept while it is drawn.
+    // Kept alive while it is drawn.
     const std::shared_ptr<const Comparison> comparison = comparing.comparison;
     draw_foreign(ui, comparing, *comparison);
     if (comparison->people && !work.document.set.ratings.empty()) {

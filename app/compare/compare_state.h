@@ -1,4 +1,4 @@
-// What the tabs that compare show.
+// State of the tabs that compare.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace tact {
 
 enum class CompareView { table, scatter, findings };
 
-// What the Shepard diagram is asked of: a matrix and its map, both held by the owner.
+// A matrix and the map made from it, for the Shepard diagram; the owner holds both.
 struct FitRequest {
     std::shared_ptr<const void> owner;
     const Dissimilarity* matrix = nullptr;
@@ -37,25 +37,27 @@ struct ShepardFit {
 
 struct ComparePanelState {
     CompareView view = CompareView::table;
-    std::string metric = "pm";              // key: whose scatter and Shepard diagram are shown
-    bool shepard_of_people = false;         // instead
-    bool cancelled = false;                 // by the person, until the next edit ...
+    std::string metric = "pm";              // key of the metric whose scatter and Shepard diagram
+                                            // are shown
+    bool shepard_of_people = false;         // shows the ratings' own map instead
+    bool cancelled = false;                 // cancelled by the person, until the next edit ...
     std::uint64_t cancelled_at = 0;         // ... of this revision
-    std::uint64_t compute_large_of = 0;     // the document whose many patterns were asked for
-    std::shared_ptr<const LiveMap> of;      // what was asked for last ...
-    std::vector<ForeignMetric> of_foreign;  // ... with these
-    std::shared_ptr<const ShepardFit> fit;  // kept while its map stays what it is
+    std::uint64_t compute_large_of = 0;     // document whose comparison of many patterns was asked
+                                            // for
+    std::shared_ptr<const LiveMap> of;      // the last request ...
+    std::vector<ForeignMetric> of_foreign;  // ... with these foreign metrics
+    std::shared_ptr<const ShepardFit> fit;  // kept as long as its map
 };
 
 struct Comparing {
     Query<ComparisonRequest, Comparison> comparison_job;
-    std::shared_ptr<const Comparison> comparison;  // of the map on screen, or of one before it
+    std::shared_ptr<const Comparison> comparison;  // the map on screen, or an earlier one
     Query<DifferenceRequest, LiveDifference> difference_job;
     std::shared_ptr<const LiveDifference> difference;
     Query<FitRequest, ShepardFit> fit_job;
-    Query<int, std::vector<Finding>> findings_job;  // asked for by number
+    Query<int, std::vector<Finding>> findings_job;  // looked up by number
     std::shared_ptr<const std::vector<Finding>> findings;
-    std::vector<ForeignMetric> foreign;  // metrics of one's own, of any document
+    std::vector<ForeignMetric> foreign;  // foreign metrics, whichever document they were loaded for
     ComparePanelState panel;
 };
 

@@ -35,7 +35,7 @@ std::string tally_of(const std::vector<Finding>& all) {
            std::to_string(unknown) + " cannot be checked";
 }
 
-// The evidence below the claim, or in a column of its own.
+// The evidence stands below the claim, or in a second column.
 void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

@@ -13,13 +13,13 @@ namespace tact {
 
 namespace {
 
-// Of the progress bar, when matrices and when maps are done.
+// Shares of the progress bar at which matrices and maps are done.
 constexpr float kMatrixShare = 0.5F;
 constexpr float kMapShare = 0.6F;
 
 constexpr std::size_t kFarthest = 10;
 
-// When the metric at this place is done.
+// Share of the progress bar at which this metric is done.
 float part_done(std::size_t k) {
     return static_cast<float>(k + 1) / static_cast<float>(kMetricCount);
 }
@@ -35,7 +35,7 @@ PerceptualSpace space_of(const Dissimilarity& matrix, int dimensions, int thread
     return nonmetric_mds(matrix, params, stop);
 }
 
-// Who said something of this set; empty with a fault where nobody can be compared with.
+// The raters of this set; empty, with a fault, if there is no one to compare with.
 std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationParams& params,
                                         std::stop_token stop, std::string& fault) {
     const PatternSet& set = *map.request.set;
@@ -70,7 +70,7 @@ void ComparisonWork::add_row(ComparedMetric row, Dissimilarity matrix, const Pre
     metrics_.push_back(std::move(row));
 }
 
-// The matrices and maps of the patterns as they are; false when stopped.
+// Matrices and maps of the current patterns; false when stopped.
 bool ComparisonWork::follow_matrices(const ComparisonRequest& request, std::stop_token stop,
                                      std::atomic<float>& progress) {
     const PatternSet& set = *request.map->played;

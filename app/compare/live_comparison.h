@@ -1,10 +1,10 @@
-// Every metric on the set that is shown: its matrix, its map, and how well it agrees with people.
+// Every metric on the shown set: its matrix, its map, and its agreement with people.
 //
-// The map on screen brings PM, NC and OC along; the other metrics are computed here, and again only
-// where a pattern changed: ratings that come or go cost their evaluation alone.
+// PM, NC and OC come with the map on screen. The other metrics are computed here, and only for
+// changed patterns; new ratings cost only the evaluation.
 //
 // Source    Lim & Park 2023, Table 2; the numbers are those of `tactspace compare`.
-// Left out  means over sets: the window shows one.
+// Left out  means over sets: the window shows one set.
 // Exact     the answer depends on the set alone.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace tact {
 
-// Above this many patterns metrics are compared only when asked for.
+// Above this number of patterns, metrics are compared only on request.
 inline constexpr std::size_t kMostUnaskedComparison = 40;
 
 struct ComparisonRequest {
@@ -31,43 +31,43 @@ struct ComparisonRequest {
     std::vector<ForeignMetric> foreign{};
 };
 
-// A pair whose rank by a metric is not that of the ratings.
+// A pair that a metric ranks differently from the ratings.
 struct Disagreement {
     std::size_t pair = 0;       // in condensed order
-    double metric_rank = 0.0;   // among the rated pairs
-    double ratings_rank = 0.0;  // the same
+    double metric_rank = 0.0;   // rank among the rated pairs
+    double ratings_rank = 0.0;  // rank by the metric
 };
 
 struct ComparedMetric {
-    std::optional<Metric> metric;  // none: a foreign one
+    std::optional<Metric> metric;  // nullopt: a foreign metric
     std::string key;               // "pm", "mine (foreign)"
     std::string name;              // "PM", as the key of a foreign one
-    std::string help;              // what it is, with its source
-    Dissimilarity matrix;          // as it is evaluated
-    std::vector<double> ranks;     // of all pairs
+    std::string help;              // description with its source
+    Dissimilarity matrix;          // the matrix that is evaluated
+    std::vector<double> ranks;     // rank of each pair
     PerceptualSpace space;
     double rho_with_pm = 0.0;
     std::optional<Evaluation> evaluation;  // with ratings
-    std::vector<Disagreement> farthest;    // with ratings: a few pairs, the worst first
+    std::vector<Disagreement> farthest;    // only with ratings: a few pairs, the worst first
 };
 
 struct ComparedPeople {
     RatedPeople said;
-    PerceptualSpace shown;  // of the rated patterns, in as many dimensions as the map on screen
+    PerceptualSpace shown;  // rated patterns; as many dimensions as the map on screen
 };
 
 struct Comparison {
     ComparisonRequest request;
     std::optional<ComparedPeople> people;
-    std::string fault;                    // why there is nobody to compare with
+    std::string fault;                    // the reason why no ratings can be compared
     std::vector<ComparedMetric> metrics;  // in the order of kMetrics, then the foreign ones
-    std::vector<std::string> failed{};    // why a foreign one is not there, sentences
+    std::vector<std::string> failed{};    // errors of foreign metrics, sentences
 };
 
-// The row of this key, else that of PM.
+// The row with this key, or PM's if no row has it.
 const ComparedMetric& metric_of_key(const Comparison& comparison, const std::string& key);
 
-// A row a metric in CSV, with all digits; without ratings only how it agrees with PM.
+// One CSV row per metric, with all digits; without ratings, only its agreement with PM.
 std::string comparison_csv(const Comparison& comparison);
 
 // The work of one job.
@@ -87,19 +87,19 @@ class ComparisonWork {
 
     int threads_;  // 0: all cores
     std::shared_ptr<const LiveMap> of_;
-    std::vector<ForeignMetric> foreign_;   // that are among them, or failed
+    std::vector<ForeignMetric> foreign_;   // those that are loaded or failed
     std::vector<ComparedMetric> metrics_;  // without evaluations
     std::vector<std::string> failed_;
 };
 
-// Says so where PM is not better than the best metric that takes no model of the nerves; else
-// empty.
+// A warning if PM is not better than the best metric without a model of nerves; otherwise empty.
 std::string verdict_on_pm(const Comparison& comparison);
 
-// Rated pairs by how far a metric's rank is from that of the ratings, the farthest first.
+// Rated pairs, ordered by the difference between their ranks by the metric and by the ratings,
+// largest first.
 std::vector<Disagreement> disagreements(const Dissimilarity& metric, const Dissimilarity& ratings);
 
-// Whether nobody was asked for some of the ratings.
+// Whether some of the ratings are synthetic.
 NumberMark mark_of(const Comparison& comparison);
 
 }  // namespace tact

@@ -7,7 +7,7 @@ namespace tact {
 
 namespace {
 
-// A byte a cell: some megabytes, and a path of which a line a pixel can be drawn.
+// One byte per cell: a few megabytes, and a path fine enough for one line per pixel.
 constexpr std::size_t kMostPathSamples = 1500;
 
 std::vector<double> squared_by_step(const PatternCode& a, const PatternCode& b,

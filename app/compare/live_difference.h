@@ -1,8 +1,8 @@
-// Why two patterns are as far apart as they are: what each channel has in their NC, when their
-// brain waveforms differ, and how their envelopes are warped onto each other.
+// Why two patterns differ: the share of each channel in their NC, the times at which their brain
+// waveforms differ, and the warping of their envelopes onto each other.
 //
-// Exact     the numbers of NC are those of the matrix; the way of the envelopes is that of coarser
-//           ones where they are long, and says so (`decimation`).
+// Exact     the numbers of NC are those of the matrix; the path of long envelopes is computed on
+//           decimated ones (`decimation`).
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@
 
 namespace tact {
 
-// Two rows of a map that is shown.
+// Two rows of a shown map.
 struct DifferenceRequest {
     std::shared_ptr<const LiveMap> map;
     std::size_t a = 0;
@@ -33,7 +33,7 @@ struct LiveDifference {
     std::size_t decimation = 1;
     std::vector<double> envelope_a;  // decimated
     std::vector<double> envelope_b;
-    DtwPath path;  // between these
+    DtwPath path;  // between the decimated envelopes
 };
 
 std::optional<LiveDifference> compute_live_difference(const DifferenceRequest& request,

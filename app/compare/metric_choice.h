@@ -1,4 +1,4 @@
-// Choosing a metric, and what is known of the comparison of all: shared by the tabs that show one.
+// Choosing a metric, and the state of the comparison: shared by the tabs that show one metric.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace tact {
 
-// "Msm: spectral matching, ... Park & Kuchenbecker 2019.": what its short name stands for.
+// "Msm: spectral matching, ... Park & Kuchenbecker 2019.": the explanation of its short name.
 std::string metric_help(Metric metric);
 
-// Those of the program, then one's own.
+// Metrics of the program, then foreign ones.
 struct NamedMetric {
     std::string key;
     std::string name;
@@ -23,19 +23,19 @@ struct NamedMetric {
 };
 std::vector<NamedMetric> named_metrics(const Comparing& comparing);
 
-// A list to choose from; `with_people`: the ratings' own map too.
+// A list of metrics to choose from; `with_people`: also the ratings' own map.
 void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, bool with_people);
 
-// Progress, Cancel, or why there is no comparison; true where there is one to draw, perhaps of an
-// earlier state.
+// Progress, Cancel, or the reason why there is no comparison. True if there is one to draw, perhaps
+// of an earlier state.
 bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                            Comparing& comparing);
 
-// The pair that is chosen, as a scatter of `vibrations` has it: none where the open set has others.
+// The chosen pair as two indices into `vibrations`; nullopt if the open set has other patterns.
 std::optional<std::size_t> scatter_selection(const Workspace& work, const ShownMap& shown_map,
                                              const std::vector<Vibration>& vibrations);
 
-// Chooses the pair that was clicked there.
+// Chooses the clicked pair.
 void choose_clicked(Workspace& work, const std::vector<Vibration>& vibrations,
                     std::optional<std::size_t> clicked);
 

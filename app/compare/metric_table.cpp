@@ -1,4 +1,4 @@
-// A row a metric: how far it agrees with people, and with PM.
+// One row per metric: its agreement with people, and with PM.
 
 #include <array>
 #include <cmath>
@@ -36,8 +36,8 @@ Best best_of(const Comparison& comparison) {
     return best;
 }
 
-// The best stands on a ground of its own. Where many share it, as with the least p of so many
-// draws, they are in bold alone.
+// The best value has its own background. Where many rows share it, as with the smallest p of all
+// draws, they are only bold.
 enum class Mark { none, best, shared };
 
 void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
@@ -48,7 +48,7 @@ void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
     if (mark != Mark::none) ImGui::PopFont();
 }
 
-// All digits: what a test holds against the command line.
+// All digits: tests compare them with the command line.
 std::string row_value(const ComparedMetric& row) {
     if (!row.evaluation) return digits(row.rho_with_pm, 17);
     const Evaluation& e = *row.evaluation;
@@ -79,8 +79,7 @@ std::string tip_of(const ComparedMetric& row, const NumberMark& mark) {
     return tip;
 }
 
-// Without people two columns; with people as many as there is room for. What is left out the
-// tooltip of a row tells.
+// Two columns without ratings; with ratings, as many as fit. The tooltip of a row has the rest.
 enum class Columns { few, least, most, all };
 
 void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Best& best,
@@ -122,7 +121,7 @@ void draw_head(Ui& ui, Columns columns, const NumberMark& mark) {
     struct Column {
         const char* name;
         const char* tip;
-        Columns from;  // on; without people the first and the last
+        Columns from;  // up to here; without ratings, the first and the last column
         float weight;
     };
     constexpr std::array<Column, 7> kColumns{
@@ -164,12 +163,12 @@ void draw_head(Ui& ui, Columns columns, const NumberMark& mark) {
     for (const Column& column : kColumns) {
         if (is_left_out(column)) continue;
         ImGui::TableNextColumn();
-        // An interval and a p stand to the right of what they belong to.
+        // An interval and a p stand to the right of their number.
         const std::string name = column.name;
         const std::string of = words_of(mark);
         const bool labelled = !of.empty() && (name == "rho" || name == "K");
         const bool is_with_pm = &column == &kColumns.back();
-        // Columns are narrow: what it is of stands below.
+        // Columns are narrow: the second line of a heading says what the number is about.
         const std::string below = labelled ? of : is_with_pm ? "with PM" : "";
         const auto head = [&](const std::string& words, bool is_left) {
             ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);

@@ -26,13 +26,13 @@ PatternSet bundled(const std::string& path) {
     return *std::move(set);
 }
 
-// The sets on which models are judged, with what is the same for all of them.
+// The sets on which models are judged, with everything that does not depend on the model.
 struct Judges {
     std::vector<Waveform> morse;
     Dissimilarity ratings;
     std::vector<Waveform> twelve;
-    Prediction published;  // of the twelve
-    Eigen::MatrixXd map;   // of these
+    Prediction published;  // PM of the twelve patterns
+    Eigen::MatrixXd map;   // the map of that matrix
 };
 
 Eigen::MatrixXd map_of(const Dissimilarity& matrix, int threads) {

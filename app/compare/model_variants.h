@@ -1,11 +1,11 @@
-// What changes of the model, which a user may choose, do to its agreement with people and with the
+// Optional changes of the model, and their effect on its agreement with people and with the
 // publication: a cost of waiting in the OC part, and other thresholds.
 //
 // Source    ratings: Rothkopf 1957, heard, not felt (check_morse.h); the publication's findings
 //           (check_findings.h)
-// Output    an outcome a model, the published one first; nothing when stopped
-// Valid     two judges that share no pattern: what one would choose, the other judges. Neither is a
-//           rating of vibrations by touch.
+// Output    one outcome per model, the published one first; nothing when stopped
+// Valid     two judges without a common pattern: the choice of one is tested by the other. Neither
+//           is a rating of vibrations by touch.
 // Exact     same input, same bits, on any number of threads.
 #pragma once
 
@@ -37,10 +37,11 @@ struct VariantOutcome {
     double morse_pm = 0.0;  // Spearman's rho with the ratings
     Interval morse_interval;
     double morse_oc = 0.0;
-    std::size_t oc_values = 0;  // distinct ones
-    std::size_t hold = 0;       // findings
+    std::size_t oc_values = 0;  // distinct values
+    std::size_t hold = 0;       // findings that hold
     std::vector<std::string> failing;
-    double twelve_rho = 0.0;  // of PM of the twelve with the published model's; NaN: no order
+    double twelve_rho = 0.0;  // PM of the twelve patterns against the published model's; NaN: no
+                              // order
     double twelve_k = 0.0;    // alienation of both maps; NaN: no map
 };
 
@@ -52,7 +53,7 @@ struct VariantOptions {
 
 std::optional<std::vector<VariantOutcome>> check_variants(const VariantOptions& options);
 
-// What each judge alone would choose; of equals the first.
+// The choice of each judge alone; ties: the first.
 const VariantOutcome& chosen_by_morse(std::span<const VariantOutcome> all);
 const VariantOutcome& chosen_by_findings(std::span<const VariantOutcome> all);
 

@@ -9,7 +9,7 @@ namespace tact {
 
 namespace {
 
-// The mark of all voices together.
+// The common mark of the raters: synthetic, stale or both.
 NumberMark mark_of(const std::vector<Ratings>& ratings) {
     NumberMark mark;
     for (const Ratings& one : ratings) mark = mark | one.mark;

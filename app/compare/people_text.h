@@ -1,7 +1,7 @@
-// What is said of those who rated, wherever a number is made from their ratings.
+// Words about the raters, for every place that shows a number made from their ratings.
 //
-// Whose they are, how many count and how many do not, and how far a metric can agree with them
-// stand together; that nobody was asked, or of other patterns, is said beside every number itself.
+// They name the raters, how many of them count, and the best agreement a metric can reach. Stale or
+// synthetic ratings are labelled beside every number.
 #pragma once
 
 #include <string>
@@ -13,24 +13,24 @@
 
 namespace tact {
 
-// "0.87", with a true minus; a dash where there is no number.
+// "0.87", with a true minus; a dash for NaN.
 std::string digits(double value, int decimals);
 
 // "rho", or "synthetic rho", "stale rho", "synthetic, stale rho".
 std::string of_people(const std::string& quantity, const NumberMark& mark);
-// "rating (2 participants left out)", where it stands without anything that says whose it is.
+// "rating (2 participants left out)", for places that do not name the raters otherwise.
 std::string of_counted(const std::string& quantity, const NumberMark& mark);
 
-// "people.csv (2 participants left out): 18 participants, 6 of them synthetic, 72 passes, 9 of 12
-// patterns rated, 36 of 66 pairs", of the set's own ratings.
+// A line on the set's own ratings: "people.csv (2 participants left out): 18 participants, 6 of
+// them synthetic, 72 passes, 9 of 12 patterns rated, 36 of 66 pairs".
 std::string people_text(const PatternSet& set, const RatedPeople& people);
 
-// What a metric can reach with the mean of the ratings, and what one person reaches: two ceilings,
-// of which only the first is one for the metrics.
+// Two ceilings: the agreement a metric can reach with the mean of the ratings, and that of one
+// person with the others. Only the first is a ceiling for metrics.
 std::string ceiling_text(const Reliability& reliability, const NumberMark& mark);
 
-// What the best metric there could be has with single people, by its two bounds; empty where nobody
-// can tell.
+// The agreement of the best possible metric with single people, by its two bounds; empty if it
+// cannot be computed.
 std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark);
 
 }  // namespace tact

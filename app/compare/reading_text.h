@@ -1,4 +1,4 @@
-// Text that is read, not looked up: what is said of people, of proofs and of results.
+// Text to be read as sentences: on people, proofs and results.
 #pragma once
 
 #include <imgui.h>
@@ -7,8 +7,8 @@
 
 namespace tact {
 
-// In the current font, in lines no wider than the eye can follow, broken at spaces alone: numbers
-// stay whole.
+// In the current font, in lines of readable length that break only at spaces, so that numbers stay
+// whole.
 void reading_text(ImU32 colour, const std::string& text);
 
 }  // namespace tact

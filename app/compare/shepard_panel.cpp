@@ -21,7 +21,7 @@ namespace tact {
 
 namespace {
 
-// A matrix with the map that was made of it.
+// A matrix and the map made from it.
 struct ShownFit {
     const Dissimilarity* matrix = nullptr;
     const PerceptualSpace* space = nullptr;
@@ -30,7 +30,7 @@ struct ShownFit {
     std::shared_ptr<const void> owner;  // of both
 };
 
-// PM is the map on screen, the others are of the comparison.
+// PM belongs to the map on screen, other metrics to the comparison.
 std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_map,
                                   const Comparing& comparing,
                                   const std::shared_ptr<const Comparison>& comparison) {
@@ -60,8 +60,8 @@ std::string corner_text(const ShownFit& fit) {
     return text;
 }
 
-// Sorting the pairs of a large set takes longer than a frame may: it is then made beside the
-// window, and until it is there this is null.
+// Sorting the pairs of a large set takes longer than a frame: a job does it, and until it is done
+// this is null.
 std::shared_ptr<const ShepardFit> followed_fit(Comparing& comparing, const ShownFit& fit) {
     constexpr std::size_t kMostInFrame = 20'000;
     ComparePanelState& panel = comparing.panel;
@@ -112,7 +112,7 @@ void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& com
     choose_clicked(work, vibrations, action.clicked);
 }
 
-// Whether both have as many patterns: pairs are then at the same places.
+// Whether both have the same number of patterns: their pairs then have the same indices.
 bool is_open_set(const Workspace& work, const std::vector<Vibration>& vibrations) {
     return vibrations.size() == work.document.set.vibrations.size();
 }
@@ -188,7 +188,7 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
 void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
                           const Rect& area) {
     if (area.width() < 40.0F || area.height() < 40.0F) return;
-    // Both are kept while they are drawn.
+    // Both are kept alive while they are drawn.
     const std::shared_ptr<const Comparison> comparison = comparing.comparison;
     const std::shared_ptr<const LiveMap> map = shown_map.transition.shown;
     const auto fit = map ? shown_fit(work, shown_map, comparing, comparison) : std::nullopt;

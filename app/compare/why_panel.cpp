@@ -1,5 +1,5 @@
-// Why the model tells two patterns apart: the parts of their distance, the channels that make it,
-// when in time they differ, and which moments of their rhythms are taken for one another.
+// Why the model tells two patterns apart: the parts of their distance, the channels behind it, the
+// times at which they differ, and the matched moments of their rhythms.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ std::string percent(double share) {
     return text;
 }
 
-// The next `height_px` of the pane, over its whole width.
+// The next `height_px` of the pane, in full width.
 Rect take_row(float height_px) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const Rect row = rect_at(corner, {ImGui::GetContentRegionAvail().x, height_px});
@@ -42,7 +42,7 @@ Rect take_row(float height_px) {
     return row;
 }
 
-// On the next line where the first has no room for the detail.
+// The detail moves to the next line if the first has no room for it.
 void draw_heading(const Ui& ui, const char* text, const std::string& detail) {
     ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::TextUnformatted(text);
@@ -110,7 +110,7 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
         draw_text(list, theme.fonts.small, {row.max.x - oc_size.x - pad, y}, theme.text, oc_text);
     }
     if (!nc_fits || !oc_fits) {
-        // Below its end of the bar.
+        // The number below the end of its bar.
         const Rect below = take_row(oc_size.y);
         if (!nc_fits) draw_text(list, theme.fonts.small, below.min, theme.text, nc_text);
         const ImVec2 corner{below.max.x - oc_size.x, below.min.y};
@@ -119,10 +119,10 @@ void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
     note_rect(ui.rects, "why:parts", row.min, row.max, nc_text + ", " + oc_text);
 }
 
-// What people notice of the difference, and what PM has kept of it.
+// The difference that people notice, and the part of it that PM keeps.
 void draw_noticed(Ui& ui, const LiveMap& map, std::size_t k,
                   const std::pair<std::size_t, std::size_t>& rows) {
-    constexpr double kNear = 1.0 / 3.0;  // of all pairs, by NC
+    constexpr double kNear = 1.0 / 3.0;  // rank among all pairs, by NC
     const auto& all = map.request.set->vibrations;
     const auto* a = std::get_if<Pattern>(&all[rows.first].source);
     const auto* b = std::get_if<Pattern>(&all[rows.second].source);
@@ -167,7 +167,7 @@ std::vector<Term> terms_of(const Theme& theme, const ChannelShares& shares) {
     return terms;
 }
 
-// A bar a term from one zero line: those of two channels may be negative.
+// One bar per term, all from the same zero line: the terms of two channels may be negative.
 void draw_channels(Ui& ui, const LiveDifference& live) {
     const Theme& theme = ui.theme;
     const std::vector<Term> terms = terms_of(theme, live.shares);
@@ -203,7 +203,7 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
     }
 }
 
-// Seconds below what is over time.
+// Axis of seconds below the plots over time.
 void draw_seconds(Ui& ui, const TimeRange& range) {
     const Rect row = take_row(time_axis_height(ui));
     Plot plot{row, {row.min, {row.max.x, row.min.y}}, {}, {}};
@@ -213,7 +213,7 @@ void draw_seconds(Ui& ui, const TimeRange& range) {
     note_rect(ui.rects, "why:seconds", row.min, row.max);
 }
 
-// The two as they are, on one scale of g: where there is room to look at them, too.
+// Both patterns on one scale of g, if there is room.
 void draw_vibrations(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPair& pair,
                      float row_px) {
     const auto& all = work.document.set.vibrations;
@@ -254,7 +254,7 @@ void draw_when(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDiff
     draw_time_row(ui, work, timeline, take_row(row_px), row);
 }
 
-// Both envelopes between their names, and lines between the moments that are taken for one another.
+// Both envelopes between their names, with lines between matched moments.
 void draw_way(Ui& ui, const Workspace& work, const Timeline& timeline, const LiveDifference& live,
               const ChosenPair& pair, const Rect& area) {
     const Theme& theme = ui.theme;
@@ -329,7 +329,7 @@ void draw_rhythm(Ui& ui, const Workspace& work, Timeline& timeline, const LiveDi
     draw_seconds(ui, range);
 }
 
-// Below the channels, as high as there is room: two rows with their names, under one heading.
+// Below the channels, as high as the room allows: two rows with their names, under one heading.
 void draw_vibrations_below(Ui& ui, Workspace& work, Timeline& timeline, const ChosenPair& pair) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float names_px = ui.theme.fonts.semibold->FontSize +
@@ -341,8 +341,8 @@ void draw_vibrations_below(Ui& ui, Workspace& work, Timeline& timeline, const Ch
     draw_seconds(ui, shown_range(timeline, shown_duration_s(work)));
 }
 
-// What is over time, higher where the pane is; the two themselves where it is high and they are
-// not beside.
+// Plots over time, higher in a high pane; a high pane also shows both patterns unless they stand
+// beside.
 void draw_times(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
                 const ChosenPair& pair, bool with_vibrations) {
     const float s = ui.theme.scale;
@@ -354,8 +354,8 @@ void draw_times(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifferenc
     draw_rhythm(ui, work, timeline, live, pair);
 }
 
-// Channels and the two themselves beside what is over time where the pane is wide or low, else
-// above it.
+// Channels and patterns stand beside the plots over time in a wide or low pane, otherwise above
+// them.
 void draw_live(Ui& ui, Workspace& work, Timeline& timeline, const LiveDifference& live,
                const ChosenPair& pair) {
     const float s = ui.theme.scale;
@@ -381,8 +381,8 @@ void draw_none(const Ui& ui, const char* title, const char* reason) {
     if (!area.empty()) draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, title, reason);
 }
 
-// Whether both maps have the same two patterns, by name, in these rows; in one of the same
-// document.
+// Whether both maps are of the same document and have the same two patterns, by name, in these
+// rows.
 bool is_same_pair(const LiveMap& one, const LiveMap& other,
                   const std::pair<std::size_t, std::size_t>& rows) {
     if (one.request.document != other.request.document) return false;
@@ -394,7 +394,7 @@ bool is_same_pair(const LiveMap& one, const LiveMap& other,
     return is_same(rows.first) && is_same(rows.second);
 }
 
-// What metrics of one's own say of the pair, where they were compared on this map.
+// Distances of the pair by foreign metrics, if they were compared on this map.
 void draw_foreign_parts(Ui& ui, const Comparing& comparing, const LiveMap& map, std::size_t k) {
     if (!comparing.comparison || comparing.comparison->request.map.get() != &map) return;
     for (const ComparedMetric& row : comparing.comparison->metrics) {

@@ -1,4 +1,4 @@
-// The dialogs on measurements: which recording measures what, and what a simulation is like.
+// The dialogs on measurements: the pattern of each recording, and the settings of a simulation.
 
 #include <imgui.h>
 
@@ -25,7 +25,8 @@ void draw_twin(Ui& ui, Workspace& work, const Vibration& intended, const Twin& t
                       cached_waveform(work.cache, intended), "intended"});
 }
 
-// The patterns that a recording can measure, and none of them. True when another was chosen.
+// A list of the patterns that a recording can belong to, and an entry for no pattern. True if the
+// choice changed.
 bool draw_pattern_choice(Ui& ui, const Workspace& work, std::string& chosen, std::size_t row) {
     bool changed = false;
     ImGui::SetNextItemWidth(-1.0F);
@@ -137,7 +138,7 @@ void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
     note_item(ui.rects, "import:remarks", remarks);
 }
 
-// How many would come into the set; none while one of them cannot.
+// The number of twins that would come into the set; 0 while one of the recordings cannot.
 std::size_t importable(const ImportState& state) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < state.files.size(); ++k) {
@@ -149,7 +150,7 @@ std::size_t importable(const ImportState& state) {
     return count;
 }
 
-// What is left out need not be readable.
+// A recording that is left out need not be readable.
 void drop_left_out(ImportState& state) {
     for (std::size_t k = state.files.size(); k-- > 0;) {
         if (!state.patterns[k].empty()) continue;
@@ -158,7 +159,7 @@ void drop_left_out(ImportState& state) {
     }
 }
 
-// True where the dialog gives way to the one on the columns of the shown table.
+// True if the dialog gives way to the one for the columns of the shown table.
 bool draw_columns_button(Ui& ui, ImportState& importing) {
     const bool is_table = importing.shown < importing.files.size() &&
                           extension_of(importing.files[importing.shown]) != ".wav";

@@ -22,7 +22,7 @@ bool is_measured_kind(const fs::path& path) {
     return extension == ".csv" || extension == ".txt" || extension == ".wav";
 }
 
-// A folder stands for the recordings in it.
+// A folder stands for the recordings inside it.
 std::vector<fs::path> files_of(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
@@ -44,7 +44,7 @@ std::vector<fs::path> files_of(const std::vector<fs::path>& paths) {
     return files;
 }
 
-// Keeps the waveform of a twin in a folder; what is wrong, or empty.
+// Writes the waveform of a twin into a folder; returns the error, or an empty text.
 std::string keep(Twin& twin, const fs::path& folder) {
     if (folder.empty()) return {};
     auto& measurement = std::get<Measurement>(twin.vibration.source);
@@ -91,7 +91,7 @@ std::optional<SimulationAnswer> simulate_all(const SimulationRequest& request, s
     return answer;
 }
 
-// Puts twins into the set they were asked for as one step and selects the first.
+// Adds twins to the set that they were requested for, as one step of undo, and selects the first.
 void take(Ui& ui, Workspace& work, std::uint64_t document, const std::vector<const Twin*>& twins,
           const std::string& label) {
     if (document != work.document_number) {
@@ -149,7 +149,7 @@ void ask_to_take(const Ui& ui, Takes<Request, Answer>& takes, Request request, W
     if (takes.waiting.size() == 1) takes.job.ask(takes.waiting.front());
 }
 
-// The answer to the one that is being worked on, once; the next one begins.
+// Takes the answer to the current request once, and starts the next request.
 template <class Request, class Answer>
 std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
@@ -160,7 +160,7 @@ std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
     return answer;
 }
 
-// Why the one that is being worked on has no answer, once; the next one begins.
+// Takes the error of the current request once, and starts the next request.
 template <class Request, class Answer>
 std::string next_failed(Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
@@ -209,7 +209,7 @@ void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
         if (auto answer = importing.simulation_job.latest())
             importing.simulated = std::move(answer);
     }
-    // The chooser was left without a file.
+    // The chooser was closed without a file.
     if (importing.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
         importing.adding = false;
         ui.dialog = Dialog::import_recordings;

@@ -14,24 +14,24 @@ namespace tact {
 
 void stop_import(ImportState& importing);
 
-// Takes what was read or simulated; what was to go into the set does, as one step, unless another
-// set is open by then.
+// Takes what was read or simulated. Requested twins enter the set as one step of undo, unless
+// another set is open by then.
 void follow_import(Ui& ui, Workspace& work, ImportState& importing);
-bool is_taking(const ImportState& importing);  // something is still to go into the set
+bool is_taking(const ImportState& importing);  // a request for the set is pending
 
-// Choosing recordings, then the dialog on them.
+// Opens the chooser for recordings, then their dialog.
 void import_recordings_dialog(Ui& ui, const Workspace& work);
-// `told`: what somebody says of these files.
+// `told`: what the person said about these files.
 void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
                        const std::vector<std::filesystem::path>& paths,
                        const AccelerationOptions& told = {});
 
-// Whether these are tables of accelerations rather than of ratings.
+// Whether these are tables of accelerations, not of ratings.
 bool are_accelerations(const std::vector<std::filesystem::path>& paths);
 
 void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& importing);
 
-// What the dialogs ask for: a look, or twins in the set.
+// Requests of the dialogs: a look, or twins in the set.
 void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing);
 void take_recordings(Ui& ui, const Workspace& work, ImportState& importing);
 void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing);

@@ -1,4 +1,4 @@
-// What the window knows of measurements on their way into the set, and which side of it is shown.
+// State of measurements on their way into the set, and the side of the set that is shown.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ namespace tact {
 // Recordings to be read and laid over their patterns.
 struct ImportRequest {
     std::uint64_t number = 0;
-    std::uint64_t document = 0;  // App::document_number that it was asked for
+    std::uint64_t document = 0;  // App::document_number at the time of the request
     std::vector<std::filesystem::path> files;
-    std::vector<std::string> patterns;  // that they measure, by name; empty: not known
+    std::vector<std::string> patterns;  // the measured pattern's name; empty: not known
     AccelerationOptions options;
     std::shared_ptr<const PatternSet> set;
-    std::filesystem::path keep_in;  // a folder for their waveforms; empty: only looked at
+    std::filesystem::path keep_in;  // a folder for their waveforms; empty: only a look
 };
 
-// A recording with its pattern, or why there is none.
+// A recording with its pattern, or the reason why it has no pattern.
 struct ImportedFile {
     std::string fault;
     std::vector<std::string> remarks;
@@ -36,7 +36,7 @@ struct ImportedFile {
 
 struct ImportAnswer {
     ImportRequest request;
-    std::vector<ImportedFile> files;  // as many as the request has
+    std::vector<ImportedFile> files;  // as many as in the request
 };
 
 struct SimulationRequest {
@@ -51,14 +51,14 @@ struct SimulationRequest {
 struct SimulationAnswer {
     SimulationRequest request;
     std::vector<Twin> twins;
-    std::string fault;  // why they could not be kept
+    std::string fault;  // the error of writing them
 };
 
-// Twins on their way into the set, asked for one after the other. A look that is newer than the
-// last may supersede it; a take is never lost, so that each waits for the one before it.
+// Requests for twins, worked on one after the other. A newer look may supersede the last one; a
+// request for the set is never dropped, so it waits for the one before it.
 template <class Request, class Answer>
 struct Takes {
-    std::deque<Request> waiting;  // the first is being worked on
+    std::deque<Request> waiting;  // the first is the current one
     Query<Request, Answer> job;
 };
 
@@ -67,14 +67,14 @@ struct ImportState {
     std::vector<std::string> patterns;
     std::size_t shown = 0;  // the file whose signals are drawn
     RecordingFields fields;
-    bool adding = false;               // the chooser looks for more files
-    std::filesystem::path columns_of;  // whose columns somebody wants to tell; empty: nobody
+    bool adding = false;               // the chooser adds files to these
+    std::filesystem::path columns_of;  // the table whose columns are to be named; empty: no table
     ActuatorParams actuator;
-    bool simulate_all = true;                       // patterns, not only the selected ones
-    std::uint64_t asked = 0;                        // the number of the last request of either kind
-    Query<ImportRequest, ImportAnswer> import_job;  // to look
+    bool simulate_all = true;                       // all patterns, not only the selected ones
+    std::uint64_t asked = 0;                        // number of the last request of either kind
+    Query<ImportRequest, ImportAnswer> import_job;  // looks
     Query<SimulationRequest, SimulationAnswer> simulation_job;
-    Takes<ImportRequest, ImportAnswer> import_takes;  // into the set
+    Takes<ImportRequest, ImportAnswer> import_takes;  // twins for the set
     Takes<SimulationRequest, SimulationAnswer> simulation_takes;
     std::shared_ptr<const ImportAnswer> answer;
     std::shared_ptr<const SimulationAnswer> simulated;

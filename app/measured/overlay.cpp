@@ -19,7 +19,7 @@ namespace {
 constexpr float kFilledInk = 0.7F;
 constexpr float kPreviewPx = 170.0F;
 
-// Every other few pixels of a path whose points are a pixel apart.
+// A dashed path: every other few pixels of points that are one pixel apart.
 void draw_dashes(ImDrawList& list, const Theme& theme, std::span<const ImVec2> points) {
     const auto dash = static_cast<std::size_t>(std::lround(5.0F * theme.scale));
     for (std::size_t k = 0; k < points.size(); k += 2 * dash) {
@@ -28,10 +28,10 @@ void draw_dashes(ImDrawList& list, const Theme& theme, std::span<const ImVec2> p
     }
 }
 
-// How far a wave reaches up and down: dashed, so that both are seen where another is drawn.
+// Upper and lower envelope of a wave: dashed, so that it stays visible over another wave.
 void draw_reach(ImDrawList& list, const Theme& theme, const Plot& plot, const Waveform& wave,
                 double least_g) {
-    constexpr double kWidestPx = 16.0;  // of a period whose crests are joined
+    constexpr double kWidestPx = 16.0;  // path of a period whose crests are joined
     const auto columns = static_cast<std::size_t>(std::max(1.0F, plot.area.width()));
     const auto body =
         body_columns(wave.samples_g, plot.x.low * wave.rate_hz, plot.x.high * wave.rate_hz, columns,
@@ -46,7 +46,7 @@ void draw_reach(ImDrawList& list, const Theme& theme, const Plot& plot, const Wa
     }
 }
 
-// Names of the two curves above their right end, each with how it is drawn.
+// Names of the two curves above their right end, each with a sample of its line.
 void draw_names(const Ui& ui, const Plot& plot, const Overlay& overlay) {
     const Theme& theme = ui.theme;
     const ImFont* font = theme.fonts.small;

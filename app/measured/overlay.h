@@ -1,4 +1,4 @@
-// Two signals on one scale: what was measured or heard, and the pattern beside it.
+// Two signals on one scale: the measured or heard signal, and its pattern.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 namespace tact {
 
 struct Overlay {
-    const char* rect;  // its name for tests
+    const char* rect;  // name for tests
     const Waveform& filled;
     const char* filled_name;
-    const Waveform& dashed;  // of this one, how far it reaches up and down
+    const Waveform& dashed;  // draws only the envelope of this one
     const char* dashed_name;
 };
 
 void draw_overlay(Ui& ui, const Overlay& overlay);
 
-// The same room while there is nothing to draw.
+// Reserves the same room while there is nothing to draw.
 void draw_empty_overlay(const Ui& ui, const char* title, const std::string& reason);
 
 }  // namespace tact

@@ -34,7 +34,7 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     choice("m/s2", "m/s\u00b2", AccelerationUnit::m_per_s2);
     choice("V", "V", AccelerationUnit::volt);
     ImGui::NewLine();
-    // A file that says volts itself needs them as much.
+    // A file with voltages as numbers needs the volts, too.
     if (options.unit.value_or(AccelerationUnit::volt) == AccelerationUnit::volt) {
         const bool is_known = options.unit.has_value();
         const AccelerationOptions normal;

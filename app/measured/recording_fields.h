@@ -1,4 +1,4 @@
-// How a recording of accelerations is to be read: the fields that every dialog on one shows.
+// Fields for reading a recording of accelerations, shared by every dialog on recordings.
 #pragma once
 
 #include "app/ui/ui.h"
@@ -10,25 +10,25 @@ namespace tact {
 struct RecordingFields {
     AccelerationOptions options;
     double rate_hz = 0.0;     // 0: from the time column
-    double full_scale = 0.0;  // of WAV files; 0: the sidecar's
+    double full_scale = 0.0;  // full scale of WAV files; 0: the sidecar's
 };
 
-// The options with what the fields say.
+// The options with the values of the fields.
 AccelerationOptions options_of(const RecordingFields& fields);
 
-// True when one of them was changed. `has_wave`: full scale is asked for as well.
+// True if a field changed. `has_wave`: also shows the field for full scale.
 bool draw_recording_fields(Ui& ui, RecordingFields& fields, bool has_wave);
 
 // A number with its label, its default and its unit.
 struct NumberRow {
-    const char* id;  // also its name for tests
+    const char* id;  // also the name for tests
     const char* label;
     double normal;
     Range range;
-    const char* unit;  // and what else is to be said of it
+    const char* unit;  // and a remark
 };
 
-// True when another one was taken.
+// True if another choice was made.
 bool draw_number_row(Ui& ui, const NumberRow& row, double& value);
 
 }  // namespace tact

@@ -36,7 +36,7 @@ struct Asked : Program {
     }
 };
 
-// Four of two by three levels.
+// Two patterns, and a design space of two by three levels.
 PatternSet designed() {
     PatternSet set = short_patterns(2);
     DesignSpace space;

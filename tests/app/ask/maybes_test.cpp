@@ -1,4 +1,4 @@
-// What there might be, in the map: neighbours, tracks, and the card of the closest pattern.
+// Proposed patterns in the map: neighbours, tracks, and the card of the closest pattern.
 #include "app/ask/maybes_follow.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
@@ -95,7 +95,7 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     PatternSet turned = program.app.work.document.kept().set;
     REQUIRE(turned.map_places.at.size() == 5);
     for (auto& [name, at] : turned.map_places.at) {
-        at[0] = -at[0];  // as a mirror has it
+        at[0] = -at[0];  // mirrored
     }
     Program again(turned);
     again.app.ui.motion = false;
@@ -103,7 +103,7 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     Eigen::MatrixXd mirrored = lay;
     mirrored.col(0) *= -1.0;
     CHECK((again.app.shown_map.transition.to - mirrored).norm() < 1e-3 * lay.norm());
-    // What was only opened is saved as it was, to the last digit.
+    // A document that was only opened is saved unchanged, to the last digit.
     CHECK(again.app.work.document.kept().set.map_places.at == turned.map_places.at);
     stop_jobs(again.app);
 }

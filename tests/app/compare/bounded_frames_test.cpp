@@ -1,4 +1,4 @@
-// What a frame computes is bounded: the pairs of large sets are sorted beside the window, once.
+// The work of a frame is bounded: the pairs of large sets are sorted in the background, once.
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ TEST_CASE(
     }
     CompareBench bench;
     App& app = bench.program.app;
-    // As if the map on screen were one of so many.
+    // Makes the map on screen one of this many patterns.
     auto map = std::make_shared<LiveMap>(*app.shown_map.transition.shown);
     map->prediction.pm = matrix;
     map->space = space;
@@ -35,7 +35,7 @@ TEST_CASE(
     shown.from = shown.to = shown.ghost = space.points;
     app.layout.bench = BenchTab::shepard;
     bench.program.frame();
-    // A machine that holds the frame up may have them sorted by then.
+    // A slow machine may have sorted them before the frame ends.
     CHECK(bench.program.shows("shepard:waits") == (app.comparing.panel.fit == nullptr));
     bench.wait_until([&] { return app.comparing.panel.fit != nullptr; });
     const ShepardFit expected = shepard_fit({map, &map->prediction.pm, &map->space});
@@ -50,7 +50,7 @@ TEST_CASE("matrix tab: the largest value is looked for once a map and quantity")
     bench.program.settle();
     const Dissimilarity& pm = app.shown_map.transition.shown->prediction.pm;
     CHECK(app.shown_map.largest.value == std::ranges::max(pm.condensed));
-    app.shown_map.largest.value = 1e6;  // whoever looks again finds less
+    app.shown_map.largest.value = 1e6;  // every later look finds less left
     bench.program.settle();
     CHECK(app.shown_map.largest.value == 1e6);
     app.shown_map.quantity = MatrixQuantity::nc;

@@ -152,7 +152,7 @@ TEST_CASE("compare tab: ratings of a pattern that was edited since are stale, at
     bench.wait_for_comparison();
     CHECK(bench.program.at("compare:head rho").value == "rho");
     CHECK(bench.program.at("strength:p1").value != "edited");
-    // Files of before do not say what was felt.
+    // Older files do not say what was felt.
     for (Ratings& one : app.work.document.edit().ratings) one.versions.clear();
     document_changed(app.work);
     commit_step(app.ui, app.work, "as before");
@@ -213,7 +213,7 @@ TEST_CASE("compare tab: a point of the scatter selects its pair, a listed pair o
     bench.program.click("pair point:" + std::to_string(pair_index(kRatedPatterns, 2, 4)));
     auto pair = chosen_pair(app.work, app.shown_map);
     REQUIRE(pair);
-    // Another pair may be in the same place; then it is that one.
+    // Another pair may have the same index; the choice is then that one.
     CHECK(pair->kind == PartnerKind::chosen);
     const auto& people = app.comparing.comparison->people->said.rated.people.dissimilarity;
     CHECK(people(pair->current, pair->partner) == people(2, 4));
@@ -235,7 +235,7 @@ TEST_CASE("compare tab: disagreement is the difference of ranks among the rated 
     CHECK(all[0].pair == 0);  // rank 1 of 5, felt as rank 4
     CHECK(all[0].metric_rank == 1.0);
     CHECK(all[0].ratings_rank == 4.0);
-    CHECK(all[1].pair == 4);  // 4, and 2.5 with the one that ties
+    CHECK(all[1].pair == 4);  // 4, and 2.5 for the one with the tie
     CHECK(all[1].ratings_rank == 2.5);
 }
 
@@ -297,7 +297,7 @@ TEST_CASE("overlay: the map of the ratings lies over the predicted one, and foll
     const auto over = people_over_map(app.shown_map, app.comparing);
     REQUIRE(over);
     CHECK(over->cols() == 3);
-    // Aligned: no shift is left, and no turn or size would bring it closer.
+    // The maps are aligned: no shift is left, and no rotation or scale would bring them closer.
     CHECK((over->colwise().mean() - app.shown_map.transition.to.colwise().mean()).norm() <= 1e-9);
     const double apart = (*over - app.shown_map.transition.to).norm();
     CHECK((*over * 1.02 - app.shown_map.transition.to).norm() >= apart);
@@ -348,7 +348,7 @@ TEST_CASE("compare tab: a matrix of one's own is a row beside the others, marked
     bench.program.click("link:add metric");
     CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::add_metric);
     bench.program.press_key(key::kEscape);
-    // The ratings themselves: nothing agrees better.
+    // The matrix holds the ratings themselves, so no metric agrees better.
     Comparing& comparing = bench.program.app.comparing;
     add_metric(bench.program.app.ui, comparing, bench.folder.write("mine.csv", square_csv()));
     bench.wait_for_comparison();
@@ -361,7 +361,7 @@ TEST_CASE("compare tab: a matrix of one's own is a row beside the others, marked
     bench.program.click("tab:Why");
     CHECK(contains(bench.program.at("why:mine (foreign)").value, "of 15"));
     bench.program.click("tab:Compare");
-    // One that fails says why, and the others stay.
+    // A metric that fails says why, and the others stay.
     add_metric(bench.program.app.ui, comparing,
                bench.folder.write("other.csv", ",a,b\na,0,1\nb,1,0\n"));
     bench.wait_for_comparison();
@@ -391,7 +391,7 @@ TEST_CASE("compare tab: a Python file with several functions is asked about, one
                                   "def _own():\n    pass\n\n"
                                   "def far(a, b, r):\n    return 2\n"));
     REQUIRE(ui.question);
-    CHECK(ui.question->answers.size() == 3);  // two, and none
+    CHECK(ui.question->answers.size() == 3);  // two ratings, and none
     ui.question->answers[1].run();
     CHECK(comparing.foreign.back().key == "far (foreign)");
     remove_metric(comparing, "far (foreign)");

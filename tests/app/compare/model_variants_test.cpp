@@ -1,5 +1,5 @@
-// Which models are tried, and which of them each judge would choose. What comes out is the page
-// "findings --variants".
+// The variants of the model, and the choice of each judge. Their results are the page "findings
+// --variants".
 #include "app/compare/model_variants.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What is said of ratings stands beside every number that is made of them.
+// Words about the raters stand beside every number that is made of their ratings.
 
 #include "app/compare/people_text.h"
 
@@ -14,7 +14,7 @@ using namespace tact;
 
 namespace {
 
-// Ratings of the six patterns by two participants; of `rated` patterns alone.
+// Ratings by two participants of the first `rated` of six patterns.
 std::string lines_csv(int rated, bool synthetic) {
     std::string lines = "participant,a,b,rating,synthetic\n";
     for (int person = 1; person <= 2; ++person) {
@@ -127,7 +127,7 @@ TEST_CASE(
     CHECK(over->bottomRows(2).array().isNaN().all());
     const Eigen::MatrixXd placed = over->topRows(4);
     REQUIRE(placed.allFinite());
-    // Fitted to the four alone: no shift is left.
+    // The fit uses the four alone: no shift is left.
     const Eigen::MatrixXd map = app.shown_map.transition.to.topRows(4);
     CHECK((placed.colwise().mean() - map.colwise().mean()).norm() <= 1e-9);
     CHECK(contains(bench.program.at("overlay").value, "4 of 6 patterns rated"));

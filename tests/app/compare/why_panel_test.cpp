@@ -73,7 +73,7 @@ TEST_CASE("why tab: it says whether people notice what two single carriers diffe
         contains(said_of(0, 1), "40 against 250 Hz, 6.25 times; people tell these apart at once"));
     CHECK(contains(said_of(0, 2), "most people do not notice that"));
     CHECK_FALSE(contains(said_of(0, 2), "forgotten"));
-    CHECK(said_of(0, 3).empty());  // of several carriers nothing is said
+    CHECK(said_of(0, 3).empty());  // no remark for several carriers
 }
 
 TEST_CASE("why tab: a cell of the matrix makes the pair") {

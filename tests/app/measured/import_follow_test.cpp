@@ -67,7 +67,7 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     wait_for_it(program, [&] { return app.importing.answer != nullptr; });
     REQUIRE(app.importing.answer->files[0].twin);
     CHECK(app.importing.answer->files[0].twin->alignment.lag == 100);
-    CHECK(count(program) == 4);  // so far it is only looked at
+    CHECK(count(program) == 4);  // so far only a look
     take_recordings(app.ui, app.work, app.importing);
     wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(count(program) == 6);
@@ -127,7 +127,7 @@ TEST_CASE("import: saved, the waveforms lie beside the set and the set reads aga
     app.work.session.folder = folder.path / "state";
     simulate_measurement_dialog(app.ui, app.work, app.importing);
     wait_for_it(program, [&] { return app.importing.simulated != nullptr; });
-    CHECK(app.importing.simulated->twins.size() == 1);  // of the current pattern, to look at
+    CHECK(app.importing.simulated->twins.size() == 1);  // measures the current pattern, for a look
     take_simulation(app.ui, app.work, app.importing);
     wait_for_it(program, [&] { return !is_taking(app.importing); });
     REQUIRE(count(program) == 8);
@@ -176,7 +176,7 @@ TEST_CASE("import: what was asked for comes, though the dialog is opened again b
     import_recordings(app.ui, app.work, app.importing, {files[0]});
     take_recordings(app.ui, app.work, app.importing);
     import_recordings(app.ui, app.work, app.importing,
-                      {files[1]});  // a look, which supersedes looks alone
+                      {files[1]});  // a look, which only supersedes looks
     take_recordings(app.ui, app.work, app.importing);
     look_at_recordings(app.ui, app.work, app.importing);
     simulate_measurement_dialog(app.ui, app.work, app.importing);
