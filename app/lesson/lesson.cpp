@@ -20,8 +20,8 @@ namespace tact {
 
 namespace {
 
-// What was typed a moment ago is on the disk before the document goes aside, as nothing of it is
-// kept while the lesson shows its own set.
+// Recent edits are written to disk before the document is set aside, because it has no autosave
+// while the lesson shows its own set.
 void keep_on_disk(Workspace& work) {
     wait_for_autosave(work);
     const bool pending = work.autosave_pending || work.unsaved_revision != work.revision;
@@ -29,7 +29,7 @@ void keep_on_disk(Workspace& work) {
     work.autosave_pending = false;
 }
 
-// As opening does, but that nothing is told to the session.
+// Opens a document without telling the session.
 void show_in_place(Ui& ui, Workspace& work, EditedDocument document, std::uint64_t number) {
     work.document = std::move(document);
     work.document_number = number;
@@ -66,7 +66,7 @@ void bring_back(const LessonHands& hands, LessonState& state) {
     work.unsaved_revision = 0;  // look again
 }
 
-// Room for the card and for what the step shows; a pane that filled the window still does.
+// Makes room for the card and the step's pane: ends the maximised state of another pane.
 void arrange(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
     Layout& layout = hands.layout;
     layout = state.before.layout;
@@ -78,7 +78,7 @@ void arrange(const LessonHands& hands, const LessonState& state, const LessonSte
     if (layout.maximised) layout.maximised = map ? Pane::space : Pane::physiology;
 }
 
-// A place is asked for in a flat map.
+// A step that asks for a place needs a flat map.
 void lay_map(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
     const bool flat = step.question && step.question->kind == QuestionKind::place;
     const int wanted = flat ? 2 : state.before.dimensions;
@@ -87,7 +87,7 @@ void lay_map(const LessonHands& hands, const LessonState& state, const LessonSte
     document_changed(hands.work);
 }
 
-// The same where it names no pattern that was renamed.
+// The same lesson if it names no renamed pattern.
 std::shared_ptr<const Lesson> with_renamed(const std::shared_ptr<const Lesson>& before,
                                            const Renaming& renaming) {
     Lesson lesson = *before;
@@ -196,7 +196,7 @@ void start_tour(const LessonHands& hands, LessonState& state) {
 void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path) {
     const auto lesson = bundled_lesson(path);
     start_lesson(hands, state, lesson, {});
-    if (state.lesson != lesson) return;  // the one before it stays
+    if (state.lesson != lesson) return;  // the previous lesson stays
     state.key = path;
     state.is_tour = state.key == kTourLesson;
 }
@@ -248,7 +248,7 @@ void open_lesson(const LessonHands& hands, LessonState& state, const std::filesy
 bool leave_lesson(const LessonHands& hands, LessonState& state) {
     if (!state.step) return true;
     const auto unsaved = unsaved_lesson(hands.work, state);
-    const bool was_written = state.is_written;  // who writes opens it at its beginning
+    const bool was_written = state.is_written;  // an author starts at the beginning
     if (state.is_written && !set_lesson_aside(hands, state, unsaved)) return false;
     if (!was_written) state.left_at = places_left(state);
     if (state.presenting) state.present_scale = hands.ui.text_scale;
@@ -273,7 +273,7 @@ bool leave_lesson(const LessonHands& hands, LessonState& state) {
 
 namespace {
 
-// The set that was put aside is kept as if it had been replaced directly.
+// Keeps unsaved changes of the document set aside in a file, as if it had been replaced directly.
 void let_go_of_aside(const LessonHands& hands, LessonState& state) {
     if (!state.aside) return;
     Workspace& work = hands.work;
@@ -294,7 +294,7 @@ void let_go_of_aside(const LessonHands& hands, LessonState& state) {
 void follow_document(const LessonHands& hands, LessonState& state) {
     if (!state.step || hands.work.document_number == state.document_number) return;
     state.document_number = hands.work.document_number;
-    // As it was in the last frame, with the set that it had then.
+    // The unsaved version is that of the last frame, with the set that it had then.
     const bool stays = state.unsaved && !set_lesson_aside(hands, state, state.unsaved);
     let_go_of_aside(hands, state);
     state.before.current = 0;
@@ -313,7 +313,7 @@ void follow_renaming(LessonState& state, const Renaming& renaming) {
         if (!after) after = with_renamed(before, renaming);
         return after;
     };
-    state.history.amend(of);  // a name is no edit of the lesson
+    state.history.amend(of);  // a name is not an edit of the lesson
     if (const auto renamed_lesson = of(state.lesson); renamed_lesson != state.lesson) {
         show_lesson(state, renamed_lesson);
     }

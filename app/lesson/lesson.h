@@ -1,8 +1,8 @@
-// A lesson under way: it drives the real program through its steps, on a set of its own, and leaves
-// document and view as they were.
+// A running lesson: it drives the real program through its steps with a set of its own, and
+// restores document and view at the end.
 //
-// Input     a lesson; or the tour, which is the first of those that come with the program
-// Left out  what the steps look like (lesson_card.h), the whole screen (presenting.h)
+// Input     a lesson; or the tour, the first of the lessons that come with the program
+// Left out  the card of a step (lesson_card.h), the whole screen (presenting.h)
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace tact {
 
-// What a lesson drives.
+// Everything that a lesson drives.
 struct LessonHands {
     Ui& ui;
     Workspace& work;
@@ -33,7 +33,7 @@ struct LessonHands {
 
 struct BundledLesson {
     const char* path;  // below assets/
-    const char* name;  // that the lesson has itself
+    const char* name;  // the name inside the lesson
 };
 
 inline constexpr const char* kTourLesson = "lessons/tour.tactlesson.json";
@@ -48,59 +48,58 @@ inline constexpr std::array<BundledLesson, 8> kBundledLessons{{
     {"lessons/mds.tactlesson.json", "How a perceptual space is made"},
 }};
 
-// One that comes with the program.
+// A lesson that comes with the program.
 std::shared_ptr<const Lesson> bundled_lesson(const char* path);
 
-// What is on screen, to be put back when the lesson is left.
+// The present view, to be restored when the lesson is left.
 ViewBeforeLesson view_of(const LessonHands& hands);
 
-// Shows the lesson's set in the place of the document, which is kept, and the first step.
+// Shows the lesson's set in place of the document, which is set aside, and goes to the first step.
 void start_lesson(const LessonHands& hands, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path);
 
-// One that comes with the program, by its path below assets/.
+// Starts a lesson that comes with the program, by its path below assets/.
 void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path);
 
-// Where it was left, or from the first step.
+// Continues the tour at the step at which it was left, or starts it.
 void start_tour(const LessonHands& hands, LessonState& state);
 
-// A lesson that has begun, and was left before its end another time, asks whether to continue
-// there.
+// Asks whether to continue at the step at which this lesson was left before.
 void ask_where_to_begin(const LessonHands& hands, LessonState& state);
 
-// Where lessons were left, the one under way among them, as if it were left now.
+// The steps at which lessons were left, by key; the running lesson counts as left now.
 std::map<std::string, std::size_t> places_left(const LessonState& state);
 
 void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path);
 
 void go_to_step(const LessonHands& hands, LessonState& state, std::size_t step);
 
-// It takes the place of the one that is open, in the language that is wanted.
+// Replaces the open lesson by this one, in the wanted language.
 void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson);
 
-// From now on, of every lesson that has it.
+// The wanted language from now on, for every lesson that has it.
 void choose_language(Ui& ui, LessonState& state, const std::string& code);
 
-// The place of the language that is shown, among the lesson's.
+// Index of the shown language among the lesson's.
 std::size_t shown_language(const LessonState& state);
 
-// The document and the view are again what they were before. What was written and is unsaved goes
-// to a file of its own; where it cannot be kept, the lesson stays: false.
+// Restores the document and the view. Unsaved text of the lesson goes to a file of its own; if that
+// cannot be written, the lesson stays open: false.
 bool leave_lesson(const LessonHands& hands, LessonState& state);
 
-// Somebody opened another document meanwhile: the lesson ends, and unsaved changes of the one that
-// was kept go to a file of their own.
+// Ends the lesson if another document was opened; unsaved changes of the document set aside go to a
+// file of their own.
 void follow_document(const LessonHands& hands, LessonState& state);
 
-// Steps name patterns.
+// Steps name patterns, so they follow renaming.
 void follow_renaming(LessonState& state, const Renaming& renaming);
 
-// Its numbers are made beside the window.
+// The lesson's numbers are computed in the background.
 void make_lesson_job(const Ui& ui, LessonState& state);
 void follow_lesson(LessonState& state);
 const LessonAnswers* answers_of(const LessonState& state);
 
-// The step under way, in the language that is shown; null: none is.
+// The current step, in the shown language; null if no lesson is running.
 const LessonStep* step_of(const LessonState& state);
 
 std::optional<Stage> stage_of_view(const std::string& view);

@@ -20,22 +20,23 @@ namespace {
 
 constexpr Range kCardShare{0.15, 0.5};
 constexpr const char* kHideSource = "Hide the source";
-// Of the window, for words and options to be whole: beside the picture, and above or below it.
+// Largest share of the window that the card may take for its words and options: at a side, and at
+// the top or bottom.
 constexpr float kMostOfWidth = 0.6F;
 constexpr float kMostOfHeight = 0.7F;
 
 bool is_upright(DockSide side) { return side == DockSide::left || side == DockSide::right; }
 
-constexpr float kMeasure = 60.0F;  // letters on a line, beyond which lines are lost
+constexpr float kMeasure = 60.0F;  // letters on a line; longer lines are hard to follow
 
-// Of a line that is read with ease.
+// The length of a line that is easy to read.
 float measure_px(const Ui& ui, const LessonState& state) {
     constexpr std::string_view kLetters = "the quick brown fox jumps over the lazy dog";
     const ImFont* font = lesson_fonts(ui, state).text;
     return kMeasure * text_size(font, kLetters).x / static_cast<float>(kLetters.size());
 }
 
-// Along the top or the foot the card is as high as its words, unless it is written.
+// At the top or bottom the card is as high as its words, except while editing.
 bool is_low(const LessonState& state) { return !is_upright(state.dock) && !state.editing; }
 
 bool is_same_place(const CardGrowth& a, const CardGrowth& b) {
@@ -47,8 +48,7 @@ CardGrowth growth_at(const Ui& ui, const LessonState& state, const Rect& area) {
     return {*state.step, state.dock, area.size(), lesson_fonts(ui, state).text->FontSize, 0.0F};
 }
 
-// Wide enough to read, and for all its words to be in sight; no more than that. A low one is as
-// high as its words.
+// Wide enough to read and to show all its words, and no wider. A low card is as high as its words.
 float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     if (is_low(state)) {
         const float most = kMostOfHeight * area.height();
@@ -65,12 +65,12 @@ float card_px(const Ui& ui, const LessonState& state, const Rect& area) {
     return std::round(std::max(wanted, needed));
 }
 
-// Words that have no room below each other get it beside each other. `words_px`: their height.
+// Widens a card that is too low for its words. `words_px`: their height.
 void grow_card(const Ui& ui, LessonState& state, const Rect& area, const Rect& card,
                float words_px) {
     if (!is_upright(state.dock) || state.editing || words_px <= card.height()) return;
     state.grown = growth_at(ui, state, area);
-    // A little more than in proportion: the last word of a line is seldom at its end.
+    // A little more than in proportion, because lines rarely break exactly at their end.
     state.grown.width_px = std::ceil(1.06F * card.width() * words_px / card.height());
 }
 
@@ -79,7 +79,7 @@ std::string text_in(const LessonState& state, const std::string& text) {
     return filled(text, answers == nullptr ? LessonNumbers{} : answers->numbers);
 }
 
-// Its numbers are on their way: a sentence without them would be broken.
+// Its numbers are still being computed: a sentence without them would be incomplete.
 bool lacks_numbers(const LessonState& state, const std::string& text) {
     const LessonAnswers* answers = answers_of(state);
     const auto is_known = [answers](const std::string& placeholder) {
@@ -124,7 +124,7 @@ void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {
     ImGui::Spacing();
 }
 
-// In the language that is shown: letters of another are not missed.
+// Only the shown language counts: letters of another one are not needed.
 std::string shown_text_of(LessonStep step) {
     step.words.clear();
     std::string all;
@@ -132,7 +132,7 @@ std::string shown_text_of(LessonStep step) {
     return all;
 }
 
-// Boxes in the place of letters are explained.
+// Explains the boxes shown in place of letters.
 void draw_lacking(Ui& ui, const LessonState& state) {
     if (state.lacking.empty() || ui.fonts_outdated) return;
     const std::string text = "No font of this computer has all letters of this step. " +
@@ -141,7 +141,7 @@ void draw_lacking(Ui& ui, const LessonState& state) {
     note_item(ui.rects, "lesson:lacking", text);
 }
 
-// Who writes the lesson sees the whole source.
+// The editor shows the whole source.
 std::string told_source(const LessonState& state, const LessonStep& step) {
     return state.editing ? step.source : source_for_class(step);
 }
@@ -172,7 +172,7 @@ void draw_source(Ui& ui, LessonState& state, const LessonStep& step) {
 }
 
 struct WayWords {
-    const char* on;  // none: there is nothing to go on to
+    const char* on;  // empty: no next step
     const char* leave;
 };
 
@@ -229,14 +229,14 @@ void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
     note_item(ui.rects, last ? "tour:finish" : "tour:leave");
 }
 
-// On the line of the buttons, smaller than they are.
+// On the line of the buttons, in smaller type.
 void beside_buttons(const Ui& ui, const LessonState& state) {
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     const float small = text_size(lesson_fonts(ui, state).small, "Move").y;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetFrameHeight() - small));
 }
 
-// What stands to the right on the first line of a low card.
+// Items at the right of the first line of a low card.
 float head_width(const Ui& ui, const LessonState& state, bool with_source) {
     const float source = text_size(lesson_fonts(ui, state).small, kHideSource).x;
     return way_width(ui, way_words(state)) + 2.0F * ui.theme.gap_px + move_px(ui, state) +
@@ -257,15 +257,15 @@ void draw_way_at_right(const LessonHands& hands, LessonState& state, const Lesso
     draw_move(ui, state);
 }
 
-// Of a card along the top or the foot, side by side: what it is about, its words, and the rest of
-// the width for the buttons and a question.
+// Columns of a low card: its head, its words, and the rest of the width for the buttons and a
+// question.
 struct CardColumns {
     float head_px;
     float text_px;
     float gap_px;
 };
 
-// None where they have no room.
+// Nullopt if the card is too narrow.
 std::optional<CardColumns> card_columns(const Ui& ui, const LessonState& state, float width) {
     const float line = measure_px(ui, state);
     const CardColumns columns{0.6F * line, 1.4F * line, 2.0F * ui.theme.padding_px};
@@ -282,7 +282,8 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, between);
     if (ImGui::BeginTable("card", 3,
                           ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_NoSavedSettings)) {
-        const float pad = ImGui::GetStyle().FramePadding.y;  // words on the line of the buttons
+        // puts the words on the line of the buttons
+        const float pad = ImGui::GetStyle().FramePadding.y;
         ImGui::TableSetupColumn("head", ImGuiTableColumnFlags_WidthFixed, columns.head_px);
         ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthFixed, columns.text_px);
         ImGui::TableSetupColumn("way", ImGuiTableColumnFlags_WidthStretch);
@@ -303,7 +304,8 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
     ImGui::PopStyleVar();
 }
 
-// Too narrow for columns: its head beside the buttons, in sight whatever there is to read.
+// A low card too narrow for columns: its head stands beside the buttons, and stays visible while
+// the words scroll.
 void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& step) {
     Ui& ui = hands.ui;
     const bool asks = question_of(state) != nullptr;
@@ -329,7 +331,7 @@ void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& st
     draw_source_text(ui, state, step);
 }
 
-// One below the other.
+// A card at a side: everything in one column.
 void draw_in_a_column(const LessonHands& hands, LessonState& state, const LessonStep& step,
                       float width) {
     const bool asks = question_of(state) != nullptr;
@@ -343,7 +345,7 @@ void draw_in_a_column(const LessonHands& hands, LessonState& state, const Lesson
     draw_source(hands.ui, state, step);
 }
 
-// Its inner edge, dragged.
+// Its inner edge can be dragged.
 void draw_edge(Ui& ui, LessonState& state, const Rect& card, const Rect& area) {
     const float bar = ui.theme.splitter_px;
     const bool upright = is_upright(state.dock);
@@ -405,7 +407,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const LessonStep* shown = step_of(state);
     if (shown == nullptr || card.empty()) return;
     follow_glyphs(hands.ui, state);
-    const LessonStep step = *shown;  // the frame may go on to another one
+    const LessonStep step = *shown;  // the frame may go to another step
     const std::string count = count_text(state);
     Ui& ui = hands.ui;
     const Theme& theme = ui.theme;
@@ -420,7 +422,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
     const float bar_px = ImGui::GetStyle().ScrollbarSize;
     const float inner = card.width() - 2.0F * theme.padding_px - bar_px;
     const auto columns = low ? card_columns(ui, state, inner) : std::nullopt;
-    // Lines are longer there than at a side, by three quarters: it is low.
+    // Lines at the top or bottom may be longer than at a side, by three quarters: the card is low.
     const float line = std::min(1.75F * measure_px(ui, state), inner);
     if (low && !columns) ImGui::SetNextWindowContentSize({line, 0.0F});
     const bool is_open =
@@ -428,7 +430,7 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-    // The frame is the card's alone, not that of its buttons and fields.
+    // The frame belongs to the card alone, not to its buttons and fields.
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (is_open) {
@@ -466,7 +468,7 @@ void follow_glyphs(Ui& ui, LessonState& state) {
     const LessonStep* step = step_of(state);
     if (step == nullptr || ui.theme.fonts.regular == nullptr) return;
     std::u32string lacking = without_glyph(*ui.theme.fonts.regular, shown_text_of(*step));
-    // Asked for once: no font here may have them.
+    // Fonts are loaded once for these characters: no font may have them.
     if (!lacking.empty() && lacking != state.lacking) ui.fonts_outdated = true;
     state.lacking = std::move(lacking);
 }

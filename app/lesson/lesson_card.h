@@ -1,7 +1,7 @@
-// The card of a step: text, question, what the class said, the way on. It stands beside what it
-// speaks of, never over it.
+// The card of a step: text, question, the class's answers, and buttons. It stands beside the panes,
+// never over them.
 //
-// Output    where it stands and what is left of the window; the two do not meet
+// Output    the card's place and the rest of the window, which do not overlap
 #pragma once
 
 #include "app/lesson/lesson.h"
@@ -10,11 +10,11 @@
 namespace tact {
 
 struct LessonPlaces {
-    Rect card;  // empty: no lesson is under way
+    Rect card;  // empty: no lesson is running
     Rect rest;
 };
 
-// Its type: larger while presenting, for those at the back.
+// Fonts of the card: larger while presenting, for the last row of the class.
 struct LessonFonts {
     ImFont* text;
     ImFont* head;
@@ -27,22 +27,22 @@ LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& a
 
 void draw_lesson_card(const LessonHands& hands, LessonState& state, const LessonPlaces& places);
 
-// An outline around what the step points at, as it was drawn in this frame.
+// An outline around the item that the step points at, as drawn in this frame.
 void watch_pointed(Ui& ui, const LessonState& state);
 void draw_pointed(const Ui& ui, const Rect& within);
 
-// Reveals the answer, where one is asked and hidden; else the next step, or the end. `back`: the
-// step before.
+// Reveals a hidden answer, or goes to the next step. `back`: goes to the step before.
 void step_on(const LessonHands& hands, LessonState& state);
 void step_back(const LessonHands& hands, LessonState& state);
 
-// All that is written in the lesson, in the language that is shown: for the choice of glyphs.
+// All text of the lesson in the shown language: decides which glyphs are loaded.
 std::string drawn_text(const LessonState& state);
 
-// Fonts are loaded again where a step has characters that they lack; what lacks then is lacking.
+// Loads fonts again if a step has characters that they lack; characters that no font has stay
+// lacking.
 void follow_glyphs(Ui& ui, LessonState& state);
 
-// The next edge of the window.
+// Moves the card to the next edge of the window.
 void move_card(LessonState& state);
 
 }  // namespace tact

@@ -33,7 +33,7 @@ void show_kept(const LessonHands& hands, LessonState& state, std::shared_ptr<con
     go_to_step(hands, state, *state.step);
 }
 
-// However often the map was turned round.
+// Angles without full turns.
 LessonCamera camera_on(const LessonHands& hands) {
     const SpaceCamera& camera = hands.shown_map.camera;
     return {std::remainder(camera.yaw_rad, 2.0 * std::numbers::pi),
@@ -46,13 +46,13 @@ LessonCamera camera_on(const LessonHands& hands) {
 void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
                    const std::string& what, bool joins) {
     const auto before = state.lesson;
-    if (!(lesson.set == hands.work.document.set)) {  // its numbers are of what is on screen
+    if (!(lesson.set == hands.work.document.set)) {  // its numbers depend on the screen
         lesson.set = lesson_to_save(hands.work, state).set;
         if (!(lesson.set == before->set)) lesson.set_name.clear();
     }
     keep(state, std::move(lesson));
     const std::string* last = state.history.undo_label();
-    // Letters of one word are one step of undo.
+    // Letters typed into one word are one step of undo.
     if (joins && last != nullptr && *last == what) {
         state.history.join(before, state.lesson, what);
     } else {
@@ -218,14 +218,14 @@ void duplicate_lesson(const LessonHands& hands, LessonState& state) {
     state.editing = state.is_written = true;
     state.history.clear();
     keep(state, std::move(copy));
-    state.saved = std::make_shared<const Lesson>();  // no part of it is in a file
+    state.saved = std::make_shared<const Lesson>();  // no part of it is in a file yet
     state.looked_at = nullptr;
     say(hands.ui, "This is \"" + state.shown->name + "\", which is in no file yet.");
 }
 
 Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
     Lesson lesson = *state.lesson;
-    for (LessonStep& step : lesson.steps) {  // a line that was begun is no option yet
+    for (LessonStep& step : lesson.steps) {  // an unfinished line is not an option yet
         while (step.question && !step.question->options.empty() &&
                step.question->options.back().empty()) {
             step.question->options.pop_back();
@@ -261,7 +261,7 @@ bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesys
     state.key = target.string();
     state.is_tour = false;
     note_lesson_saved(work, state);
-    (void)keep_lesson(work, state);  // what was kept before is older than the file
+    (void)keep_lesson(work, state);  // the last autosave is older than the file
     remember_file(work.session, target);
     const std::size_t lacks = lesson_lacks(lesson).size();
     say(ui, lacks == 0 ? "Saved the lesson " + target.string() + "."

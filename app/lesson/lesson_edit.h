@@ -1,6 +1,6 @@
-// Writing a lesson in the program: steps made of what is on screen, their texts and order.
+// Writing a lesson in the program: steps made from the screen, their texts and order.
 //
-// Output    the lesson as a new value; nothing of it is on the disk before it is saved
+// Output    the lesson as a new value; files change only when it is saved
 // Left out  its fields (step_editor.h, question_editor.h)
 #pragma once
 
@@ -12,20 +12,20 @@
 
 namespace tact {
 
-// A step that shows what is shown now.
+// A step that shows the present view.
 LessonStep step_from_screen(const LessonHands& hands);
 
-// Of the open document, with one step that shows what is on screen; it is edited at once.
+// Starts a lesson of the open document, with one step that shows the present view, in the editor.
 void new_lesson(const LessonHands& hands, LessonState& state);
 
-// The same with a lesson that was written before, of the set that is open.
+// The same with a lesson that was written before for the open set.
 void write_on_document(const LessonHands& hands, LessonState& state,
                        std::shared_ptr<const Lesson> lesson);
 
 void toggle_editing(const LessonHands& hands, LessonState& state);
 
-// A step of undo; with `joins` it is one with the last, where that was called the same. The step's
-// texts are in the language that is shown.
+// One step of undo; with `joins` it merges with the last one of the same name. Texts of the step
+// are in the shown language.
 void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
                    const std::string& what, bool joins = false);
 void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
@@ -34,44 +34,44 @@ void change_step(const LessonHands& hands, LessonState& state, const LessonStep&
 void undo_lesson(const LessonHands& hands, LessonState& state);
 void redo_lesson(const LessonHands& hands, LessonState& state);
 
-// Ctrl+Z is the lesson's until the document was changed.
+// Ctrl+Z belongs to the lesson until the document changes.
 bool was_lesson_edited_last(const Workspace& work, const LessonState& state);
 
-// Pattern, partner, stage, times and camera of the step under way, as they are on screen.
+// Takes pattern, partner, stage, times and camera of the current step from the screen.
 void show_screen(const LessonHands& hands, LessonState& state);
 void take_camera(const LessonHands& hands, LessonState& state, bool taken);
 
-// Behind the step under way, which it becomes.
+// Adds a step behind the current one, and goes to it.
 void add_step(const LessonHands& hands, LessonState& state);
 void remove_step(const LessonHands& hands, LessonState& state);
 void move_step(const LessonHands& hands, LessonState& state, int by);
 
-// Name and about of the lesson, in the language that is shown.
+// Name and description of the lesson, in the shown language.
 void change_name(const LessonHands& hands, LessonState& state, const LessonWords& shown,
                  bool joins = false);
 
-// A copy in the place of the lesson, to be written: "NAME copy", in no file. What was unsaved of
-// the lesson is in the copy.
+// Replaces the lesson by a copy, "NAME copy", which is in no file yet. Unsaved changes of the
+// lesson are in the copy.
 void duplicate_lesson(const LessonHands& hands, LessonState& state);
 
-// Shown at once, to be written in.
+// Adds a language and shows it, to be written in.
 void add_language(const LessonHands& hands, LessonState& state, const std::string& code);
-// The one that is shown, unless it is the first, with all that was written in it.
+// Removes the shown language with all its texts, unless it is the first.
 void remove_language(const LessonHands& hands, LessonState& state);
 
-// With its set as it is now.
+// The lesson with its set as the document has it.
 Lesson lesson_to_save(const Workspace& work, const LessonState& state);
 void save_lesson_dialog(Ui& ui, const Workspace& work, const LessonState& state);
-// A lesson that lacks something is saved as a draft. False: it could not be saved.
+// An incomplete lesson is saved as a draft. False: it could not be saved.
 bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesystem::path& path);
 
-// Tells what the lesson lacks before a class can see it.
+// Tells what is still missing before a class can see the lesson.
 void check_lesson(Ui& ui, const Workspace& work, const LessonState& state);
 
 void open_lesson_dialog(Ui& ui, const Workspace& work);
 void open_course_dialog(Ui& ui, const Workspace& work);
 void save_sheet_dialog(Ui& ui, const Workspace& work, LessonState& state);
-// For another teacher: the sheet with notes and answers, and the lesson in it.
+// A sheet for another teacher, with notes, answers and the lesson file inside.
 void hand_on_dialog(Ui& ui, const Workspace& work, LessonState& state);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// The numbers of a lesson, made beside the window: quick ones first, then those of pairs.
+// The numbers of a lesson, computed in the background: quick ones first, then those of pairs.
 
 #include <utility>
 
@@ -31,7 +31,7 @@ void follow_lesson(LessonState& state) {
     }
 }
 
-// Numbers of a lesson that is being edited stay until the new ones are there.
+// Numbers of a lesson that is being edited stay until the new ones are ready.
 const LessonAnswers* answers_of(const LessonState& state) {
     if (!state.answered || (state.answered->of != state.shown && !state.editing)) return nullptr;
     return &state.answered->answers;

@@ -15,7 +15,7 @@ namespace tact {
 
 namespace {
 
-constexpr double kRestS = 0.6;  // as the document's
+constexpr double kRestS = 0.6;  // the same delay as the document's
 constexpr double kMostUnkeptS = 1.0;
 
 bool differ_beside_set(const Lesson& a, const Lesson& b) {
@@ -29,7 +29,7 @@ std::optional<LessonDraft> draft_of(const LessonState& state,
     return LessonDraft{*unsaved, state.path, state.step.value_or(0)};
 }
 
-// Why it could not be kept; empty: it is.
+// Returns the error of writing the autosave, or an empty text.
 std::string fault_of(const Session& session, const std::optional<LessonDraft>& draft) {
     try {
         const Expected<Done> written = autosave_lesson(session, draft);
@@ -50,14 +50,14 @@ void wait_for_keeping(LessonState& state) {
     if (state.keeping.valid()) (void)state.keeping.get();
 }
 
-// As opening gives it, without the places of its map, which belong to no pattern.
+// The set as a file would give it, without the places of its map, which belong to no pattern.
 PatternSet bare(PatternSet set) {
     give_looks(set);
     set.map_places = {};
     return set;
 }
 
-// What is in its file, or nothing.
+// The lesson in this file, or an empty lesson.
 std::shared_ptr<const Lesson> lesson_in(const std::filesystem::path& path) {
     Expected<Lesson> lesson = path.empty() ? Error{"no file"} : read_lesson_file(path);
     return std::make_shared<const Lesson>(lesson ? *std::move(lesson) : Lesson{});
@@ -96,7 +96,7 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
     if (has_ended) tell_if_unkept(ui, state, state.keeping.get());
     if (!state.keep_pending || ui.time_s < state.keep_due_s || is_autosaving(state)) return;
     state.keep_pending = false;
-    Session place;  // without the locks, which are the program's to hold
+    Session place;  // without the locks, which the program holds
     place.folder = work.session.folder;
     place.autosave = work.session.autosave;
     state.keeping = std::async(std::launch::async,
@@ -149,7 +149,7 @@ bool set_lesson_aside(const LessonHands& hands, LessonState& state,
 
 void before_lesson_goes(const LessonHands& hands, LessonState& state, std::function<void()> then) {
     if (!unsaved_lesson(hands.work, state)) return then();
-    // Between the panels and the end of the frame: another set may take the document's place.
+    // Runs between the panels and the end of the frame: another set may replace the document.
     const auto later = [hands, then = std::move(then)] { hands.ui.waiting.push_back(then); };
     Answer save{"Save as...", [hands, &state] { save_lesson_dialog(hands.ui, hands.work, state); }};
     if (!state.path.empty()) {

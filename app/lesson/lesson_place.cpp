@@ -9,12 +9,12 @@ namespace tact {
 
 namespace {
 
-constexpr double kNudge = 0.02;  // of the map's width
+constexpr double kNudge = 0.02;  // share of the map's width
 
-// The flat map on screen that a pattern of the lesson is to be placed in.
+// The flat map on screen for placing a pattern of the lesson.
 struct PlacedIn {
     const Eigen::MatrixXd& points;
-    Eigen::Index row = 0;  // of the pattern
+    Eigen::Index row = 0;  // row of the pattern
 };
 
 std::optional<PlacedIn> placed_in(const LessonState& state, const ShownMap& shown_map) {
@@ -37,7 +37,7 @@ double width_of(const Eigen::MatrixXd& points) {
     return width;
 }
 
-// In the middle of the others.
+// The centre of the other patterns.
 MapPlace first_place(const PlacedIn& map) {
     const Eigen::RowVectorXd others =
         (map.points.colwise().sum() - map.points.row(map.row)) /
@@ -66,7 +66,7 @@ void mark_place(const LessonState& state, const ShownMap& shown_map, MapMarks& m
     if (!asks_for_place(state)) return;
     const Tally& tally = state.tallies[*state.step];
     const auto map = placed_in(state, shown_map);
-    // Hidden in a map that is not flat yet, too.
+    // Hidden even while the map is not flat yet.
     if (!tally.revealed && shown_map.transition.shown) {
         marks.hidden =
             place_named(*shown_map.transition.shown->request.set, step_of(state)->pattern);

@@ -1,8 +1,8 @@
-// Placing a pattern in the map oneself: it is hidden there until the answer is seen, and then how
-// far off the place was.
+// Placing a pattern in the map oneself: the map hides it until the answer is revealed, then shows
+// the distance between the two places.
 //
-// Input     the left mouse button in the map, or Shift and the arrows; the map lies flat meanwhile
-// Output    a cross where it was put, and a way to where the model puts it
+// Input     the left mouse button in the map, or Shift and the arrows; the map is flat meanwhile
+// Output    a cross at the chosen place, and a line to the model's place
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@
 
 namespace tact {
 
-// The step under way asks for a place.
+// Whether the current step asks for a place.
 bool asks_for_place(const LessonState& state);
 
-// What the map shows of it.
+// The part of it that the map shows.
 void mark_place(const LessonState& state, const ShownMap& shown_map, MapMarks& marks);
 
-// What was done in the map.
+// Takes the clicks and keys of the map.
 void take_place(LessonState& state, const SpacePaneAction& done);
 bool nudge_place(LessonState& state, const ShownMap& shown_map, const KeyPress& press);
 
-// Of the map's width, which is the distance of the two points that lie farthest apart; none: there
-// is no place or no map.
+// Distance from the model's place, as a share of the map's width: the largest distance between two
+// points. Nullopt without a place or a map.
 std::optional<double> place_off_by(const LessonState& state, const ShownMap& shown_map);
 std::string place_text(const LessonState& state, const ShownMap& shown_map);
 
-// With nobody's hand up, the pattern nearest to the place counts as one.
+// Without votes, the pattern nearest to the place counts as one vote.
 void count_place(LessonState& state, const ShownMap& shown_map);
 
 }  // namespace tact

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kTick = "   \u2713";
 
-// Options are there before the model is: a choice's own, else none yet.
+// The answer to a step's question; null until it is computed.
 const QuestionAnswer* answer_at(const LessonState& state, std::size_t step) {
     const LessonAnswers* answers = answers_of(state);
     if (answers == nullptr || step >= answers->questions.size()) return nullptr;
@@ -48,10 +48,10 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     ImGui::PopID();
 }
 
-constexpr std::size_t kManyOptions = 6;  // one below the other, they fill a small window
+constexpr std::size_t kManyOptions = 6;  // more would fill a small window if stacked
 
-// Beside each other where the card is low or where they are many, as many in a row as have room for
-// the longest, the last row about as long as the others. A hand more or a tick moves none.
+// Options stand side by side in a low card or if there are many; rows are as long as the longest
+// option allows, and the last row is about as long as the others. A vote or a tick moves nothing.
 void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
     const std::size_t count = answer.options.size();
     float widest = 0.0F;
@@ -86,13 +86,13 @@ void draw_options(Ui& ui, LessonState& state, const QuestionAnswer& answer) {
     ImGui::PopStyleVar();
 }
 
-// Whether the answer was brought into view since it was revealed.
+// Whether the answer was scrolled into view since it was revealed.
 bool& answer_seen(const LessonState& state) {
     const ImGuiID id = ImGui::GetID("answer seen") + static_cast<ImGuiID>(*state.step);
     return *ImGui::GetStateStorage()->GetBoolRef(id, false);
 }
 
-// Said with the answer: the step's words, where the class put the pattern, the model, people.
+// Text of the answer: the step's words, the class's place, the model, people.
 std::string reveal_words(const LessonState& state, const LessonQuestion& question,
                          const QuestionAnswer& answer, const std::string& place) {
     std::string text = filled(question.reveal, answers_of(state)->numbers);
@@ -111,7 +111,7 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
                 std::to_string(score.asked) + ".";
     }
     wrapped_text(text);
-    // Brought into view when it is revealed, where the card is short.
+    // A short card scrolls to the answer when it is revealed.
     bool& seen = answer_seen(state);
     if (!seen) ImGui::SetScrollHereY(1.0F);
     seen = true;
@@ -207,7 +207,7 @@ LessonScore score_of(const LessonState& state) {
         if (!tally.revealed || answer == nullptr) continue;
         if (*most == 0 && !tally.place) continue;
         ++score.asked;
-        if (*most == 0) continue;  // put next to none that could be chosen
+        if (*most == 0) continue;  // no votable pattern is near the place
         const auto option = static_cast<std::size_t>(most - tally.votes.begin());
         if (is_right(*answer, option)) ++score.right;
     }

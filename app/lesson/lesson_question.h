@@ -1,6 +1,6 @@
 // Predict, then reveal: a question of a step, the class's votes by number keys, the answer.
 //
-// Output    right, where most votes are among the model's answers
+// Output    right if an answer of the model has the most votes
 #pragma once
 
 #include <optional>
@@ -11,34 +11,36 @@
 
 namespace tact {
 
-// What the step asks; null: nothing, or what cannot be answered yet, which only who writes it sees.
+// The question of the step; null if it has none, or one that cannot be answered yet, which only the
+// editor shows.
 const LessonQuestion* question_of(const LessonState& state);
 
-// The step asks something, and the answer is not on screen yet.
+// Whether the step has a question whose answer is still hidden.
 bool hides_answer(const LessonState& state);
 
 void draw_lesson_question(const LessonHands& hands, LessonState& state,
                           const LessonQuestion& question);
 
-// A vote for an option, from 0; too late once the answer is seen. False: there is none such.
+// Adds a vote for an option, from 0; ignored once the answer is revealed. False: the option does
+// not exist.
 bool vote(LessonState& state, std::size_t option);
 
-// What is asked, in words with their numbers: for those who answer on devices of their own.
+// The question in words with numbers, for people who answer on their own devices.
 struct QuestionInWords {
     std::string ask;
     std::vector<std::string> options;
     bool is_revealed = false;
     std::vector<std::size_t> right;
-    std::string reveal;  // what is said with the answer
+    std::string reveal;  // part of the answer
 };
-// None: nothing is asked, or the model is on its way.
+// Nullopt without a question, or while the model still computes its answer.
 std::optional<QuestionInWords> question_in_words(const LessonState& state);
 
-// Votes of the step's question that did not come by hands, all of them: they are counted besides.
+// All votes from phones for the step's question; they count in addition to hands.
 void count_elsewhere(LessonState& state, const std::vector<int>& votes);
 
 struct LessonScore {
-    int asked = 0;  // and revealed, with votes
+    int asked = 0;  // revealed, with votes
     int right = 0;
 };
 

@@ -18,7 +18,7 @@ std::string paragraph(const LessonSheet& sheet, const std::string& text) {
     return "<p class=\"words\">" + html_escaped(filled(text, sheet.answers.numbers)) + "</p>\n";
 }
 
-// What the sheet says itself.
+// The sheet's own words.
 struct SheetWords {
     const char* language;
     const char* name;
@@ -39,7 +39,7 @@ constexpr auto kSheetWords = std::to_array<SheetWords>(
       "\ud328\ud134 \uc606\uc785\ub2c8\uae4c?",
       "\uba54\ubaa8", "\ub2f5", "\ucd9c\ucc98"}});
 
-// In English where the lesson's language is none of these.
+// English if the lesson's language has no words here.
 const SheetWords& words_of(const LessonSheet& sheet) {
     const auto& languages = sheet.lesson.languages;
     const auto* found = std::ranges::find_if(kSheetWords, [&](const SheetWords& words) {
@@ -54,7 +54,7 @@ QuestionAnswer answer_of_step(const LessonSheet& sheet, std::size_t k) {
     return k < sheet.answers.questions.size() ? sheet.answers.questions[k] : QuestionAnswer{};
 }
 
-// `mark` stands before it: the number of its step, or that it is the answer to what is above.
+// `mark` stands before it: the number of its step, or a mark for the answer.
 std::string answer_html(const LessonSheet& sheet, std::size_t k, const std::string& mark) {
     const LessonQuestion& question = *sheet.lesson.steps[k].question;
     const QuestionAnswer answer = answer_of_step(sheet, k);
@@ -125,7 +125,7 @@ std::string sources_html(const LessonSheet& sheet) {
     return html_section("sources", words_of(sheet).sources, "<ul>" + html + "</ul>");
 }
 
-// Saved by a click: a page asks nothing of a network, and nothing runs in it.
+// A click saves the lesson file: the page needs no network and runs no script.
 std::string lesson_link(const LessonSheet& sheet) {
     if (!is_handed_on(sheet)) return {};
     const std::string name = file_stem(sheet.lesson.name) + kLessonEnding;

@@ -30,7 +30,7 @@ bool is_back(const KeyPress& press) {
            press.code == key::kBackspace;
 }
 
-// While a class looks on, every key is the lesson's.
+// While presenting, every key belongs to the lesson.
 bool take_presenting_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
     if (state.blank && press.code != key::kEscape) {
         state.blank = false;
@@ -63,7 +63,7 @@ bool take_vote(LessonState& state, const KeyPress& press) {
     return vote(state, static_cast<std::size_t>(press.sign - U'1'));
 }
 
-// Order of the steps, and undo of what was written last.
+// Order of the steps, and undo of the last edit.
 bool take_editing_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
     const bool moves = press.alt && !press.ctrl && !press.super;
     if (moves && (press.code == key::kPageUp || press.code == key::kPageDown)) {
@@ -133,7 +133,7 @@ Lesson lesson_of_set(const Workspace& work) {
 
 namespace {
 
-// False: there is nothing to be shown.
+// False: there is nothing to present.
 bool start_set(const LessonHands& hands, LessonState& state) {
     Lesson lesson = lesson_of_set(hands.work);
     if (lesson.steps.empty()) return false;
@@ -181,7 +181,7 @@ std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& st
     const bool covered = hands.ui.dialog != Dialog::none || hands.ui.chooser.is_open ||
                          hands.ui.question.has_value();
     for (const KeyPress& press : pressed) {
-        // A box has no undo of its own: the lesson's reaches further.
+        // A text field has no undo of its own; the lesson's includes its edits.
         const bool is_of_box = typing && !covered && state.editing && state.box.id != 0;
         if (is_of_box && press.ctrl && take_editing_key(hands, state, press)) continue;
         if (typing || covered || !take_key(hands, state, press)) left.push_back(press);

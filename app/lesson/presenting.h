@@ -1,5 +1,5 @@
 // A lesson on a projector: the whole screen, large text, a clicker's keys, a blank screen, a
-// pointer that is seen, and notes for who speaks.
+// visible pointer, and notes for the speaker.
 //
 // Input     Page Up, Page Down, arrows, Enter, Space, Backspace, Home, End; B or full stop blanks;
 //           P plays or halts; M moves the card; N shows the speaker's notes in a second window;
@@ -16,27 +16,27 @@
 
 namespace tact {
 
-// The lesson under way, else the one that was open last, else the tour, on the whole screen; or
-// back to the window.
-// A lesson of the open set: a step for the map, and one for each pattern that counts. It names
+// Presents the running lesson, or the last open one, or the tour; called again, returns to the
+// window.
+// A lesson of the open set: one step for the map, and one for each pattern that counts. It names
 // patterns of the document, and has no set of its own.
 Lesson lesson_of_set(const Workspace& work);
 
-// The lesson under way where it is; else the open set, or the tour where that is empty. What shows
-// the set ends with presenting.
+// Presents the running lesson, or the open set, or the tour if the set is empty. A lesson of the
+// set ends with presenting.
 void toggle_presenting(const LessonHands& hands, LessonState& state);
 
 bool is_presenting(const LessonState& state);
 
-// How much larger than on a screen of 1280 x 720 everything is, at most four times: a class sees a
-// screen as a whole, however many pixels it has and however near to them its owner sits.
+// Magnification against a screen of 1280 x 720, at most 4: a class sees the screen as a whole,
+// whatever its number of pixels and the distance of its owner.
 float presented_growth(ImVec2 screen_px);
 
-// Keys that mean something to a lesson do it; those for the rest of the program are left.
+// Handles the keys that belong to lessons; leaves the rest of the program's.
 std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
                                        std::span<const KeyPress> pressed);
 
-// Over everything: the screen black, and a ring around the mouse while it moves.
+// Drawn over everything: the blank screen, and a ring around the moving mouse.
 void draw_over_presentation(Ui& ui, const LessonState& state);
 
 }  // namespace tact

@@ -43,7 +43,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-// None, or what is asked.
+// The kind of question, or none.
 bool draw_kind(Ui& ui, std::optional<LessonQuestion>& question) {
     const auto chosen = [&] { return static_cast<std::size_t>(question->kind); };
     bool changed = false;
@@ -69,7 +69,7 @@ bool draw_kind(Ui& ui, std::optional<LessonQuestion>& question) {
     return changed;
 }
 
-// Lines, and which of them is right.
+// Lines of options, with a tick at the right one.
 bool edit_options(Ui& ui, TextBox& box, LessonQuestion& question) {
     std::string text = joined_lines(question.options);
     bool changed = edit_text(ui, box, "##options", "Options, one a line", 3, text);
@@ -91,7 +91,7 @@ bool edit_options(Ui& ui, TextBox& box, LessonQuestion& question) {
     return changed;
 }
 
-// The two that are held against each other on screen.
+// The two compared on screen.
 std::optional<PatternPair> pair_on_screen(const LessonHands& hands) {
     const auto pair = chosen_pair(hands.work, hands.shown_map);
     if (!pair) return std::nullopt;

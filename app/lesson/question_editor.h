@@ -1,4 +1,4 @@
-// What a step asks, as fields: its kind, words, and what can be chosen.
+// The question of a step as fields: its kind, words and options.
 //
 // Output    steps of undo of the lesson; answers that the model gives are not typed
 #pragma once

@@ -12,7 +12,7 @@ namespace tact {
 namespace {
 
 constexpr double kMinuteS = 60.0;
-constexpr float kNotesText = 2.0F;  // read from a lectern
+constexpr float kNotesText = 2.0F;  // readable from a lectern
 
 std::string right_of(const QuestionAnswer& answer, const LessonNumbers& numbers) {
     std::string text;

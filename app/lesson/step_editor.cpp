@@ -46,7 +46,7 @@ void draw_step_buttons(const LessonHands& hands, LessonState& state) {
     }
 }
 
-// Where the map's camera stands, taken from the screen.
+// Takes the map's camera from the screen.
 void draw_camera_row(const LessonHands& hands, LessonState& state, const LessonStep& step) {
     const auto later = [&](bool taken) {
         hands.ui.waiting.emplace_back([hands, &state, taken] { take_camera(hands, state, taken); });
@@ -80,7 +80,7 @@ void draw_undo(const LessonHands& hands, LessonState& state) {
     }
 }
 
-// A field shows no numbers; the text as a class will see it.
+// A field shows no numbers: this is the text as the class sees it.
 void draw_as_shown(Ui& ui, const LessonState& state) {
     const LessonAnswers* answers = answers_of(state);
     const LessonStep* step = step_of(state);
@@ -93,7 +93,7 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
     note_item(ui.rects, "lesson edit:shown", text);
 }
 
-// What the lesson is called and about, on its first card.
+// The lesson's name and description, on its first card.
 void draw_lesson_name(const LessonHands& hands, LessonState& state) {
     LessonWords words{state.shown->name, state.shown->about};
     bool changed =

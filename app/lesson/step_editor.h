@@ -1,4 +1,4 @@
-// The step under way as fields: texts, question, camera, and what to do with it.
+// The current step as fields: texts, question, camera, and buttons.
 //
 // Left out  pattern, partner, stage and times, which are taken from the screen (lesson_edit.h)
 #pragma once
@@ -11,7 +11,7 @@ namespace tact {
 
 void draw_step_editor(const LessonHands& hands, LessonState& state);
 
-// A text with its label above; "lesson edit:ID" for tests. True when it was changed.
+// A text with its label above; "lesson edit:ID" for tests. True if it changed.
 bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int lines,
                std::string& text);
 

@@ -1,4 +1,4 @@
-// A course: lessons in an order; and how far each student has come in lessons.
+// A course: an ordered list of lessons; and each student's progress in lessons.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace tact {
 struct Course {
     std::string name;
     std::string about;
-    // "beats", one that comes with the program; or a lesson file, relative to the course's.
+    // "beats", a bundled lesson; or a lesson file, relative to the course's.
     std::vector<std::string> lessons;
-    std::string unknown_json;  // keys of the file that this version does not know, kept on save
+    std::string unknown_json;  // unknown keys of the file, kept on save
 
     bool operator==(const Course&) const = default;
 };
 
-// What a student said before the answer was seen.
+// An answer of a student before the right one was revealed.
 struct GivenAnswer {
     std::string question;
     std::string answer;
@@ -29,8 +29,8 @@ struct GivenAnswer {
 };
 
 struct LessonProgress {
-    std::size_t reached = 0;                     // steps seen, from the first
-    std::size_t steps = 0;                       // of the lesson
+    std::size_t reached = 0;                     // number of seen steps, from the first
+    std::size_t steps = 0;                       // steps of the lesson
     std::map<std::size_t, GivenAnswer> answers;  // by step, from 0
 
     bool operator==(const LessonProgress&) const = default;

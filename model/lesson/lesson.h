@@ -1,10 +1,11 @@
-// A lesson: a set, and steps through what the model makes of its patterns, with what is said,
-// asked and pointed at.
+// A lesson: a set, and steps through the model's results for its patterns, with texts, questions
+// and pointers.
 //
-// Numbers of the model stand in a text as what they are to be, in braces: "{nc | A | B}"
-// (lesson_numbers.h). Nobody types them, so that they follow the model.
+// Numbers of the model stand in a text as placeholders in braces: "{nc
+// A
+// B}" (lesson_numbers.h). Nobody types the values, so that they follow the model.
 //
-// Left out  where it is stored (model/io/lesson), what is shown and how (app/lesson).
+// Left out  its file (model/io/lesson), its display (app/lesson).
 #pragma once
 
 #include <array>
@@ -18,17 +19,17 @@
 
 namespace tact {
 
-// What of the program a step shows: all stages small, one of them large, or the map.
+// The part of the program that a step shows: all stages small, one of them large, or the map.
 inline constexpr std::array<const char*, 11> kLessonViews{
     "all",      "vibration", "spectrum", "filtered", "receptors", "spikes",
     "networks", "central",   "brain",    "envelope", "map"};
 
 enum class QuestionKind {
     choice,     // the lesson's own options
-    receptors,  // which types fire on the step's pattern
-    closest,    // which of the pairs PM puts nearest together
-    farthest,   // or farthest apart
-    place       // where in the map the step's pattern lies, which is hidden there until then
+    receptors,  // the types that fire on the step's pattern
+    closest,    // the pair with the smallest PM
+    farthest,   // the pair with the largest PM
+    place       // the place of the step's pattern in the map, which hides it until the answer
 };
 
 inline constexpr std::array<const char*, 5> kQuestionKinds{"choice", "receptors", "closest",
@@ -47,7 +48,7 @@ struct LessonQuestion {
     std::vector<std::string> options;  // of a choice
     std::size_t answer = 0;            // of a choice: the right one
     std::vector<PatternPair> pairs;    // of closest and farthest
-    std::string reveal;                // said with the answer
+    std::string reveal;                // shown with the answer
 
     bool operator==(const LessonQuestion&) const = default;
 };
@@ -60,7 +61,7 @@ struct LessonCamera {
     bool operator==(const LessonCamera&) const = default;
 };
 
-// A step's texts in a further language; an empty one is the first language's.
+// A step's texts in a further language; an empty one falls back to the first language's.
 struct StepWords {
     std::string title;
     std::string text;
@@ -72,7 +73,7 @@ struct StepWords {
     bool operator==(const StepWords&) const = default;
 };
 
-// The same of the lesson as a whole.
+// The same for the lesson as a whole.
 struct LessonWords {
     std::string name;
     std::string about;
@@ -83,20 +84,21 @@ struct LessonWords {
 struct LessonStep {
     std::string title;
     std::string text;
-    std::string note;    // for who speaks
-    std::string source;  // of what the text says of the body
+    std::string note;    // for the speaker
+    std::string source;  // of the text's statements about the body
     std::string pattern;
     std::string partner;  // compared with it; empty: none
     std::string view = "all";
-    std::string point_at;  // a widget by its name, outlined: "grid FA2"
+    std::string point_at;  // outlines a widget by its name: "grid FA2"
     double at_s = 0.0;     // of the playhead
-    double speed = 0.0;    // of it; 0: it stands still
-    double from_s = 0.0;   // of all time axes ...
-    double to_s = 0.0;     // ... up to there; both 0: the whole pattern
+    double speed = 0.0;    // of the playhead; 0: it stands still
+    double from_s = 0.0;   // start of all time axes ...
+    double to_s = 0.0;     // ... and their end; both 0: the whole pattern
     std::optional<LessonCamera> camera{};
     std::optional<LessonQuestion> question{};
     std::vector<StepWords> words{};  // in the lesson's further languages, in their order
-    std::string unknown_json{};      // keys of the step, its camera and its question, kept on save
+    std::string unknown_json{};      // unknown keys of the step, its camera and its question, kept
+                                     // on save
 
     bool operator==(const LessonStep&) const = default;
 };
@@ -107,35 +109,35 @@ inline constexpr Range kLessonTimeS{0.0, 60.0};
 inline constexpr Range kLessonAngleRad{-10.0, 10.0};
 inline constexpr Range kLessonZoom{0.1, 40.0};
 inline constexpr std::size_t kMaxSteps = 200;
-inline constexpr std::size_t kMaxOptions = 9;   // a number key each
-inline constexpr std::size_t kLeastPlaced = 4;  // patterns of a set in whose map one is placed
+inline constexpr std::size_t kMaxOptions = 9;   // one number key per option
+inline constexpr std::size_t kLeastPlaced = 4;  // in a set for placing a pattern in its map
 inline constexpr std::size_t kMaxLanguages = 20;
 }  // namespace limits
 
 struct Lesson {
     std::string name;
-    std::string about;     // for whom, how long
-    std::string set_name;  // of a set that comes with the program; empty: the lesson's own
+    std::string about;     // audience, duration
+    std::string set_name;  // of a bundled set; empty: the lesson's own
     PatternSet set;
     std::vector<LessonStep> steps;
-    // Of its texts, as "en" or "pt-BR" (lesson_languages.h): the first is that of the texts above;
-    // none: which it is is not told.
+    // Codes of its languages, "en" or "pt-BR" (lesson_languages.h): the first is that of the texts
+    // above; empty: the language is unknown.
     std::vector<std::string> languages;
-    std::vector<LessonWords> words;  // in the further ones, in their order
-    std::string unknown_json;  // keys of the file that this version does not know, kept on save
+    std::vector<LessonWords> words;  // in the further languages, in their order
+    std::string unknown_json;        // unknown keys of the file, kept on save
 
     bool operator==(const Lesson&) const = default;
 };
 
-// What a step's question still needs before it can be answered, in words that follow "expected";
-// empty: nothing, or the step asks nothing.
+// The missing part of a step's question, in words that follow "expected"; empty: it can be
+// answered, or the step has no question.
 std::string question_needs(const LessonStep& step, std::size_t patterns);
 
-// The step's source without what its author has not looked up and says so: "Helmholtz 1863 (not
-// looked up); sin a + sin b" gives "sin a + sin b". Such a remark is for authors.
+// The step's source without references marked as not looked up, a remark for authors: "Helmholtz
+// 1863 (not looked up); sin a + sin b" gives "sin a + sin b".
 std::string source_for_class(const LessonStep& step);
 
-// Every text of a step in which numbers may stand, in order; those of the further languages behind.
+// Every text of a step that may contain numbers, in order; those of further languages come last.
 std::vector<std::string> texts_of(const LessonStep& step);
 
 }  // namespace tact

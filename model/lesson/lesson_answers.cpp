@@ -45,7 +45,7 @@ std::string pair_name(const Lesson& lesson, const PatternPair& pair) {
     return pair.a + number_in(" and ", language_of(lesson)) + pair.b;
 }
 
-// Places of the least, or of the most, of some numbers; several where they are equal.
+// Indices of the smallest, or of the largest, of some numbers; several if they are equal.
 std::vector<std::size_t> extreme_places(const std::vector<double>& values, bool least) {
     const double best =
         least ? *std::ranges::min_element(values) : *std::ranges::max_element(values);
@@ -73,7 +73,7 @@ std::string chosen_text(const std::vector<std::string>& options,
     return text.empty() ? "none" : text;
 }
 
-// What people say of the same pairs, where the set has ratings of all of them.
+// People's answer on the same pairs, if the set has ratings of all of them.
 std::string people_text(const PatternSet& set, const LessonQuestion& question,
                         const std::vector<std::string>& options) {
     const auto mean = people_of(set);
@@ -105,7 +105,7 @@ QuestionAnswer answer_of_pairs(const Lesson& lesson, const LessonQuestion& quest
     return answer;
 }
 
-// Next to which of the others: of many, the nearest ones can be chosen from.
+// The nearest neighbour among the others; of many, only the nearest ones are options.
 QuestionAnswer answer_of_place(const Lesson& lesson, const LessonStep& step,
                                const LessonPairs& pairs) {
     QuestionAnswer answer;
@@ -126,7 +126,7 @@ QuestionAnswer answer_of_place(const Lesson& lesson, const LessonStep& step,
         answer.model += ", to " + name(others[1]) + " " + plain_digits(pm(others[1]), 3);
     }
     answer.model += ".";
-    std::ranges::sort(others);  // as the set has them: their order tells nothing
+    std::ranges::sort(others);  // in the order of the set, which reveals nothing
     for (const std::size_t k : others) {
         if (pm(k) == least) answer.right.push_back(answer.options.size());
         answer.options.push_back(name(k));
@@ -149,7 +149,8 @@ QuestionAnswer answer_of_receptors(const Lesson& lesson, const LessonStep& step,
                         traits(receptor).name + " " + count;
     }
     answer.model += ".";
-    // An answer that is right by the model, and hardly by anatomy; the lesson may say so itself.
+    // A remark if an answer is right by the model, but hardly by anatomy; the lesson may say so
+    // itself.
     constexpr std::string_view kFound = "ruffini found";
     const bool is_said = step.question->reveal.find(kFound) != std::string::npos;
     if (!is_said && coded.firing[index_of(Receptor::ruffini)] == Firing::fires) {

@@ -1,6 +1,6 @@
-// What a lesson that is being written still lacks before a class can see it.
+// The missing parts of a lesson, without which a class cannot see it.
 //
-// Output    sentences without their stop, in the order of the steps; none: it is whole
+// Output    sentences without full stop, in the order of the steps; empty: it is complete
 #pragma once
 
 #include <string>
@@ -10,16 +10,17 @@
 
 namespace tact {
 
-// Patterns that the set has not, numbers that the model cannot give, questions without an answer.
+// Patterns missing in the set, numbers that the model cannot compute, questions without an answer.
 std::vector<std::string> step_lacks(const LessonStep& step, const PatternSet& set);
 
-// The same of all steps, each with the step that it is about.
+// The same for all steps, each with the number of its step.
 std::vector<std::string> lesson_lacks(const Lesson& lesson);
 
-// The set has every pattern that the step names.
+// Whether the set has every pattern that the step names.
 bool has_its_patterns(const LessonStep& step, const PatternSet& set);
 
-// The step's question can be asked: it needs nothing, and the set has every pattern that it names.
+// Whether the step's question can be asked: it is complete, and the set has every pattern that it
+// names.
 bool is_question_whole(const LessonStep& step, const PatternSet& set);
 
 }  // namespace tact

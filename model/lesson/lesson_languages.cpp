@@ -16,9 +16,9 @@ namespace {
 // A text of a step, in the first language and in the others.
 struct TextOfStep {
     const char* name;
-    std::string& (*in_first)(LessonStep&);  // of a step that asks, where it belongs to a question
+    std::string& (*in_first)(LessonStep&);  // requires a question if is_asked
     std::string StepWords::*in_other;
-    bool is_asked;  // it is the question's
+    bool is_asked;  // it belongs to the question
 };
 
 constexpr auto kTexts = std::to_array<TextOfStep>(
@@ -39,7 +39,7 @@ void tidy(StepWords& words) {
     while (!words.options.empty() && words.options.back().empty()) words.options.pop_back();
 }
 
-// As it is shown in a further language.
+// The step as shown in a further language.
 LessonStep shown_step(LessonStep step, std::size_t further) {
     const StepWords words = further < step.words.size() ? step.words[further] : StepWords{};
     for (const TextOfStep& text : kTexts) {
@@ -58,7 +58,7 @@ LessonStep shown_step(LessonStep step, std::size_t further) {
     return step;
 }
 
-// Lines that are equal at the head and at the foot belong together; what is between them is new.
+// Equal lines at the beginning and at the end belong together; those in between are new.
 void follow_options(const std::vector<std::string>& before, const std::vector<std::string>& after,
                     std::vector<std::string>& translated) {
     if (before.size() == after.size()) return;
@@ -83,7 +83,7 @@ std::vector<std::string> options_of(const LessonStep& step) {
     return step.question ? step.question->options : std::vector<std::string>{};
 }
 
-// What was written in a further language; the first one's texts stay as they were.
+// Takes texts written in a further language; the first language's texts stay unchanged.
 void keep_words(const LessonStep& stored, const LessonStep& shown, LessonStep after,
                 std::size_t further, LessonStep& result) {
     result.words.resize(std::max(result.words.size(), further + 1));
@@ -94,14 +94,14 @@ void keep_words(const LessonStep& stored, const LessonStep& shown, LessonStep af
         if (text.is_asked && !after.question) continue;
         const std::string now = text.in_first(after);
         const bool had_it = !text.is_asked || stored.question;
-        if (!had_it) continue;  // a question that is new is the first language's
+        if (!had_it) continue;  // a new question belongs to the first language
         if (now != text.in_first(before)) words.*text.in_other = now;
         text.in_first(result) = text.in_first(first);
     }
     if (!after.question || !stored.question) return;
     const std::vector<std::string> was = options_of(before);
     const std::vector<std::string>& now = after.question->options;
-    result.question->options = options_of(stored);  // how many there are is the first one's to say
+    result.question->options = options_of(stored);  // the first language determines their number
     words.options.resize(was.size());
     for (std::size_t k = 0; k < was.size(); ++k) {
         const std::string line = k < now.size() ? now[k] : std::string();

@@ -1,11 +1,11 @@
-// A lesson in several languages, beside one set and the same numbers.
+// A lesson in several languages, with one set and the same numbers.
 //
 // The texts of a lesson and its steps are in its first language; `words` of both have those of the
-// further ones. A text that one of them lacks is shown in the first.
+// further ones. A missing translation is shown in the first language.
 //
 // Source    BCP 47 (RFC 5646): codes of languages; ISO 639-1
-// Left out  names of patterns and of receptors, and units, which are names: they stay as they are.
-//           A source is one in every language, as its title is.
+// Left out  names of patterns and of receptors, and units, which are not translated. A source is
+//           the same in every language, as its title is.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct NamedLanguage {
     const char* name;
 };
 
-// Those that can be chosen in the window; a file may have others.
+// Languages offered in the window; a file may have others.
 inline constexpr auto kNamedLanguages = std::to_array<NamedLanguage>({{"en", "English"},
                                                                       {"de", "German"},
                                                                       {"es", "Spanish"},
@@ -42,33 +42,33 @@ inline constexpr auto kNamedLanguages = std::to_array<NamedLanguage>({{"en", "En
 // "en", "pt-BR".
 bool is_language_code(std::string_view code);
 
-// "German"; of one that is not listed, the code.
+// "German"; for a language that is not listed, the code.
 std::string language_name(std::string_view code);
 
-// The place of the language among the lesson's; 0, the first, where it has not got it.
+// Index of the language among the lesson's; 0, the first, if it does not have it.
 std::size_t language_place(const Lesson& lesson, std::string_view code);
 
-// As it is shown in one of its languages: that one is its first, and it has no other.
+// The lesson as shown in one of its languages, which becomes its first and only one.
 std::shared_ptr<const Lesson> in_language(const std::shared_ptr<const Lesson>& lesson,
                                           std::size_t place);
 
-// The step after its texts were written on as they are shown in a language. What is not of one
-// language (pattern, view, which option is right) is `after`'s; options that were put in or taken
-// out in the first language leave the translations of the others where they belong.
+// The stored step with edits that were made while a language was shown. Everything but texts
+// (pattern, view, the right option) is `after`'s; options added or removed in the first language
+// leave the other languages' translations with their options.
 LessonStep with_words(const LessonStep& step, const LessonStep& shown, const LessonStep& after,
                       std::size_t place);
 
-// The same of name and about.
+// The same for name and description.
 Lesson with_words(Lesson lesson, const LessonWords& after, std::size_t place);
 
-// A further language, which nothing is written in yet; a lesson that tells none is in English.
+// A further language without texts yet; a lesson with an unknown language is in English.
 Lesson with_language(Lesson lesson, const std::string& code);
 
-// Without a further language and all that was written in it.
+// Removes a further language with all its texts.
 Lesson without_language(Lesson lesson, std::size_t place);
 
-// What is not translated, and translations with other numbers than the first language has:
-// sentences without their stop.
+// Missing translations, and translations with other numbers than the first language: sentences
+// without full stop.
 std::vector<std::string> translation_lacks(const Lesson& lesson);
 
 }  // namespace tact

@@ -19,7 +19,7 @@ std::optional<Dissimilarity> people_of(const PatternSet& set) {
 }
 
 LessonMaps lesson_maps(const PatternSet& set, const Prediction& prediction, std::stop_token stop) {
-    constexpr int kDimensions = 3;  // of the paper
+    constexpr int kDimensions = 3;  // the paper's number of dimensions
     LessonMaps maps;
     const MdsParams params = standard_mds_params(set.vibrations.size(), kDimensions);
     const PerceptualSpace pm = nonmetric_mds(prediction.pm, params, stop);

@@ -79,7 +79,7 @@ bool is_parametric(const std::string& word) {
     return std::ranges::find(kOfParameters, word) != kOfParameters.end();
 }
 
-// Words that are said of a first carrier's one frequency.
+// Numbers that need a first carrier with a single frequency.
 bool is_of_frequency(const std::string& word) {
     return word == "frequency" || word == "displacement" || word == "threshold" ||
            word == "per cycle";
@@ -148,7 +148,7 @@ std::string list_of_words() {
     return text;
 }
 
-// ---- what a pattern's stages say ----
+// ---- numbers of a pattern's stages ----
 
 const ChannelStages& channel_of(const CodedPattern& coded, Receptor receptor) {
     return coded.stages.channel[index_of(receptor)];
@@ -209,7 +209,7 @@ bool is_of_table(const std::string& word) {
     return word == "density" || word == "interval" || word == "weight";
 }
 
-// What the model gives a type, whatever the pattern.
+// The model's constants of a type, independent of the pattern.
 std::string value_of_table(const std::string& word, Receptor receptor, const PatternSet& set) {
     if (word == "density")
         return plain_digits(traits(receptor).density_per_mm2, 3) + " per mm\u00b2";

@@ -1,4 +1,4 @@
-// What of a lesson's set its numbers are read from. Private to the lesson.
+// The results from which a lesson's numbers are read. Private to the lesson.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// That many digits that count, and of a larger number its whole part, as pictures have it: "2414"
+// This many significant digits, and all digits before the decimal point, as in pictures: "2414"
 // with three.
 std::string plain_digits(double value, int count);
 
@@ -22,7 +22,7 @@ struct CodedPattern {
     PerReceptor<Firing> firing{};
 };
 
-// None: not asked for, or there is none.
+// Nullopt: not asked for, or undefined.
 struct LessonMaps {
     std::optional<double> pm_stress;
     std::optional<double> people_stress;
@@ -30,15 +30,15 @@ struct LessonMaps {
     std::optional<double> rho;
 };
 
-// What people said of the lesson's patterns, as a matrix of its set; empty: nobody rated them.
+// People's ratings of the lesson's patterns, as a matrix of its set; nullopt: nobody rated them.
 std::optional<Dissimilarity> people_of(const PatternSet& set);
 
 LessonMaps lesson_maps(const PatternSet& set, const Prediction& prediction, std::stop_token stop);
 
 struct LessonPairs {
-    std::vector<CodedPattern> coded;       // of each pattern; empty where no text asks for any
-    std::optional<Prediction> prediction;  // where a text or a question asks for pairs
-    LessonMaps maps;                       // where a text asks for maps
+    std::vector<CodedPattern> coded;       // one per pattern; empty if no text needs it
+    std::optional<Prediction> prediction;  // if a text or a question needs pairs
+    LessonMaps maps;                       // if a text needs maps
 };
 
 LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs);
@@ -47,7 +47,7 @@ LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_p
 std::string pair_text(const std::string& word, const LessonPairs& pairs, std::size_t a,
                       std::size_t b);
 
-// Of a placeholder without fault.
+// The value of a placeholder without fault.
 std::string value_of(const std::string& placeholder, const PatternSet& set,
                      const LessonPairs& pairs);
 

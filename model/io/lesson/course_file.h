@@ -1,10 +1,10 @@
-// The course file, `.tactcourse.json`, and what is kept of a class.
+// The course file, `.tactcourse.json`, and the progress of a class.
 //
 //     {
 //       "tactcourse": 1,                the format
-//       "name": "Touch", "about": "For whom, how long",
-//       "lessons": ["tour", "mine.tactlesson.json"]   in their order: names of those that come with
-//                                       the program, or lesson files, relative to this one
+//       "name": "Touch", "about": "Audience, duration",
+//       "lessons": ["tour", "mine.tactlesson.json"]   in order: names of bundled lessons,
+//                                       or lesson files, relative to this one
 //     }
 //
 // Source    format 1: UTF-8 JSON; unknown keys are kept on save
@@ -31,12 +31,12 @@ Expected<Course> parse_course(std::string_view text, const std::string& name_for
 Expected<Course> read_course_file(const std::filesystem::path& path);
 std::string print_course(const Course& course);
 
-// What students did, as the program keeps it for itself.
+// Students' progress, in the program's own file.
 Expected<ClassProgress> parse_progress(std::string_view text, const std::string& name_for_messages);
 std::string print_progress(const ClassProgress& progress);
 
-// A row for each answer: student, lesson, step from 1, question, answer, right as 1 or 0, when as
-// UTC to the minute.
+// One row per answer: student, lesson, step from 1, question, answer, right as 1 or 0, when as UTC
+// to the minute.
 std::string answers_csv(const ClassProgress& progress);
 
 }  // namespace tact

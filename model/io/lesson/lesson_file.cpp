@@ -31,7 +31,7 @@ bool is_bundled(const std::string& name) {
     return false;
 }
 
-// Its own, or one that comes with the program.
+// Its own set, or a bundled one.
 void read_set(JsonObject& object, Lesson& lesson, const fs::path& folder) {
     JsonReading& reading = *object.reading;
     const Json* value = field(object, "set");
@@ -56,7 +56,7 @@ void read_set(JsonObject& object, Lesson& lesson, const fs::path& folder) {
     }
 }
 
-// Each once, and such as can be one.
+// Each once, with a valid code.
 void read_languages(JsonObject& object, Lesson& lesson) {
     for (const Json* value : array_field(object, "languages", 0, limits::kMaxLanguages)) {
         const std::string code = value->is_string() ? value->get<std::string>() : std::string();

@@ -11,12 +11,12 @@ namespace tact {
 
 namespace {
 
-// Options or pairs: those that a question of another kind left behind may be as few as they are.
+// The least number of options or pairs: 0 if the present kind of question does not use them.
 std::size_t least_of(const LookUp& look_up, bool is_asked) {
     return look_up.is_draft || !is_asked ? 0 : 2;
 }
 
-// Its numbers are such as the model can give.
+// Refuses numbers that the model cannot compute.
 void need_numbers(JsonReading& reading, const std::string& place, const LookUp& look_up,
                   const std::string& text) {
     if (look_up.is_draft) return;
@@ -43,7 +43,7 @@ std::string step_text(JsonObject& object, std::string_view key, const LookUp& lo
     });
 }
 
-// The step's text in a further language; empty: none.
+// The step's text in a further language; empty: not translated.
 template <class Words, class Text>
 Text translation_of(const std::vector<Words>& words, std::size_t place, Text Words::*member) {
     return place < words.size() ? words[place].*member : Text{};
@@ -80,7 +80,7 @@ PatternPair pair_of(JsonReading& reading, const Json& value, const std::string& 
     return pair;
 }
 
-// Texts, or objects with one in each language.
+// Texts, or objects with one text per language.
 void read_options(JsonObject& object, const LookUp& look_up, LessonStep& step,
                   LessonQuestion& question) {
     const std::size_t least = least_of(look_up, question.kind == QuestionKind::choice);
@@ -128,7 +128,7 @@ LessonCamera camera_of(JsonObject& object) {
     return camera;
 }
 
-// What belonged to a question or a camera that the step has no more is gone with it.
+// Unknown keys of a removed question or camera are removed as well.
 void restore(Json& fields, const std::string& unknown_json) {
     if (unknown_json.empty()) return;
     Json unknown = kept_json(unknown_json);

@@ -12,26 +12,26 @@
 
 namespace tact {
 
-// What the texts, the names and the numbers of a lesson have to be found in.
+// The set and the languages that texts, names and numbers of a lesson must match.
 struct LookUp {
     const PatternSet& set;
     const std::vector<std::string>& languages;
-    bool is_draft = false;  // then patterns and numbers need not be there yet
+    bool is_draft = false;  // patterns and numbers may be missing
 };
 
-// A text, which may be there in several languages: {"en": "..", "de": ".."}. `translate` gets the
-// place of each further language among them, from 0, and its text.
+// A text, which may be given in several languages: {"en": "..", "de": ".."}. `translate` gets the
+// index of each further language, from 0, and its text.
 std::string text_of_languages(JsonObject& object, std::string_view key, const LookUp& look_up,
                               const std::function<void(std::size_t, std::string)>& translate);
 
-// The other way: a plain text where no language but the first has one.
+// The inverse: a plain text if only the first language has one.
 Json json_of_languages(const std::string& text, const std::vector<std::string>& languages,
                        const std::function<std::string(std::size_t)>& translation);
 
-// A step. A draft may lack what model/lesson/lesson_lacks.h lists.
+// A step. A draft may lack the parts listed in model/lesson/lesson_lacks.h.
 LessonStep step_of(JsonObject& object, const LookUp& look_up);
 
-// Only what differs from the defaults.
+// Only fields that differ from the defaults.
 Json json_of(const LessonStep& step, const std::vector<std::string>& languages);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// Answers that come from devices of a class's own, beside the hands.
+// Votes from a class's own devices, in addition to hands.
 #include "app/lesson/lesson_question.h"
 #include "tests/support/lesson_class.h"
 
@@ -8,7 +8,7 @@ using namespace tact;
 
 namespace {
 
-// At its first question.
+// A lesson at its first question.
 struct Asking : Class {
     Asking() {
         begin(kTourLesson);
@@ -49,7 +49,7 @@ TEST_CASE("lesson: votes from elsewhere are counted besides hands, once, and unt
     count_elsewhere(asking.lesson(), {2, 1});
     CHECK(asking.tally().votes[0] == 3);
     CHECK(asking.tally().votes[1] == 1);
-    count_elsewhere(asking.lesson(), {1, 2});  // one has thought better of it
+    count_elsewhere(asking.lesson(), {1, 2});  // one person changed their mind
     CHECK(asking.tally().votes[0] == 2);
     CHECK(asking.tally().votes[1] == 2);
     asking.tally().revealed = true;

@@ -1,4 +1,4 @@
-// Nothing that was written in a lesson is lost: kept, asked about, or saved, unfinished or whole.
+// No edit of a lesson is lost: it is in the autosave, asked about, or saved, complete or not.
 #include "app/lesson/lesson_keeping.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Somebody writes a lesson of four steps, in a session of its own.
+// An author of a lesson of four steps, in a session of its own.
 struct Writing : Class {
     TemporaryFolder folder;
 
@@ -44,7 +44,7 @@ struct Writing : Class {
     fs::path file() const { return lesson_autosave(app.work.session.autosave); }
     std::string step_title() const { return step_of(app.lesson)->title; }
     std::vector<LessonStep> steps() const { return app.lesson.lesson->steps; }
-    // As a program that was killed leaves it.
+    // Leaves the program as if it was killed.
     RestoredLesson after_kill() const {
         Session later = app.work.session;
         return restore_lesson(later);
@@ -178,7 +178,8 @@ TEST_CASE("lesson kept: an unfinished lesson is saved as a draft, and told what 
     REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
     CHECK(again->steps == program.steps());
     CHECK(lesson_lacks(*again).size() == 2);
-    // A class sees no question that cannot be answered. Numbers that come move what is below them.
+    // A class never sees a question that cannot be answered. Numbers that arrive move the rows
+    // below them.
     program.wait_for_numbers();
     program.click("lesson edit:check");
     REQUIRE(program.app.ui.question);

@@ -1,4 +1,4 @@
-// Placing a pattern in the map oneself: hidden, put somewhere, revealed.
+// Placing a pattern in the map oneself: hidden, placed, revealed.
 #include "app/lesson/lesson_place.h"
 
 #include <doctest/doctest.h>
@@ -55,7 +55,7 @@ TEST_CASE("place: a click puts it there, and how far off that was is told with t
     program.window.click(there);
     program.settle();
     REQUIRE(program.tally().place);
-    // Nothing else was clicked.
+    // No other click happened.
     CHECK(program.app.work.document.set.vibrations[program.app.work.selection.current].name ==
           "AM 80 Hz");
     const auto& map = program.app.shown_map.transition;
@@ -72,11 +72,11 @@ TEST_CASE("place: a click puts it there, and how far off that was is told with t
     char words[64];
     std::snprintf(words, sizeof words, "off by %.0f %% of the map's width", 100.0 * off);
     CHECK(program.at("lesson:answer").value.find(words) != std::string::npos);
-    // A hand for the pattern it was put next to, which the model does not have nearest.
+    // A vote for the pattern nearest to the place, which is not the model's nearest.
     CHECK(program.at("option:1").value == "1");
     CHECK(score_of(program.lesson()).asked == 1);
     CHECK(score_of(program.lesson()).right == 0);
-    // What is revealed stays where it was put.
+    // After revealing, the cross stays at its place.
     program.window.click(program.at("point:beats").middle());
     program.settle();
     CHECK((*program.tally().place)[0] == put(0));
@@ -97,7 +97,7 @@ TEST_CASE("place: Shift and the arrows move the cross, also before a class") {
     CHECK((*program.tally().place)[0] > begun[0]);
     CHECK((*program.tally().place)[1] > begun[1]);
     CHECK(program.lesson().step == at);
-    // Exactly there it is off by nothing, and right.
+    // At the model's own place the error is zero, and the answer right.
     const Eigen::RowVectorXd model = program.place_of_model();
     program.tally().place = MapPlace{model(0), model(1)};
     program.press_key(key::kPageDown);

@@ -1,5 +1,5 @@
-// F5: the lesson under way, else the person's own set; where a lesson begins that was left; and
-// what a class may see.
+// F5 presents the running lesson, or the person's own set; a lesson continues where it was left;
+// and the parts that a class may see.
 #include <doctest/doctest.h>
 
 #include "app/lesson/lesson_edit.h"
@@ -43,7 +43,7 @@ TEST_CASE("F5: with no lesson open it shows the open set, a step for the map and
     const auto map = program.app.shown_map.transition.shown;
     program.press_key(kF5);
     REQUIRE(is_presenting(program.lesson()));
-    CHECK_FALSE(program.lesson().aside);  // it is the document itself
+    CHECK_FALSE(program.lesson().aside);  // the shown set is the document itself
     CHECK(program.lesson().shown->set.vibrations.empty());
     CHECK(program.at("tour").value == "1 of 3");
     CHECK(program.shows("pane:Perceptual space"));
@@ -87,7 +87,7 @@ TEST_CASE("F5: an empty document shows the tour, which asks where it was left") 
     REQUIRE(program.app.ui.question);
     CHECK(program.app.ui.question->text.find("step 5 of 19") != std::string::npos);
     CHECK(program.app.lesson.step == 0U);
-    program.press_key(key::kEnter);  // a new lecture begins at its beginning
+    program.press_key(key::kEnter);  // a new lecture starts at the first step
     CHECK(program.app.lesson.step == 0U);
     program.press_key(key::kEscape);
     CHECK(program.app.lesson.left_at.empty());  // left at its first step
@@ -133,7 +133,7 @@ TEST_CASE("a duplicate is an unsaved copy, of a lesson that comes with the progr
 
 TEST_CASE("what is handed on has notes, answers, and a lesson that needs no other file") {
     Lesson lesson = *bundled_lesson(kBundledLessons[4].path);
-    lesson.set_name = "pm_2023_twelve";  // of a file that has no set of its own
+    lesson.set_name = "pm_2023_twelve";  // from a file without a set of its own
     lesson.steps[0].note = "For who speaks";
     const LessonAnswers answers = lesson_answers(lesson, {}, false);
     const auto file = whole_lesson_file(lesson);
@@ -186,7 +186,7 @@ TEST_CASE("nothing that a class sees says that its author has not looked it up")
         CAPTURE(text_of(stage).name);
         CHECK(std::string(text_of(stage).source).find("looked up") == std::string::npos);
     }
-    // On the card the author sees it, and the class does not.
+    // The author sees it on the card, and the class does not.
     Class program;
     new_lesson(hands_of(program.app), program.lesson());
     LessonStep step = *step_of(program.lesson());
@@ -266,7 +266,7 @@ TEST_CASE("each edit of a lesson is undone to what was before, and done again to
         CHECK(*state.lesson == before);
         redo_lesson(hands, state);
         CHECK(*state.lesson == after);
-        // What is written is what a file holds.
+        // A file of the lesson has the same steps.
         CHECK(parse_lesson(print_lesson(after, {}), "lesson", {})->steps == after.steps);
         program.settle();
     }
@@ -313,7 +313,7 @@ TEST_CASE("letters that no font here has are told with the package that has them
     };
     write("Größe, 0,5 µm");
     CHECK_FALSE(program.shows("lesson:lacking"));
-    write("\U0000E9A5");  // of private use: no font gives it a shape
+    write("\U0000E9A5");  // private use: no font has a shape for it
     CHECK(program.at("lesson:lacking").value.find("package") != std::string::npos);
     CHECK(package_for(U"한국어") == std::string("The package fonts-nanum"));
     CHECK(package_for(U"한日") == std::string("The package fonts-noto-cjk"));

@@ -1,4 +1,4 @@
-// What a class sees of a lesson's questions: all of them, whole, wherever the card stands.
+// A class sees all questions of a lesson whole, at whichever edge the card stands.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<DockSide, 4> kEdges{DockSide::right, DockSide::bottom, DockSide::left,
                                          DockSide::top};
 
-// Presented, text grows with the screen: what is 150 % on the smaller is on the larger, too.
+// While presenting, text grows with the screen: 150 % looks the same on both screens.
 const LessonScreen kScreens[] = {
     {{1280.0F, 720.0F}, 1.0F, true},  {{1280.0F, 720.0F}, 1.5F, true},
     {{1280.0F, 720.0F}, 2.0F, true},  {{1280.0F, 720.0F}, 1.0F, false},
@@ -33,7 +33,7 @@ bool meet(const Place& a, const Place& b) {
     return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
 }
 
-// Each option, apart from all others, in the card, which is in the window.
+// Each option is apart from all others, and inside the card, which is inside the window.
 void check_options(const LessonWalk& walk, std::size_t count) {
     const Place card = walk.at("tour");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -46,7 +46,7 @@ void check_options(const LessonWalk& walk, std::size_t count) {
             CHECK_FALSE(meet(walk.at(name), walk.at("option:" + std::to_string(other))));
         }
     }
-    // With text twice as large a small window scrolls to them; keys lead on.
+    // With text twice as large, a small window scrolls to them; the keys still move on.
     if (walk.app.ui.text_scale < 2.0F) {
         CHECK(is_within(walk.at("lesson:move"), card));
         CHECK(is_within(walk.at("tour:back"), card));
@@ -93,8 +93,8 @@ void check_questions(LessonWalk& walk, const LessonScreen& screen) {
     }
 }
 
-// Frequencies of what stands out in a spectrum: a fifth of the largest at least. Lines next to each
-// other, which lie 1 Hz apart in a second, are one bar.
+// Frequencies of the peaks of a spectrum: at least a fifth of the largest. Adjacent lines, which
+// lie 1 Hz apart for one second, are one bar.
 std::vector<double> bars_of(const LiveStages& live) {
     double most = 0.0;
     for (const Component& component : live.neural.components) {
@@ -155,7 +155,7 @@ TEST_CASE("lesson: every option of every question is seen whole, whatever the ed
     }
 }
 
-// On the smallest screen, with text of 150 %.
+// The smallest screen, with text of 150 %.
 TEST_CASE("lesson: so they are in each of its languages" * doctest::test_suite("long")) {
     int further = 0;
     for (const char* path : bundled_lesson_paths()) {

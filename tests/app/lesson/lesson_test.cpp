@@ -35,7 +35,7 @@ TEST_CASE("tour: it goes from start to end, and leaves the document and the view
     const auto document = program.app.work.document.set;
     program.click("start tour");
     CHECK(program.app.work.document.set.vibrations[0].name == "plain 100 Hz");
-    program.wait_for_numbers();  // which would move the buttons when they come
+    program.wait_for_numbers();  // which would move the buttons when they arrive
     const std::size_t steps = program.lesson().lesson->steps.size();
     for (std::size_t step = 0; step + 1 < steps; ++step) {
         REQUIRE(program.lesson().step == step);
@@ -58,7 +58,7 @@ TEST_CASE("tour: left half way, it is taken up there") {
     for (int k = 0; k < 2; ++k) program.click("tour:next");
     program.press_key(key::kEscape);
     CHECK_FALSE(program.shows("tour"));
-    program.wait_for_stages();  // as above: what arrives moves what is to be pressed
+    program.wait_for_stages();  // as above: arrivals move the buttons
     program.click("start tour");
     CHECK(program.lesson().step == 2U);
     CHECK(program.app.physiology.view.open == Stage::spectrum);
@@ -116,15 +116,15 @@ TEST_CASE("presenting: a clicker's keys lead through the lesson, and Esc puts th
     CHECK(program.lesson().step == 0U);
     for (const int code : {key::kPageDown, key::kRight}) program.press_key(code);
     CHECK(program.lesson().step == 2U);
-    program.press_key(key::kSpace, false, false, U' ');  // reveals what step 3 asks ...
+    program.press_key(key::kSpace, false, false, U' ');  // reveals the answer of step 3 ...
     CHECK(program.lesson().step == 2U);
-    program.press_key(key::kEnter);  // ... and goes on
+    program.press_key(key::kEnter);  // ... and goes to the next step
     CHECK(program.lesson().step == 3U);
     for (const int code : {key::kPageUp, key::kLeft, key::kUp}) program.press_key(code);
     CHECK(program.lesson().step == 0U);
     program.press('b');
     CHECK(program.lesson().blank);
-    program.press_key(key::kPageDown);  // wakes it, and goes nowhere
+    program.press_key(key::kPageDown);  // wakes the screen, and stays at the step
     CHECK_FALSE(program.lesson().blank);
     CHECK(program.lesson().step == 0U);
     program.press_key(key::kEscape);
@@ -193,7 +193,7 @@ TEST_CASE("lesson: at a side the card is no wider than its lines are read with e
     CHECK(card.max.x - card.min.x > 0.6F * sixty);
 }
 
-// A computer without letters of another language is told so only in that language.
+// Only a language whose letters are missing gets the warning.
 TEST_CASE("lesson: letters of languages that are not shown are not asked for") {
     Class program;
     program.begin(kTourLesson);
@@ -233,7 +233,7 @@ TEST_CASE("presenting: all is as large on any screen, for those at the back of t
     program.app.ui.fonts_outdated = false;
     ImGui::GetIO().DisplaySize = {2560.0F, 1440.0F};
     program.frame();
-    CHECK(program.app.ui.fonts_outdated);  // the window makes them anew
+    CHECK(program.app.ui.fonts_outdated);  // the window loads them again
 }
 
 TEST_CASE("lesson: the way on is in sight in a small window, at whatever edge the card stands") {
@@ -340,10 +340,10 @@ TEST_CASE("lesson: notes stand in a second window where there is a second screen
     CHECK_FALSE(wants_notes_window(program.lesson(), false));
     program.press('n');
     CHECK(wants_notes_window(program.lesson(), false));
-    program.lesson().shows_notes = true;  // the window is there
+    program.lesson().shows_notes = true;  // the window is open
     program.press('n');
     CHECK_FALSE(wants_notes_window(program.lesson(), true));
-    // The answer is for who speaks alone, and minutes are counted from where it began.
+    // Only the speaker sees the answer, and the minutes count from the beginning.
     program.go_to_question();
     const double begun_s = program.lesson().presenting_since_s;
     const auto notes = speaker_notes(program.lesson(), begun_s + 185.0);

@@ -1,4 +1,4 @@
-// Questions, cameras and the order of steps, written in the program and taken back.
+// Questions, cameras and the order of steps, edited in the program and undone.
 #include <doctest/doctest.h>
 
 #include "app/lesson/lesson_edit.h"
@@ -29,7 +29,7 @@ struct Writing : Class {
     void write(const char* field, const std::string& text) {
         click(std::string("lesson edit:") + field);
         type(text);
-        click("lesson edit:title");  // Esc would take it back
+        click("lesson edit:title");  // Esc would undo it
     }
 };
 
@@ -42,7 +42,7 @@ TEST_CASE("writing a lesson: a question with its options and the right one, open
     CHECK_FALSE(program.shows("lesson edit:ask"));
     program.choose_kind("choice");
     REQUIRE(program.step().question);
-    CHECK(program.shows("lesson edit:fault"));  // nothing to choose from yet
+    CHECK(program.shows("lesson edit:fault"));  // no options yet
     program.write("ask", "Which?");
     LessonStep step = program.step();
     step.question->options = {"This", "That"};
@@ -119,7 +119,7 @@ TEST_CASE("writing a lesson: Ctrl+Z takes back what was written, and the documen
     CHECK(program.lesson().lesson->steps.size() == 1);
     program.press('z', true, true);
     CHECK(program.lesson().lesson->steps.size() == 2);
-    // The document was changed since: its step is the last one.
+    // The document changed since, so Ctrl+Z undoes its last edit.
     const auto before = program.app.work.document.set;
     edit_patterns(program.app.work, [](Pattern& p) { p.amplitude_g = 0.25; });
     commit_step(program.app.ui, program.app.work, "Change amplitude");

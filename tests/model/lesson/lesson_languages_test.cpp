@@ -1,4 +1,5 @@
-// A lesson in several languages: what is shown, what is written in which, and what lacks.
+// A lesson in several languages: the shown texts, the language that an edit goes to, and missing
+// translations.
 #include "model/lesson/lesson_languages.h"
 
 #include <doctest/doctest.h>
@@ -71,7 +72,7 @@ TEST_CASE("languages: what is written goes to the language that is shown, and to
     expected = lesson->steps[0];
     write(expected);
     CHECK(english == expected);
-    // A step that is not touched is the same in every language.
+    // A step that is not edited is the same in every language.
     for (const std::size_t place : {0U, 1U}) {
         CHECK(written(*lesson, place, [](LessonStep&) {}) == lesson->steps[0]);
     }
@@ -107,7 +108,7 @@ TEST_CASE("languages: translations stay with their options") {
           }) == Options{"Dieser"});
     CHECK(options_after([](LessonStep& s) { s.question->options[0] = "It"; }) ==
           Options{"Dieser", "", "Keiner"});
-    // How many there are is the first language's to say.
+    // The first language determines their number.
     const LessonStep more =
         written(*lesson, 1, [](LessonStep& s) { s.question->options.emplace_back("Mehr"); });
     CHECK(more == lesson->steps[0]);

@@ -1,5 +1,5 @@
-// Numbers in the texts of lessons: each is recomputed here from the model, by another way than the
-// lessons take, and none is typed.
+// Numbers in the texts of lessons: each is recomputed here from the model, in another way than the
+// lessons do; none is typed.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::size_t type_of(const std::string& name) {
     return static_cast<std::size_t>(at - names.begin());
 }
 
-// Of numbers from 0.01 on.
+// For numbers from 0.01 on.
 std::string two_digits(double value) {
     return value < 100.0 ? significant_digits(value, 2)
                          : std::to_string(static_cast<int>(value + 0.5));
@@ -69,7 +69,7 @@ std::string three_digits(double value) {
                           : std::to_string(static_cast<int>(value + 0.5));
 }
 
-// The set taken apart from the front: waveforms, codes, pairs.
+// Results of the set by direct calls: waveforms, codes, pairs.
 struct Recomputed {
     PatternSet set;
     std::vector<Waveform> waveforms;
@@ -107,7 +107,7 @@ struct Recomputed {
         return sum;
     }
 
-    // Steps of 5 ms in which the centre of a network sends at least so many, in percent.
+    // Percentage of the 5 ms steps in which the centre of a network sends at least this number.
     std::string share(std::size_t type, const std::string& name, int least) const {
         const std::vector<int>& counts = stages[place(name)].code.central_count[type];
         double steps = 0.0;
@@ -213,7 +213,7 @@ double k_of(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return std::sqrt(1.0 - ab * ab / (aa * bb));
 }
 
-// Ranks that are equal share their mean; Pearson's correlation of them.
+// Equal ranks share their mean; Pearson's correlation of them.
 double rho_of(const std::vector<double>& a, const std::vector<double>& b) {
     const auto ranks = [](const std::vector<double>& values) {
         std::vector<double> all;
@@ -255,7 +255,7 @@ std::string of_maps(const Recomputed& model, const Prediction& prediction,
 std::string recomputed(const Recomputed& model, const Prediction& prediction,
                        const std::string& placeholder) {
     const std::vector<std::string> words = words_of(placeholder);
-    // Facts of the textbook are no numbers of the model: tests/model/textbook reads them again.
+    // Facts of the textbook are not numbers of the model: tests/model/textbook reads them again.
     if (words[0] == "fact" || words[0] == "source") {
         const TextbookFact* fact = fact_named(words[1]);
         REQUIRE(fact != nullptr);
@@ -322,7 +322,7 @@ TEST_CASE("lessons: no number is typed that the model could give") {
                 for (const Vibration& vibration : lesson.set.vibrations) {
                     text = without(text, vibration.name, "");
                 }
-                // The model's window, which is no parameter, and an equation's number.
+                // The model's window, which is not a parameter, and an equation's number.
                 text = without(without(text, "10 ms", ""), "Eq. 2", "");
                 CAPTURE(text);
                 CHECK(std::ranges::none_of(text, [](char c) { return c >= '0' && c <= '9'; }));
@@ -332,7 +332,7 @@ TEST_CASE("lessons: no number is typed that the model could give") {
 }
 
 TEST_CASE("lessons: a number is told where the stage that it belongs to is on screen") {
-    // Numbers of parameters belong anywhere; "all" shows every stage.
+    // Numbers of parameters are allowed everywhere; "all" shows every stage.
     const std::map<std::string, std::string> stages{{"displacement", "spectrum filtered"},
                                                     {"threshold", "spectrum"},
                                                     {"felt", "receptors spikes"},
@@ -359,7 +359,7 @@ TEST_CASE("lessons: a number is told where the stage that it belongs to is on sc
         CAPTURE(lesson.name);
         for (const LessonStep& step : lesson.steps) {
             CAPTURE(step.title);
-            std::set<std::string> told;  // patterns that numbers are told of
+            std::set<std::string> told;  // patterns that the text gives numbers of
             for (const std::string& placeholder : placeholders_in(step.text)) {
                 CAPTURE(placeholder);
                 const std::vector<std::string> words = words_of(placeholder);
@@ -398,7 +398,7 @@ TEST_CASE("lessons: how slow a step is said to be is how slow it is, and no coun
                 if (tenth) CHECK(step.speed == 0.1);
                 if (hundredth) CHECK(step.speed == 0.01);
                 slow += tenth || hundredth ? 1 : 0;
-                // Two, three and four are what is on screen; more is what a model counts.
+                // Two, three and four are items on the screen; larger numbers are the model's.
                 for (const char* word : {"five", "six", "seven", "eight", "nine", "eleven",
                                          "twenty", "thirty", "forty", "fifty", "thousand"}) {
                     CHECK_FALSE(says(text, word));
@@ -481,7 +481,7 @@ TEST_CASE("lessons: a pattern is placed next to the one that PM has nearest") {
                 CHECK(name != step.pattern);
                 CHECK(pm(answer.options[answer.right[0]]) <= pm(name));
             }
-            // Before pairs are known, nothing is.
+            // Before the pairs are computed, their numbers are missing.
             CHECK(lesson_answers(lesson, {}, false).questions[k].right.empty());
         }
     }

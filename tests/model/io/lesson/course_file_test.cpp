@@ -1,4 +1,4 @@
-// Course files, and what is kept of a class.
+// Course files, and the progress of a class.
 #include "model/io/lesson/course_file.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Lesson files: what is written comes back, and what is wrong is told with its place.
+// Lesson files: a written file reads back the same, and an error names its place.
 #include "model/io/lesson/lesson_file.h"
 
 #include <doctest/doctest.h>
@@ -109,7 +109,7 @@ TEST_CASE("lesson file: keys of a newer version stay, in a step, its camera and 
     for (const char* kept : {"\"colour\": \"red\"", "\"lens\": 35", "\"after_s\": 3"}) {
         CHECK(holds(written, kept));
     }
-    // What was the question's goes with the question.
+    // Unknown keys of the question are removed with the question.
     Lesson shorter = *lesson;
     shorter.steps[0].question.reset();
     CHECK_FALSE(holds(print_lesson(shorter, {}), "hint"));
