@@ -11,7 +11,7 @@ namespace tact {
 
 namespace {
 
-// The nearest frequency with a whole number of cycles: no energy leaks between bins.
+// The nearest frequency with a whole number of cycles, so that no energy leaks between bins.
 double snapped_hz(double frequency_hz, double duration_s) {
     return snapped_to(frequency_hz, 1.0 / duration_s);
 }
@@ -23,7 +23,9 @@ void share_equally(Pattern& pattern) {
 }
 
 bool leaks(const Pattern& pattern) {
-    if (!pattern.frequency_curve.empty()) return false;  // a sweep fits no cycles anyway
+    if (!pattern.frequency_curve.empty())
+        return false;  // a sweep has no whole number of cycles
+                       // anyway
     for (const Carrier& carrier : pattern.carriers) {
         const double cycles = carrier.frequency_hz * pattern.duration_s;
         if (std::abs(cycles - std::round(cycles)) > 1e-6) return true;
@@ -91,7 +93,7 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
     ImGui::PopID();
 }
 
-// Of the second of two carriers.
+// Frequency of the second of two carriers.
 std::optional<double> mix_of(const Pattern& pattern) {
     const auto& carriers = pattern.carriers;
     if (carriers.size() != 2) return std::nullopt;
@@ -99,7 +101,7 @@ std::optional<double> mix_of(const Pattern& pattern) {
     return sum != 0.0 ? carriers[1].weight / sum : 0.5;
 }
 
-// Share of the second of two carriers; with more, each has its own weight.
+// Share of the second of two carriers; three or more have a weight each.
 void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
     const auto& carriers = pattern.carriers;
     if (carriers.size() == 2) {

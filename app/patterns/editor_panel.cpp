@@ -33,7 +33,7 @@ constexpr std::array kKinds{
            "Times 1 + m sin(2 pi f t): the strength swells once a cycle, by the depth m.",
            Icon::tremolo}};
 
-// And how often the strength swells a second, which the frequency alone does not tell.
+// Adds the rate at which the strength swells, which the frequency alone does not tell.
 void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
     draw_label(ui, "Kind", segments_width(ui, kKinds));
     ModulationKind kind = modulation.kind;
@@ -119,12 +119,12 @@ void draw_times(Ui& ui, Workspace& work) {
         [](Pattern& p, double value) { p.duration_s = value; });
 }
 
-// Told only of a pair that was chosen: the closest one stands in the map's own panes.
+// Shown only for a chosen pair: the closest one stands in the map's own panes.
 void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     const auto pair = chosen_pair(work, shown_map);
     if (!pair || pair->kind != PartnerKind::chosen) return;
     const auto& all = work.document.set.vibrations;
-    // Both are named: the one that was chosen stays, whichever pattern comes into the editor.
+    // Names both, because the chosen one stays when another pattern comes into the editor.
     const std::string head = "PM of " + all[pair->current].name + " to " + all[pair->partner].name;
     const auto rows =
         shown_map.transition.shown ? rows_in_map(work, shown_map, *pair) : std::nullopt;
@@ -158,7 +158,7 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.dim_text));
     ImGui::PushFont(ui.theme.fonts.small);
-    // A note describes what was opened; it does not follow edits.
+    // A note describes the opened file; it does not follow edits.
     const bool edited = work.unsaved && !is_saved(work.document.saved, vibration);
     ImGui::TextWrapped("%s%s", edited ? "Note, from before the edit: " : "",
                        shown_lines(vibration.note).c_str());
@@ -166,11 +166,11 @@ void draw_note(const Ui& ui, const Workspace& work, const Vibration& vibration) 
     ImGui::PopStyleColor();
 }
 
-// Of a low pane, in which the strip stands among the fields.
+// The strip's share of a low pane, in which it stands among the fields.
 constexpr float kStripShare = 0.42F;
 
-// What follows in the window is no wider than is of use: a slider as wide as a maximised pane
-// stands far from its number, and what opens beside the fields has room there.
+// The column is no wider than is useful: in a maximised pane a slider would stand far from its
+// number, and popups of the fields have room beside it.
 void keep_narrow(const Theme& theme) {
     constexpr float kMostPx = 640.0F;
     ImGuiWindow& window = *ImGui::GetCurrentWindow();
@@ -188,7 +188,7 @@ void draw_nothing_to_edit(Ui& ui, Workspace& work) {
     note_item(ui.rects, "button:new pattern");
 }
 
-// Why it cannot be edited.
+// The reason why it cannot be edited.
 void draw_lock(Ui& ui, Workspace& work, const Vibration& vibration) {
     if (!vibration.locked) return;
     ImGui::PushTextWrapPos(0.0F);
@@ -201,7 +201,7 @@ void draw_lock(Ui& ui, Workspace& work, const Vibration& vibration) {
     note_item(ui.rects, "link:unlock");
 }
 
-// What the map says against it.
+// Problems that the map reports.
 void draw_warnings(Ui& ui, const Workspace& work, const Vibration& vibration) {
     if (work.selection.too_close.contains(vibration.name)) {
         coloured_text(ui.theme.warning, "In a pair that is listed in Subset, Too close.");
@@ -232,7 +232,7 @@ void draw_tone(Ui& ui, Workspace& work, const Pattern& pattern) {
 
 enum class Columns { one, two };
 
-// The tone, and below it or beside it what is in time.
+// The tone; rhythm and times stand below or beside it.
 void draw_numbers(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Pattern& pattern,
                   Columns columns) {
     const auto draw_in_time = [&] {
@@ -262,7 +262,7 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
     draw_lock(ui, work, shown);
     if (columns == Columns::one && shown_pattern(work) != nullptr) draw_add_layer(ui, work);
     if (columns == Columns::one) draw_warnings(ui, work, shown);
-    // Arrow keys nudge what was touched last in this pattern, not in the one before.
+    // Arrow keys nudge the last touched number of this pattern, not of the one before.
     const std::string open = shown_name(work);
     if (std::exchange(pattern_panes.editor.active_pattern, open) != open) {
         ui.field.active.clear();
@@ -278,7 +278,7 @@ void draw_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Sho
         draw_recording_editor(ui, work, pattern_panes.recording);
     }
     ImGui::EndDisabled();
-    // Numbers stay where they are when the map comes.
+    // Numbers stay in place when the map arrives.
     if (columns == Columns::two) draw_warnings(ui, work, shown);
     draw_partner(ui, work, shown_map);
     draw_note(ui, work, shown);
@@ -298,8 +298,7 @@ void draw_strip(Ui& ui, Workspace& work, StripState& strip, Timeline& timeline,
     if (fields == ChosenFields::below) draw_chosen_fields(ui, work, strip);
 }
 
-// A narrow pane: the strip above the numbers, or where the pane is low among them, so that it
-// scrolls away.
+// A narrow pane: the strip above the numbers; in a low pane it stands among them, and scrolls.
 void draw_column(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline& timeline,
                  const ShownMap& shown_map) {
     const float room_px = ImGui::GetContentRegionAvail().y;
@@ -328,7 +327,7 @@ constexpr std::array kTools{
     Choice{StripTool::curves, "Curves", "C: lines of amplitude and frequency, and their points."},
     Choice{StripTool::ticks, "Ticks", "K: a press puts a transient, a drag moves it."}};
 
-// How high the foot is in so much room; none where it would leave too little above it.
+// Height of the card at the bottom in this much room; nullopt if too little would be left above it.
 float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, float used_px) {
     constexpr Range kFootPx{64.0, 130.0};
     constexpr float kShare = 0.15F;
@@ -340,15 +339,15 @@ float foot_height_px(const Ui& ui, const DrawFoot& draw_foot, float room_px, flo
     return draw_foot && room_px - used_px - wanted_px >= kLeastAbovePx * s ? wanted_px : 0.0F;
 }
 
-// At the end of the row of tools.
+// Stands at the end of the row of tools.
 void draw_add_layer_beside(Ui& ui, Workspace& work) {
     flow_on(button_width("Add layer"), ui.theme.gap_px);
     draw_add_layer(ui, work);
 }
 
-// The strip as high as the pane, above the foot, which goes first where there is no room for both.
-// The numbers of what is chosen stand among the others where those are in sight: the strip would
-// jump beneath the mouse.
+// The strip as high as the pane, above the card; without room for both, the card is left out. The
+// numbers of the selection stand among the others if those are visible: otherwise the strip would
+// jump under the mouse.
 void draw_drawing(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline& timeline,
                   const DrawFoot& draw_foot, ChosenFields fields) {
     StripState& strip = pattern_panes.strip;
@@ -371,7 +370,7 @@ void draw_drawing(Ui& ui, Workspace& work, PatternPanes& pattern_panes, Timeline
 
 struct BandWidths {
     float numbers_px;
-    float drawing_px;  // none: there is no room for both
+    float drawing_px;  // nullopt: no room for both
 };
 
 constexpr float kTwoColumnsPx = 548.0F;
@@ -386,7 +385,7 @@ BandWidths band_widths(const Ui& ui, float room_px) {
     return {numbers_px, drawing_px};
 }
 
-// Numbers, or the drawing with one of its tools.
+// Switches between numbers, and drawing with one of its tools.
 void draw_tabs(Ui& ui, PatternPanes& pattern_panes) {
     EditorTab& tab = pattern_panes.editor.tab;
     std::vector<Choice<std::optional<StripTool>>> all{
@@ -399,8 +398,8 @@ void draw_tabs(Ui& ui, PatternPanes& pattern_panes) {
     if (shown) pattern_panes.strip.tool = *shown;
 }
 
-// A wide pane: the strip at the left, the numbers in two columns at the right; in one that has no
-// room for both, one of them at a time.
+// A wide pane: the strip at the left, the numbers in two columns at the right; without room for
+// both, one of them at a time.
 std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                                          Timeline& timeline, const ShownMap& shown_map,
                                          const DrawFoot& draw_foot) {
@@ -426,7 +425,8 @@ std::optional<NeighbourAction> draw_band(Ui& ui, Workspace& work, PatternPanes& 
         if (const auto neighbour = neighbour_of(work, shown_map)) {
             done = draw_neighbour_card(ui, work, shown_map, *neighbour);
         } else {
-            ImGui::Dummy({1.0F, ImGui::GetTextLineHeight()});  // its place until it is known
+            // reserves its place until it is known
+            ImGui::Dummy({1.0F, ImGui::GetTextLineHeight()});
         }
         ImGui::Spacing();
     };

@@ -13,10 +13,10 @@
 
 namespace tact {
 
-// What stands below the strip in a pane that is wide and high enough; may be empty.
+// Drawn below the strip in a wide and high pane; may be empty.
 using DrawFoot = std::function<void()>;
 
-// What was pressed on the card of its closest neighbour is for the frame.
+// Returns what was pressed on the card of the closest neighbour.
 std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
                                                  PatternPanes& pattern_panes, Timeline& timeline,
                                                  const ShownMap& shown_map,

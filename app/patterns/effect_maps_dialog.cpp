@@ -40,7 +40,7 @@ std::string map_label(const std::string& name, const std::string& own) {
     return name + (name == own ? ", the format's own" : "") + (is_guessed ? ", guessed" : "");
 }
 
-// The map that was chosen; empty: none was.
+// The chosen map; empty: no choice.
 std::string draw_map_combo(Ui& ui, const MapInUse& use) {
     const std::string own = own_map(use);
     std::string chosen;

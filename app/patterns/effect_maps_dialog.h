@@ -1,5 +1,5 @@
-// The actuator maps by which effects of other programs were read: a line above the list of patterns
-// where some were just opened, and a dialog to read them by others.
+// The actuator maps with which effects of other programs were read: a line above the list of
+// patterns after opening some, and a dialog to read them with other maps.
 //
 // Left out  maps from files, which the command line's --actuator takes.
 #pragma once

@@ -51,12 +51,12 @@ float links_px(const Ui& ui) {
            2.0F * 1.5F * ui.theme.gap_px;
 }
 
-// Beside the links where there is room, else on a line of their own.
+// Beside the links if there is room, otherwise on a separate line.
 bool pm_goes_beside(const Ui& ui, const std::string& pm, float room_px) {
     return links_px(ui) + 2.0F * ui.theme.gap_px + text_size(ui.theme.fonts.small, pm).x <= room_px;
 }
 
-// All of it in one line of a wide pane.
+// Everything in one line of a wide pane.
 bool fits_in_line(const Ui& ui, const std::string& pm, float room_px) {
     constexpr float kNamePx = 120.0F;  // with its verdict
     return kNamePx * ui.theme.scale + 4.0F * ui.theme.gap_px +
@@ -64,7 +64,7 @@ bool fits_in_line(const Ui& ui, const std::string& pm, float room_px) {
            room_px;
 }
 
-// In small type, on the line that is being written, at its right end or at the cursor.
+// Small type on the current line, at its right end or at the cursor.
 void draw_small(const Ui& ui, ImU32 colour, const std::string& text, float right) {
     const ImFont* font = ui.theme.fonts.small;
     const ImVec2 size = text_size(font, text);
@@ -76,7 +76,7 @@ void draw_small(const Ui& ui, ImU32 colour, const std::string& text, float right
     ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
 }
 
-// Who it is, and at the right end what that means.
+// Its name, and at the right end the verdict.
 void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbour& pair,
                float right) {
     const LiveMap& map = *shown_map.transition.shown;
@@ -84,7 +84,7 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     const std::string& name = map.request.set->vibrations[pair.closest].name;
     dim_text(ui, "Closest");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    // A long word gives way to the name.
+    // A long verdict is cut short in favour of the name.
     const ImFont* small = ui.theme.fonts.small;
     const float free = right - ImGui::GetCursorScreenPos().x - ui.theme.gap_px;
     const float least = 48.0F * ui.theme.scale;

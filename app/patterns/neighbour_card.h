@@ -1,4 +1,4 @@
-// The pattern in the editor and the one closest to it: always in view, at the foot of a narrow
+// The pattern in the editor and its closest neighbour: always visible, at the bottom of a narrow
 // editor and in the first line of a wide one.
 #pragma once
 
@@ -10,15 +10,14 @@
 
 namespace tact {
 
-// What was pressed on it, for the frame to do with the pattern in the editor and this one: places
-// in the document.
+// Buttons pressed on the card, and the place of the neighbour in the document.
 enum class NeighbourDeed { play_both, why, separate };
 struct NeighbourAction {
     NeighbourDeed deed;
     std::size_t neighbour = 0;
 };
 
-// Rows of the map on screen, and the closest one's place in the document. Found once a frame.
+// Rows of the map on screen, and the closest one's place in the document. Computed once a frame.
 struct Neighbour {
     std::size_t own = 0;
     std::size_t closest = 0;
@@ -26,7 +25,7 @@ struct Neighbour {
 };
 std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& shown_map);
 
-// What the card takes of the pane.
+// Height of the card in the pane.
 float neighbour_card_px(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                         const Neighbour& pair);
 

@@ -15,8 +15,8 @@ namespace tact {
 namespace {
 
 struct Followed {
-    std::vector<double> values;  // of those that are edited, in the order of the list
-    std::size_t leader = 0;      // the current one's place among them
+    std::vector<double> values;  // the edited patterns, in the order of the list
+    std::size_t leader = 0;      // the current pattern's place among them
 };
 
 Followed followed(const Workspace& work, const ReadNumber& read) {
@@ -31,7 +31,7 @@ Followed followed(const Workspace& work, const ReadNumber& read) {
     return all;
 }
 
-// As one that is made anew, with as many carriers.
+// A pattern with default numbers and this many carriers.
 Pattern normal_pattern(const Workspace& work, std::size_t carriers) {
     Pattern normal;
     normal.duration_s = work.document.set.duration_s;
@@ -39,7 +39,7 @@ Pattern normal_pattern(const Workspace& work, std::size_t carriers) {
     return normal;
 }
 
-// Where each goes as the leader goes to `to`. `before`: the values at the gesture's beginning.
+// Values of all as the leader goes to `to`. `before`: the values at the gesture's beginning.
 std::vector<double> targets(const Followed& all, std::vector<double> before, const Field& field,
                             const NumberEdit& edit, double to) {
     if (before.size() != all.values.size()) before = all.values;
@@ -70,7 +70,8 @@ std::vector<double> targets(const Followed& all, std::vector<double> before, con
     return to_each;
 }
 
-// How many did not get where they were to go: out of range.
+// Writes all values; returns the number of patterns that did not reach theirs, because it is out of
+// range.
 std::size_t write_all(Workspace& work, const std::vector<double>& to_each, const ReadNumber& read,
                       const WriteNumber& write) {
     std::size_t k = 0;
@@ -86,7 +87,7 @@ std::size_t write_all(Workspace& work, const std::vector<double>& to_each, const
     return clamped;
 }
 
-// What the pattern would be over the slider's range: once the mouse has come to rest there.
+// Patterns over the slider's range, once the mouse rests on it.
 void note_rested(const Ui& ui, Workspace& work, const Field& field, const Pattern& shown,
                  const WriteNumber& write) {
     constexpr double kRestS = 0.15;
@@ -102,7 +103,7 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
         const double share = static_cast<double>(k) / (kPlaces - 1);
         const double exact =
             field.logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
-        // As the slider itself snaps: down to 0.
+        // Snaps as the slider itself does: down to 0.
         const double whole =
             field.snap > 0.0 ? multiple_of(field.snap, std::round(exact / field.snap)) : exact;
         const double value = std::clamp(whole, low, high);

@@ -1,4 +1,4 @@
-// The groups of fields that the editor of a pattern is made of.
+// Groups of fields that make up the editor of a pattern.
 #pragma once
 
 #include <functional>
@@ -13,33 +13,33 @@
 
 namespace tact {
 
-// A number of a pattern; none where it has no such number, as a third carrier.
+// A number of a pattern; null if the pattern does not have it, such as a third carrier.
 using ReadNumber = std::function<std::optional<double>(const Pattern&)>;
 using WriteNumber = std::function<void(Pattern&, double)>;
 
-// One gesture on one number: of all selected patterns, an undo step when it ends. Where they
-// differ, what is typed becomes that of all; dragged they keep their proportions, or their
-// differences where one is not above 0. `what` is its name in the step's label.
+// One gesture on one number: it changes all selected patterns, one step of undo when it ends. If
+// their values differ, a typed value goes to all of them; a drag keeps their ratios, or their
+// differences if one is not above 0. `what` is its name in the step's label.
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write);
 
-// What a number's table says in seconds, for a field in milliseconds.
+// Converts a number's table from seconds, for a field in milliseconds.
 inline Range in_ms(const Range& seconds) { return {1000.0 * seconds.low, 1000.0 * seconds.high}; }
 
-// A tooltip of what can be pressed among the fields, or why it cannot.
+// A tooltip on a button among the fields, or the reason why it is disabled.
 void draw_field_tooltip(const Ui& ui, const char* text);
 
-// The nearest step above 0; of no steps, the value itself.
+// The nearest step above 0; without steps, the value itself.
 double snapped_to(double value, double snap);
 
-// One more carrier at three times the last one's frequency, 500 Hz at most, if there is room; all
-// get equal shares, so that the pattern does not get stronger by it.
+// Adds a carrier at three times the last one's frequency, at most 500 Hz, if there is room. All
+// carriers get equal shares, so that the pattern does not get stronger.
 void push_carrier(Pattern& pattern);
 
 // Carriers, their mix or weights, and the warning of leakage.
 void draw_carrier_fields(Ui& ui, Workspace& work, const Pattern& pattern);
 
-// The rhythm as text and as a grid to click on.
+// The rhythm as text and as a grid of steps.
 void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                         const Pattern& pattern);
 

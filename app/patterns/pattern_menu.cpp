@@ -19,9 +19,9 @@ namespace tact {
 
 namespace {
 
-// True where it is chosen, by mouse or keyboard.
+// True if it is chosen, by mouse or keyboard.
 bool look_item(Ui& ui, const std::string& text, const PatternLook& look, bool is_now) {
-    constexpr const char* kRoom = "     ";  // of a sign, as in draw_menu_row
+    constexpr const char* kRoom = "     ";  // width of a sign, as in draw_menu_row
     const bool chosen = ImGui::MenuItemEx(text.c_str(), kRoom, nullptr, is_now);
     note_item(ui.rects, "row menu:" + text, is_now ? "chosen" : "");
     const float radius = 5.5F * ui.theme.scale;
@@ -59,7 +59,7 @@ void draw_look_menu(Ui& ui, Workspace& work, std::size_t index) {
     ImGui::EndMenu();
 }
 
-// Above the row, where the open menu would end below the window.
+// Opens above the row if the menu would end below the window.
 void keep_off_row(const Theme& theme, const Rect& row) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const ImVec2 size = ImGui::GetWindowSize();
@@ -84,14 +84,14 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
         note_item(ui.rects, std::string("row menu:") + menu_row.words);
         return pressed;
     };
-    // `why_not`: a reason, where it cannot be done.
+    // `why_not`: the reason why it is disabled.
     const auto asks = [&](const char* words, const char* keys, PatternDeed what,
                           const char* why_not = nullptr, std::optional<Icon> icon = {}) {
         if (row({.words = words, .keys = keys, .enabled = why_not == nullptr, .icon = icon}))
             deed = what;
         if (why_not != nullptr) draw_tooltip(ui, why_not);
     };
-    // Once all rows are drawn: there may be fewer of them then.
+    // Runs after all rows are drawn, as it may remove some.
     const auto does = [&](const char* words, const char* keys, std::function<void()> act,
                           std::optional<Icon> icon = {}) {
         if (row({.words = words, .keys = keys, .icon = icon})) ui.waiting.push_back(std::move(act));
@@ -134,7 +134,7 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
 
 PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
     const Rect row{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
-    const float gap = ui.theme.gap_px;  // rows of a list stand closer than those of a menu
+    const float gap = ui.theme.gap_px;  // rows of a list are lower than those of a menu
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
     ImGui::SetNextWindowPos({ImGui::GetIO().MousePos.x, row.max.y}, ImGuiCond_Appearing);
     PatternDeed deed = PatternDeed::none;

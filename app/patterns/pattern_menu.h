@@ -1,5 +1,4 @@
-// What can be done with a pattern, as a menu: of its row, of its point and of its line in the
-// table.
+// The menu of a pattern, on its row, its point and its line in the table.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +8,17 @@
 
 namespace tact {
 
-// What the frame does with the current pattern, since more is needed for it than is known here.
+// Choices that the frame carries out, because they need more than this room knows.
 enum class PatternDeed { none, play, rename, similar, vary, steps, transform };
 
-// Within a popup that is open. The pattern is selected first, unless it is one of those selected:
-// what follows is for all of them. They are changed once the frame's lists are drawn. `play_key`
-// plays it, too.
+// Call inside an open popup. Selects the pattern, unless it is among the selected ones: choices
+// apply to all of them, and are carried out after the frame's lists are drawn. `play_key` plays it,
+// too.
 PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index,
                               const char* play_key = "");
 
-// The same by a right click on the last item, a row of a list; beside the row, whose name stays in
-// sight.
+// The same, opened by a right click on the last item, a row of a list; it stands beside the row,
+// whose name stays visible.
 PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key = "");
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// How the list of patterns and the editor were left.
+// State of the list of patterns and of the editor.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@
 
 namespace tact {
 
-// A click in the list takes effect at the end of its frame: what it ends in the editor, such as a
-// number being typed, still belongs to the pattern selected before.
+// A click in the list takes effect at the end of its frame: an edit that it ends, such as a number
+// being typed, belongs to the pattern selected before.
 struct RowClick {
     std::size_t index = 0;
     bool shift = false;
@@ -31,34 +31,35 @@ struct SetPanelState {
     std::string rename_text;
     std::optional<std::size_t> renaming;
     std::uint64_t renaming_in = 0;  // number of the document
-    bool rename_begun = false;      // its box has had the keyboard
+    bool rename_begun = false;      // its field has had the keyboard
 };
 
-// What an editor shows that has room for one of them.
+// The part that an editor shows if it has room for only one.
 enum class EditorTab { numbers, drawing };
 
 struct EditorState {
     EditorTab tab = EditorTab::numbers;
-    std::string active_pattern;    // the fields' keys go to it
-    std::string rhythm_text;       // while being typed
-    std::string rhythm_typed_for;  // name of the pattern; empty: not being typed
+    std::string active_pattern;    // keys of the fields go to it
+    std::string rhythm_text;       // while typing
+    std::string rhythm_typed_for;  // name of the pattern; empty: no row is being renamed
     RhythmChoice rhythms;
     std::optional<NoteDrag> note_drag;
 };
 
-// Taps that are being made.
+// A rhythm being tapped.
 struct TappingState {
-    std::vector<Tap> taps;         // by the window's clock
-    std::optional<double> down_s;  // since when the key or the button is held
-    std::optional<double> step_s;  // by hand; none: estimated
-    bool has_opened = true;        // the key that opened the dialog may still be held: no note
+    std::vector<Tap> taps;         // on the window's clock
+    std::optional<double> down_s;  // time at which the key or button was pressed
+    std::optional<double> step_s;  // set by hand; nullopt: estimated
+    bool has_opened = true;        // the key that opened the dialog may still be held, and starts
+                                   // no note
 };
 
-// What an empty set offers to begin with.
+// Ways to begin, offered while the set is empty.
 struct StartPage {
-    std::vector<Vibration> cards;                  // read when they are first shown
-    std::vector<std::filesystem::path> recent_of;  // the session's, when it was looked for ...
-    std::vector<RecentFile> recent;                // ... which of them are there
+    std::vector<Vibration> cards;                  // read when first shown
+    std::vector<std::filesystem::path> recent_of;  // the session's list when it was looked for ...
+    std::vector<RecentFile> recent;                // ... and the files of it that exist
 };
 
 struct PatternPanes {

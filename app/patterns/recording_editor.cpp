@@ -29,7 +29,7 @@ RecordingCut whole(const Waveform& recording) {
     return none;
 }
 
-// Another recording, or this one by undo: what is cut is what is there now.
+// Another recording, or an earlier version by undo: the cut begins with the recording in the set.
 void follow_recording(RecordingEditor& editor, const Vibration& vibration) {
     const auto& measurement = std::get<Measurement>(vibration.source);
     const bool is_known = editor.name == vibration.name && editor.after == measurement.waveform;
@@ -75,7 +75,7 @@ void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) 
     }
 }
 
-// The recording, and over it the curves that it becomes.
+// The recording, and over it the curves of the traced pattern.
 void draw_picture(const Ui& ui, const Workspace& work, const Measurement& measurement,
                   const TraceAnswer* answer) {
     const Theme& theme = ui.theme;
@@ -104,7 +104,7 @@ void put_cut(Workspace& work, RecordingEditor& editor) {
     std::string note = editor.note_before;
     if (how != whole(*before.waveform)) {
         recording.waveform = std::make_shared<const Waveform>(cut(*before.waveform, how));
-        recording.path.clear();  // a file of its own is made on saving
+        recording.path.clear();  // saving writes a file of its own
         recording.scale_g = 1.0;
         if (!note.empty()) note += " ";
         note += cut_note(how, duration_s(*before.waveform), before.path);
@@ -115,7 +115,7 @@ void put_cut(Workspace& work, RecordingEditor& editor) {
 
 struct CutField {
     Field field;
-    double shown;  // its value times this is what the person sees
+    double shown;  // the shown number is its value times this
     const char* what;
 };
 
@@ -199,7 +199,7 @@ std::string trace_words(const TracedPattern& traced) {
     return words + " and " + significant(traced.frequency_error_hz) + " Hz of it";
 }
 
-// Beside the recording, and its partner: what one is to the other is then told.
+// Adds the pattern as the recording's partner, so that panes compare the two.
 void make_parametric(Ui& ui, Workspace& work, const RecordingEditor& editor,
                      const TracedPattern& traced) {
     Vibration fresh;

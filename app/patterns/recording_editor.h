@@ -1,4 +1,4 @@
-// A recording in the editor: gain, part and fades, and a pattern that is traced from it.
+// A recording in the editor: gain, part and fades, and a pattern traced from it.
 //
 // Left out  several recordings at once: each has its own length.
 #pragma once
@@ -9,14 +9,14 @@
 
 namespace tact {
 
-// The part of the waveform with its gain, then the fades. Samples are rounded to what its file
-// keeps (32 bits).
+// The selected part of the waveform, with its gain and fades. Samples are rounded to the 32 bits of
+// its file.
 Waveform cut(const Waveform& recording, const RecordingCut& how);
 
-// "Cut from FILE: +3 dB, 0.2 to 1.4 s, fades of 10 and 20 ms.": empty where nothing was.
+// "Cut from FILE: +3 dB, 0.2 to 1.4 s, fades of 10 and 20 ms."; empty if nothing was cut.
 std::string cut_note(const RecordingCut& how, double length_s, const std::string& path);
 
-// Nothing where the current vibration is no recording.
+// Draws nothing unless the current vibration is a recording.
 void draw_recording_editor(Ui& ui, Workspace& work, RecordingEditor& editor);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// How the recording in the editor is cut, and what it is like as a pattern.
+// The cut of the recording in the editor, and the pattern traced from it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace tact {
 
-// Of the recording as it was when it came into the editor.
+// Settings relative to the recording as it came into the editor.
 struct RecordingCut {
     double gain_db = 0.0;
     Range part_s{0.0, 0.0};
@@ -25,7 +25,8 @@ struct TraceRequest {
     std::shared_ptr<const Waveform> recording;
     std::size_t most_points = 0;
 
-    bool operator==(const TraceRequest&) const = default;  // the same recording, not an equal one
+    bool operator==(const TraceRequest&) const = default;  // the same recording, not only an equal
+                                                           // one
 };
 
 struct TraceAnswer {
@@ -34,10 +35,10 @@ struct TraceAnswer {
 };
 
 struct RecordingEditor {
-    std::string name;                       // of the recording; all below is of it
-    Measurement before;                     // what is cut ...
-    std::string note_before;                // ... and was said of it
-    std::shared_ptr<const Waveform> after;  // what is in the set
+    std::string name;                       // the recording that all below belongs to
+    Measurement before;                     // the cut recording ...
+    std::string note_before;                // ... and its description
+    std::shared_ptr<const Waveform> after;  // the version in the set
     RecordingCut cut;
     std::size_t most_points = TraceParams{}.most_points;
     Query<TraceRequest, TraceAnswer> job;

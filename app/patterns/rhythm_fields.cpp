@@ -18,7 +18,7 @@ namespace tact {
 
 namespace {
 
-// One rhythm step: a click turns rest into note, note into hold (where it can), hold into rest.
+// A click on a rhythm step turns rest into note, note into hold (if possible), hold into rest.
 std::string stepped(std::string text, std::size_t step) {
     const bool can_hold = step > 0 && text[step - 1] != '-';
     if (text[step] == '-') {
@@ -38,7 +38,7 @@ void set_rhythm(Ui& ui, Workspace& work, const std::string& text) {
     commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
 }
 
-// While the mouse is held, the note from the pressed step reaches to the one under the mouse.
+// While the mouse is held, the note reaches from the pressed step to the step under the mouse.
 void follow_note_drag(Workspace& work, PatternPanes& pattern_panes, std::size_t under) {
     NoteDrag& drag = *pattern_panes.editor.note_drag;
     if (under == drag.from && !drag.moved) return;
@@ -47,7 +47,7 @@ void follow_note_drag(Workspace& work, PatternPanes& pattern_panes, std::size_t 
     edit_patterns(work, [&text](Pattern& p) { p.rhythm.text = text; });
 }
 
-// While the mouse is held on the step that it pressed, up is stronger and down weaker.
+// While the mouse is held on the pressed step, up makes it stronger and down weaker.
 void follow_strength_drag(Workspace& work, NoteDrag& drag, float up_px, float ninth_px) {
     const int by = static_cast<int>(std::lround(up_px / ninth_px));
     if ((by == 0 && !drag.moved) || !starts_note(drag.before[drag.from])) return;
@@ -58,7 +58,7 @@ void follow_strength_drag(Workspace& work, NoteDrag& drag, float up_px, float ni
     rhythm.text = drag.before;
     const NoteKind kind = kind_of(rhythm, drag.before[drag.from]);
     const double ninths = std::clamp(std::round(9.0 * kind.velocity) + by, 1.0, 9.0);
-    rhythm.text[drag.from] = 'x';  // its letter is free where no other note has it
+    rhythm.text[drag.from] = 'x';  // its letter can be used again if no other note has it
     const auto mark = mark_for(rhythm, {ninths / 9.0, kind.pitch});
     if (!mark) return;
     rhythm.text[drag.from] = *mark;
@@ -68,7 +68,7 @@ void follow_strength_drag(Workspace& work, NoteDrag& drag, float up_px, float ni
     });
 }
 
-// A step as a button: a click changes its mark, a drag draws a note over the steps it passes.
+// A step as a button: a click changes its mark, a drag draws a note over the steps.
 void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::string& text,
                std::size_t k, ImVec2 size, float left) {
     std::optional<NoteDrag>& drag = pattern_panes.editor.note_drag;
@@ -98,7 +98,7 @@ void draw_step(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const std::
     ImGui::PopID();
 }
 
-constexpr std::size_t kMostCells = 256;  // of more, none could be seen
+constexpr std::size_t kMostCells = 256;  // with more, a step is too narrow to see
 
 void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, const Rhythm& rhythm) {
     const Theme& theme = ui.theme;
@@ -114,14 +114,14 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    float height = 1.0F;  // of the note that a step belongs to
+    float height = 1.0F;  // note of this step
     for (std::size_t k = 0; k < steps; ++k) {
         const char mark = rhythm.text[k];
         if (mark == '-') height = 1.0F;
         if (starts_note(mark)) height = static_cast<float>(kind_of(rhythm, mark).velocity);
         const ImVec2 min{corner.x + static_cast<float>(k) * cell, corner.y};
         const float gap = 1.5F * theme.scale;
-        // A held step joins the one before it.
+        // A held step is joined to the one before it.
         const float left = mark == '=' ? min.x - gap : min.x + gap;
         ImGui::SetCursorScreenPos(min);
         draw_step(ui, work, pattern_panes, rhythm.text, k, {cell, cell}, corner.x);
@@ -138,8 +138,8 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     ImGui::Dummy({width, 2.0F * theme.scale});
 }
 
-// Before the second of two columns, beside the fields of a single one where the pane is wider, else
-// beside the pane: never over what it changes.
+// Beside the fields, never over them: before the second of two columns, beside a single column in a
+// wide pane, or beside the pane.
 void place_beside_fields(const Theme& theme, float width_px) {
     if (const ImGuiTable* table = ImGui::GetCurrentTable(); table != nullptr) {
         const float column = table->Columns[table->CurrentColumn].WorkMinX;
@@ -153,7 +153,7 @@ void place_beside_fields(const Theme& theme, float width_px) {
     ImGui::SetNextWindowPos({left, ImGui::GetItemRectMin().y}, ImGuiCond_Appearing);
 }
 
-// In the popup: no lower than the pane that it was opened from, where that is high enough for it.
+// The height of the popup: at most that of its pane, if that is high enough.
 void keep_beside(const ImRect& pane) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const float height = ImGui::GetWindowSize().y;
@@ -163,7 +163,7 @@ void keep_beside(const ImRect& pane) {
     }
 }
 
-// It stays open while one rhythm after the other is tried.
+// Stays open while the person tries rhythms.
 void draw_rhythm_popup(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                        const Pattern& pattern) {
     const float width = 340.0F * ui.theme.scale;
@@ -213,7 +213,7 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
-// Several patterns that are dragged together keep their proportions, which are no whole numbers.
+// Selected patterns that are dragged together keep their ratios, which are rarely whole numbers.
 int whole_within(const Range& range, double value) {
     return static_cast<int>(std::lround(std::clamp(value, range.low, range.high)));
 }
@@ -269,7 +269,7 @@ void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
         });
 }
 
-// Strength and pitch of every letter that the text uses.
+// Strength and pitch of each letter in the text.
 void draw_kinds(Ui& ui, Workspace& work, const Rhythm& rhythm) {
     for (char letter = 'A'; letter <= 'Z'; ++letter) {
         if (rhythm.text.find(letter) == std::string::npos) continue;
@@ -308,7 +308,7 @@ void draw_kinds(Ui& ui, Workspace& work, const Rhythm& rhythm) {
     }
 }
 
-// Says how many steps lie behind the pattern's end, and lengthens the pattern at a press.
+// Tells the number of steps behind the pattern's end, and offers to lengthen the pattern.
 void draw_overrun(Ui& ui, Workspace& work, const Pattern& pattern) {
     const double whole_s = length_s(pattern.rhythm);
     if (whole_s <= pattern.duration_s * (1.0 + 1e-9)) return;
@@ -355,7 +355,7 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
         edit_patterns(work, [&state](Pattern& p) { p.rhythm.text = state.rhythm_text; });
     }
     if (ImGui::IsItemDeactivatedAfterEdit()) {
-        // Up to where the text was a rhythm it was taken.
+        // The text was taken up to the last state that was a rhythm.
         commit_step(ui, work, "Change " + of_selection(work, "rhythm"));
         if (!fault.empty()) {
             const std::string& kept = pattern.rhythm.text;

@@ -161,9 +161,9 @@ void draw_rows(Ui& ui, const RhythmChoice& choice,
     ImGui::PopStyleVar();
 }
 
-// Over the whole pattern, from 0 to its largest value.
+// Spans the whole pattern, from 0 to its largest value.
 void draw_envelope(Ui& ui, RhythmChoice& choice, const Pattern& pattern) {
-    // A rhythm repeats: of a minute, which a frame could not wait for, the beginning tells enough.
+    // A rhythm repeats, so the beginning of a minute is enough; a frame cannot wait for all of it.
     constexpr double kLongestS = 4.0;
     const Pattern shown = with_duration(pattern, std::min(pattern.duration_s, kLongestS));
     if (choice.previewed != shown || choice.envelope.empty()) {
@@ -191,7 +191,7 @@ void draw_rhythm_cells(const Theme& theme, const Rect& area, const std::string& 
     const float cell = area.width() / static_cast<float>(std::max<std::size_t>(text.size(), 1));
     const float gap = std::min(1.0F * theme.scale, cell / 4.0F);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    float height = area.height();  // of the note that a step belongs to
+    float height = area.height();  // note of this step
     for (std::size_t k = 0; k < text.size(); ++k) {
         if (text[k] == '-') height = area.height();
         if (starts_note(text[k])) {

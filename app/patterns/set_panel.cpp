@@ -27,19 +27,20 @@ namespace {
 
 constexpr float kLeastRowPx = 25.0F;
 constexpr float kMostRowPx = 40.0F;
-constexpr float kMarkPx = 19.0F;  // its middle: rings around it leave the picked bar free
-constexpr float kNamePx = 33.0F;  // where names begin
+constexpr float kMarkPx = 19.0F;  // from its middle: its rings leave the bar of picked patterns
+                                  // free
+constexpr float kNamePx = 33.0F;  // left edge of names
 constexpr const char* kDragKind = "tact-vibration";
 constexpr const char* kUnfelt = "not felt";
 
-// How much of a row each part takes. The picture is always there: the strength goes first where a
-// row is narrow, then the ends of names.
+// Width of each part of a row. The picture is always shown: in a narrow row the strength is left
+// out first, then the ends of names.
 struct RowParts {
     float height_px = 0.0F;
     float thumbnail_px = 0.0F;
     float strength_px = 0.0F;
     bool has_length = false;
-    bool in_two = false;  // strength above length, and not before it
+    bool in_two = false;  // strength and length are stacked
 };
 
 RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t rows) {
@@ -53,7 +54,7 @@ RowParts row_parts(const Ui& ui, const Workspace& work, ImVec2 room, std::size_t
     const float each = room.y / static_cast<float>(std::max<std::size_t>(rows, 1)) - 1.0F;
     RowParts parts;
     parts.height_px = std::floor(std::clamp(each, kLeastRowPx * s, kMostRowPx * s));
-    // One long name must not take the pictures of all.
+    // One long name must not take the room of all pictures.
     const float free = room.x - (kNamePx + 6.0F) * s - std::min(widest, 0.34F * room.x);
     const float least = 60.0F * s;
     constexpr float kStrengthPx = 58.0F;
@@ -72,7 +73,7 @@ std::string scale_text(const Workspace& work) {
                             : "\u00b1" + significant_digits(work.cache.reach_g, 3) + " g";
 }
 
-// One scale of g for the waveforms of all patterns, or each to its own height.
+// One scale of g for all waveforms, or one for each.
 void draw_scale_switch(Ui& ui, Workspace& work) {
     bool& own = work.own_heights;
     const std::string text = scale_text(work);
@@ -86,8 +87,8 @@ void draw_scale_switch(Ui& ui, Workspace& work) {
 
 constexpr float kLeastSearchPx = 72.0F;
 
-// What is typed is to be read: of what stands before it in the line, the switches give way that are
-// of less use meanwhile. One that filters stays.
+// The typed text stays readable: switches before it in the line disappear in order of use. A switch
+// that filters stays.
 struct ToolbarParts {
     bool heights = true;
     bool picked = true;
@@ -108,7 +109,7 @@ ToolbarParts toolbar_parts(const Ui& ui, const Workspace& work) {
         if (parts.picked) used += chip_width(ui, "picked") + gap;
         return ImGui::GetContentRegionAvail().x - used;
     };
-    if (left_px() < kLeastSearchPx * s) return parts;  // it has a line of its own
+    if (left_px() < kLeastSearchPx * s) return parts;  // it has a separate line
     if (left_px() < wanted && !selection.only_picked) parts.picked = false;
     if (left_px() < wanted) parts.heights = false;
     return parts;
@@ -139,8 +140,8 @@ void draw_toolbar(Ui& ui, Workspace& work) {
     note_item(ui.rects, "search");
 }
 
-// "0.3 g", the peak of what is felt; "measured"; "stale" and "edited" where it is not what was
-// measured or rated.
+// "0.3 g", the peak of the felt waveform; "measured"; "stale" and "edited" if it has changed since
+// it was measured or rated.
 std::string strength_text(Workspace& work, const Vibration& vibration) {
     const std::string mark = mark_in_list(work.stale, vibration.name);
     if (!mark.empty()) return mark;
@@ -150,7 +151,7 @@ std::string strength_text(Workspace& work, const Vibration& vibration) {
     return significant_digits(peak_in_time(work.cache, vibration), 2) + " g";
 }
 
-// What the mark of a row means; empty: it has none.
+// Explanation of a row's mark; empty: no mark.
 std::string words_on_mark(const Workspace& work, const Vibration& vibration) {
     const std::string& name = vibration.name;
     if (mark_in_list(work.stale, name).empty()) return {};
@@ -159,7 +160,7 @@ std::string words_on_mark(const Workspace& work, const Vibration& vibration) {
     return "Measures " + twin->measures + words_on_twin(work.stale, name) + ".\n";
 }
 
-// Where the row that is dragged would come.
+// The place at which the dragged row would land.
 void draw_drop_line(Ui& ui, float y, const Rect& row) {
     const float half = ui.theme.scale;
     const Rect line{{row.min.x, y - half}, {row.max.x, y + half}};
@@ -186,8 +187,8 @@ void drag_row(Ui& ui, Workspace& work, std::size_t index, const Rect& row) {
     ImGui::EndDragDropTarget();
 }
 
-// The text field that stands in the row while it is renamed. Enter and leaving it take the name;
-// Esc brings the one before back.
+// The text field in a row while it is renamed. Enter and leaving it accept the name; Esc restores
+// the old one.
 void draw_rename(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index) {
     SetPanelState& state = pattern_panes.list;
     ImGui::SetNextItemWidth(-1.0F);
@@ -205,7 +206,7 @@ void draw_rename(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size
     });
 }
 
-// What PM has found: over the picture, where it is seen whatever the row has room for.
+// The warning that a pattern is not felt, over the picture, which every row has room for.
 void draw_unfelt(Ui& ui, const Workspace& work, const Vibration& vibration, const Rect& picture) {
     if (!work.selection.unfelt.contains(vibration.name)) return;
     const Theme& theme = ui.theme;
@@ -220,7 +221,7 @@ void draw_unfelt(Ui& ui, const Workspace& work, const Vibration& vibration, cons
     note_rect(ui.rects, "not felt:" + vibration.name, pill.min, pill.max);
 }
 
-// Who is picked, at the left end, inside the frame of a selected row; fainter where that is of a
+// A bar at the left end of picked patterns, inside the frame of a selected row; fainter in a
 // preview.
 void draw_picked_edge(Ui& ui, const Workspace& work, const Vibration& vibration, const Rect& row) {
     if (!work.selection.picked.contains(vibration.name)) return;
@@ -234,7 +235,7 @@ void draw_picked_edge(Ui& ui, const Workspace& work, const Vibration& vibration,
               preview ? "preview" : "exact");
 }
 
-// Strength and thumbnail at the right end; where they begin.
+// Strength and thumbnail at the right end; returns their left edge.
 float draw_row_end(Ui& ui, Workspace& work, const Vibration& vibration, const PatternLook& look,
                    const Rect& row, const RowParts& parts) {
     const Theme& theme = ui.theme;
@@ -314,12 +315,12 @@ PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::
     }
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     const bool pressed = ImGui::InvisibleButton("row", {width, height});
-    if (index == work.selection.current) note_stop(ui.rects.tab_order);  // for all of them
+    if (index == work.selection.current) note_stop(ui.rects.tab_order);  // applies to all of them
     if (ImGui::IsItemClicked() || (pressed && ui.keyboard_mode)) {
         pattern_panes.list.clicked = {index, ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl};
     }
     if (ImGui::IsItemActive()) note_pressed(work, work.document.set.vibrations[index]);
-    // Over the picture alone: beside it, it would cover the names that are being looked through.
+    // Over the picture only: beside it, it would cover the names.
     if (ImGui::GetIO().MousePos.x > corner.x + width - parts.strength_px - parts.thumbnail_px) {
         draw_tooltip(ui,
                      (words_on_mark(work, work.document.set.vibrations[index]) + kHoldHelp +
@@ -361,7 +362,7 @@ void draw_no_rows(Ui& ui, Workspace& work) {
                           "Press New, or drop a folder of effects or recordings here.");
     }
     if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all",
-                        false)) {  // New is primary
+                        false)) {  // New is the primary button
         work.selection.search.clear();
         work.selection.only_picked = false;
     }

@@ -24,7 +24,7 @@ namespace {
 constexpr float kMostPx = 760.0F;
 constexpr std::size_t kColumns = 4;
 
-// One of each kind that a designer looks for first.
+// One example of each kind that a designer looks for first.
 constexpr std::array kCards{"Press low", "Heartbeat fast", "Take-off", "Alarm urgent",
                             "Bounce",    "Purr",           "Rain",     "Charge"};
 
@@ -39,7 +39,7 @@ void read_cards(StartPage& page) {
     }
 }
 
-// Its picture over its own length, its name and how long it lasts. True when pressed.
+// Its picture over its own length, its name and its duration. True when pressed.
 bool draw_card(Ui& ui, Workspace& work, const Vibration& card, ImU32 colour, ImVec2 size) {
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -67,7 +67,7 @@ bool draw_card(Ui& ui, Workspace& work, const Vibration& card, ImU32 colour, ImV
     return pressed;
 }
 
-// In two rows. The height that they take.
+// Two rows; returns their height.
 float draw_cards(Ui& ui, Workspace& work, const StartPage& page) {
     const Rect room = rest_of_pane();
     const float gap = ui.theme.gap_px;
@@ -85,7 +85,7 @@ float draw_cards(Ui& ui, Workspace& work, const StartPage& page) {
     return 2.0F * size.y + gap;
 }
 
-// Disks are asked once for a list: one that is far away would hold up every frame.
+// Looks for the files once per list: a slow disk would delay every frame.
 void follow_recent(const Session& session, StartPage& page) {
     if (page.recent_of == session.recent_files) return;
     page.recent_of = session.recent_files;

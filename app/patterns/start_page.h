@@ -1,5 +1,5 @@
-// What stands in the place of map, answers and editor while the set is empty: a few examples to
-// begin with, and the other ways to begin.
+// Shown in place of map, answers and editor while the set is empty: a few examples, and other ways
+// to begin.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace tact {
 
-// What was pressed is for the frame; an example is added here.
+// Returns what was pressed, for the frame; an example is added here.
 struct StartAction {
     enum class Way { open, generate, recent } way;
-    std::filesystem::path file{};  // of a recent one
+    std::filesystem::path file{};  // path of a recent file
 };
 
 std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& page);

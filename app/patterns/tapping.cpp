@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostTaps = 256;
 
-// A press begins a note, letting go ends it.
+// A press begins a note, a release ends it.
 void follow_taps(const Ui& ui, TappingState& tapping, bool button_held) {
     const double now_s = ImGui::GetTime();
     const bool keys = ImGui::IsKeyDown(ImGuiKey_T) || ImGui::IsKeyDown(kSpaceBar);
@@ -51,7 +51,7 @@ void draw_pad(Ui& ui, TappingState& tapping) {
               down ? theme.pane : theme.text, shortened(theme.fonts.regular, words, size.x));
 }
 
-// Taps as they were made, over the steps that they become.
+// Taps, over the steps made of them.
 void draw_taps(const Ui& ui, const TappingState& tapping, const TappedRhythm& tapped,
                double least_s) {
     const Theme& theme = ui.theme;

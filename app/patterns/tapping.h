@@ -1,4 +1,4 @@
-// The dialog in which a rhythm is tapped, by a key or by the mouse.
+// The dialog for tapping a rhythm with a key or the mouse.
 #pragma once
 
 #include "app/document/workspace.h"
@@ -9,8 +9,8 @@ namespace tact {
 
 void open_tapping(Ui& ui, TappingState& tapping);
 
-// Enter takes the rhythm for all selected patterns, longer ones make them longer; Esc leaves all as
-// it is.
+// Enter gives the rhythm to all selected patterns, and lengthens patterns that are too short for
+// it; Esc changes nothing.
 void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping);
 
 }  // namespace tact

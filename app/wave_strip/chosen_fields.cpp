@@ -1,5 +1,5 @@
-// The numbers of the chosen point, transient or notes, typed and nudged as every other. Declared in
-// app/wave_strip/wave_strip.h.
+// The numbers of the chosen point, transient or notes, typed and nudged like all others. Declared
+// in app/wave_strip/wave_strip.h.
 
 #include <imgui.h>
 
@@ -135,7 +135,7 @@ void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t
     commit_step(ui, work, "Change shape of a transient of " + current_vibration(work)->name);
 }
 
-// An edit of the chosen notes as it comes, one step when the gesture ends.
+// Edits the chosen notes during a gesture, which is one step when it ends.
 template <class With>
 void draw_note_number(Ui& ui, Workspace& work, StripState& strip, const Field& field, double value,
                       With with) {
@@ -152,7 +152,7 @@ void draw_note_number(Ui& ui, Workspace& work, StripState& strip, const Field& f
     if (edit.finished) commit_step(ui, work, "Change " + of_selection(work, "notes"));
 }
 
-// Of the first one; the others keep their distances and differences to it.
+// The number of the first note; the others keep their offsets from it.
 void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern) {
     const std::vector<NoteSteps> all = steps_of_notes(pattern);
     const auto found = std::ranges::find(all, strip.notes.onsets.front(), &NoteSteps::first);
@@ -250,7 +250,7 @@ int count_of(GripKind kind) {
     return kind == GripKind::transient ? 5 : 2;
 }
 
-// What the strip has chosen of the pattern in the editor; of notes the first.
+// The chosen item of the pattern in the editor; of several notes, the first.
 std::optional<Grip> chosen_of(const Workspace& work, const StripState& strip) {
     const Pattern* pattern = shown_pattern(work);
     if (has_chosen_notes(work, strip)) return Grip{GripKind::note};
@@ -288,7 +288,7 @@ void draw_chosen_fields(Ui& ui, Workspace& work, StripState& strip) {
     }
     ImGui::PopStyleVar();
     ImGui::EndDisabled();
-    // ImGui's own separator is a pixel at any scale.
+    // ImGui's own separator is one pixel at any scale.
     const Rect rest = rest_of_pane();
     draw_level_line(*ImGui::GetWindowDrawList(), rest.min.y, rest.min.x, rest.max.x,
                     ui.theme.hairline_px, ui.theme.line);

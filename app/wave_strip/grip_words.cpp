@@ -1,4 +1,4 @@
-// What is said of the grips. Declared in app/wave_strip/grips.h.
+// Words for the grips. Declared in app/wave_strip/grips.h.
 
 #include "app/wave_strip/grips.h"
 

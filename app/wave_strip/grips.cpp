@@ -16,7 +16,7 @@ constexpr double kSnapHz = 1.0;
 constexpr double kLeastTopG = 0.1;
 constexpr float kFrequencyShare = 0.42F;
 constexpr float kNotePx = 8.0F;
-constexpr std::ptrdiff_t kMostGrips = 1000;  // of one kind in view: more hide what they are on
+constexpr std::ptrdiff_t kMostGrips = 1000;  // of one kind in view; more would hide the curve
 
 double snapped(double value, double step, bool free) {
     return free ? value : multiple_of(step, std::round(value / step));
@@ -37,11 +37,11 @@ Axis frequency_axis(const Pattern& pattern) {
     return {hz.low / 2.0, hz.high * 2.0, Scale::logarithmic};
 }
 
-// How far a point went, in time and along its lane's axis.
+// Movement of a point, in time and along its lane's axis.
 struct Step {
     double time_s = 0.0;
-    double from = 0.0;  // value on the axis where it was taken ...
-    double to = 0.0;    // ... and where it is now
+    double from = 0.0;  // value on the axis where it was pressed ...
+    double to = 0.0;    // ... and at the mouse
 };
 
 Step step_of(const Plot& lane, GripDrag drag) {
@@ -104,7 +104,7 @@ void drag_transient(Transient& transient, double duration_s, const Step& step, b
     transient.amplitude_g = std::clamp(g, 0.0, limits::kAmplitudeG.high);
 }
 
-// Points at both ends hold the line where it is when the first one is put between them.
+// Points at both ends keep the line in place when the first point is added between them.
 template <typename Curve, typename Insert>
 std::optional<std::size_t> with_ends(Curve& curve, double t_s, double duration_s, Insert insert) {
     if (!curve.empty()) return insert(t_s);
@@ -143,7 +143,7 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
                      plot_within(below, theme, time, frequency_axis(pattern), {"s", ""})};
     scale.note_px = kNotePx * theme.scale;
     scale.tool = tool;
-    // One time axis: both lanes begin where the widest label ends.
+    // One time axis: both lanes begin right of the widest label.
     const float left = area.min.x + text_size(theme.fonts.small, "1000 Hz").x + theme.gap_px;
     for (Plot* lane : {&scale.amplitude, &scale.frequency}) {
         lane->area.min.x = lane->x.low_px = left;
@@ -157,7 +157,7 @@ StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, 
 
 namespace {
 
-// The points in view, or nothing where there are too many to be told apart.
+// The points in view; empty if there are too many to tell apart.
 template <class Point>
 std::vector<std::size_t> singles_in_view(const std::vector<Point>& all, const Axis& time) {
     const auto is_seen = [&](const Point& point) {

@@ -1,8 +1,8 @@
-// What the wave strip can be taken by, and what a pattern becomes when it is.
+// Grips of the wave strip, and the pattern that results from dragging one.
 //
-// Two lanes over one time axis: amplitude in g above, the first carrier's frequency below. The line
-// of a lane is its curve, or one level where there is none. A line is dragged as a whole, a click
-// on it makes a point, and points, ramps, bursts, notes and the end are dragged by themselves.
+// Two lanes share one time axis: amplitude in g above, the first carrier's frequency below. The
+// line of a lane is its curve, or a constant level. A drag moves a whole line, a click on it adds a
+// point; points, ramps, bursts, notes and the end are dragged by themselves.
 //
 // Input     the pattern and the scale as they were when the mouse was pressed
 // Output    a pattern without fault (model/pattern/drawn_fault.h)
@@ -22,53 +22,53 @@ namespace tact {
 
 enum class GripKind {
     level,      // the amplitude, or its whole curve
-    frequency,  // of the first carrier, or its whole curve
+    frequency,  // frequency of the first carrier, or its whole curve
     amplitude_point,
     frequency_point,
     transient,
     attack,
     release,
-    note_start,  // of a note of the rhythm, and so of its repetitions
-    note,        // moved as a whole
+    note_start,  // of a note of the rhythm with all its repetitions
+    note,        // moves the whole note
     note_end,
-    note_top,  // its strength
-    end        // of the pattern
+    note_top,  // the note's strength
+    end        // end of the pattern
 };
 
-// What a press on the strip means where nothing lies: each tool takes its own things, the ends of
-// the pattern too.
+// The meaning of a press on an empty place: each tool has its own grips, and all have the ends of
+// the pattern.
 enum class StripTool {
-    curves,  // lines and their points, ramps; and all that the others take, where nothing is in
-             // its way
-    notes,   // drawn, moved and resized, their tops their strength
-    ticks    // transients: a press puts one
+    curves,  // lines and their points, ramps; also the grips of other tools if nothing covers them
+    notes,   // draws, moves and resizes notes; their tops are their strength
+    ticks    // transients: a press adds one
 };
 
 struct Grip {
     GripKind kind = GripKind::level;
-    std::size_t index = 0;  // of a point, a transient or a note
+    std::size_t index = 0;  // index of a point, a transient or a note
 
     bool operator==(const Grip&) const = default;
 };
 
-// Points and transients: those that can be chosen, nudged and removed.
+// Points and transients, which can be chosen, nudged and removed.
 bool is_single(GripKind kind);
 
-inline constexpr double kOverhead = 1.2;  // of the axis of strength over what it shows
+inline constexpr double kOverhead = 1.2;  // top of the strength axis over the highest grip
 
 struct StripScale {
     Plot amplitude;  // s, g from 0
     Plot frequency;  // s, Hz, logarithmic
-    // Height of the notes' blocks at full strength, at the bottom of the amplitude lane: a row
-    // there, or for the tool of notes up to the amplitude.
+    // Height of the notes' blocks at full strength, at the bottom of the amplitude lane: a low row,
+    // or with the tool of notes up to the amplitude.
     float note_px = 0.0F;
     StripTool tool = StripTool::curves;
 };
 
-// The lowest and the highest frequency of the first carrier, by its curve and the pitches of notes.
+// The lowest and the highest frequency of the first carrier, from its curve and the pitches of
+// notes.
 Range carrier_range_hz(const Pattern& pattern);
 
-// The g axis reaches over `peak_g` and everything that can be taken.
+// The g axis covers `peak_g` and all grips.
 StripScale strip_scale(const Pattern& pattern, double peak_g, const Rect& area, const Theme& theme,
                        const TimeRange& view, StripTool tool = StripTool::curves);
 
@@ -77,46 +77,47 @@ struct PlacedGrip {
     ImVec2 at;
 };
 
-// All but the lines and the end, those that are taken first last. Points of a curve, or transients,
-// of which more than 1,000 are in view have none until the view is narrower.
+// All grips but the lines and the end; later ones lie on top. If more than 1,000 points of a curve,
+// or transients, are in view, they have no grips until the view is narrower.
 std::vector<PlacedGrip> placed_grips(const Pattern& pattern, const StripScale& scale);
 
-// What is within reach of the mouse; of several, what lies on top.
+// The grip within reach of the mouse; the topmost of several.
 std::optional<Grip> grip_at(const Pattern& pattern, const StripScale& scale, ImVec2 mouse,
                             float reach_px);
 
 struct GripDrag {
     ImVec2 from, to;
-    bool along_one_axis = false;  // the one along which it went further; a note keeps to beats
-    bool free = false;            // of the snaps: 5 ms, 0.01 g, 1 Hz; of a rhythm's, to quarters
+    bool along_one_axis = false;  // the axis with the longer movement; a note keeps to beats
+    bool free = false;            // without snapping to 5 ms, 0.01 g, 1 Hz; notes snap to quarter
+                                  // steps
 };
 
 Pattern dragged(const Pattern& before, const Grip& grip, const StripScale& scale,
                 const GripDrag& drag);
 
-// Whether what the grip changes is changed in all patterns that are selected. Not where it is of
-// one pattern alone: a point, a burst, a curve of frequency.
+// Whether the grip changes all selected patterns. Grips of one pattern alone do not: points,
+// bursts, a curve of frequency.
 bool is_shared(GripKind kind, const Pattern& pattern);
 
-// Of a shared one: `to` gets what the grip changed in `from`.
+// For a shared grip: copies to `to` what the grip changed in `from`.
 void copy_change(GripKind kind, const Pattern& from, Pattern& to);
 
-// A point on a line at the time, snapped, which is the grip; of an empty curve, points at both ends
-// as well, so that a drag bends it. None: there is no room for one.
+// Adds a point to a line at this time, snapped, and returns its grip; an empty curve gets points at
+// both ends as well, so that a drag bends it. Nullopt: no room for a point.
 std::optional<Grip> add_point(Pattern& pattern, GripKind line, double time_s);
 std::optional<Grip> add_transient(Pattern& pattern, double time_s, double amplitude_g);
 
-// The point or the transient after `from` in time, or before it where `step` is -1: round from one
-// end to the other. None has been chosen: the first, or the last. None: there is nothing.
+// The point or transient after `from` in time, or before it if `step` is -1; after the last comes
+// the first. Without `from`: the first, or the last. Nullopt: there is no point.
 std::optional<Grip> next_single(const Pattern& pattern, std::optional<Grip> from, int step);
 
 void remove(Pattern& pattern, const Grip& grip);
 bool exists(const Pattern& pattern, const Grip& grip);
 
-// "amplitude", "frequency curve": the end of a step's label.
+// The end of a step's label: "amplitude", "frequency curve".
 const char* name_of(GripKind kind);
 
-// What a press would do; on nothing, with a tool.
+// The effect of a press on a grip, or with a tool on an empty place.
 const char* help_on(GripKind kind);
 const char* help_on(StripTool tool);
 const char* name_of(StripTool tool);  // "Notes"

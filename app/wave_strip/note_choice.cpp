@@ -14,7 +14,7 @@ namespace tact {
 
 namespace {
 
-// The pattern whose notes are chosen; null: none are.
+// The pattern whose notes are chosen; null without chosen notes.
 const Pattern* pattern_of_choice(const Workspace& work, const StripState& strip) {
     const bool is_there =
         shown_name(work) == strip.pattern && strip.tool == StripTool::notes && !strip.notes.empty();

@@ -1,9 +1,8 @@
-// Several notes chosen on the strip, with the tool of notes: by the mouse, and what is done with
-// all of them.
+// Several notes chosen on the strip with the tool of notes, and edits of all of them.
 //
-// A click chooses a note, with Shift one more or one less; a drag on the ground with Shift chooses
-// what it spans. Moved, strengthened, copied, pasted, doubled and repeated they are one step each
-// (model/algebra/chosen_notes.h).
+// A click chooses a note; with Shift it adds or removes one. A drag on an empty place with Shift
+// chooses the notes inside. Moving, strengthening, copying, pasting, doubling and repeating them
+// are one step of undo each (model/algebra/chosen_notes.h).
 #pragma once
 
 #include "app/document/workspace.h"
@@ -12,40 +11,40 @@
 
 namespace tact {
 
-inline constexpr int kRepeats = 4;  // of a bar, in all: the commonest
+inline constexpr int kRepeats = 4;  // of a bar, including the first: the most common number
 
-// Whether any is chosen of the pattern in the editor, which may be edited.
+// Whether notes are chosen in the pattern in the editor, which can be edited.
 bool has_chosen_notes(const Workspace& work, const StripState& strip);
 
-// Puts the patterns that are selected to the rhythm, and to the length where it had to grow.
+// Gives the selected patterns this rhythm, and lengthens those that are too short for it.
 void take_rhythm(Workspace& work, const Pattern& before, const Pattern& changed);
 
-// The note alone, or with those chosen before.
+// Chooses the note alone, or adds it to those chosen before.
 void choose_note(StripState& strip, const Pattern& pattern, std::size_t index);
 void toggle_note(StripState& strip, const Pattern& pattern, std::size_t index);
 
-// What a box spans, to whole steps; nothing where it is no wider than a click.
+// Chooses the notes inside a box, in whole steps; a box no wider than a click is ignored.
 void choose_boxed(StripState& strip, const Pattern& pattern, float click_px);
 
-// A drag of a note with several chosen moves all, one of its top makes all stronger. False: it is
-// one alone.
+// A drag of one of several chosen notes moves all; a drag of its top makes all stronger. False:
+// only one is chosen.
 bool drag_chosen_notes(Ui& ui, Workspace& work, StripState& strip, const GripDrag& drag);
 
-// An edit as one step: "Repeat notes of p1".
+// One step of undo: "Repeat notes of p1".
 void commit_notes(Ui& ui, Workspace& work, StripState& strip, const char* verb,
                   const Expected<NotesEdit>& edit);
 
-// What the commands for patterns do first while notes are chosen. False: they do not.
+// Commands for patterns apply to chosen notes first. False: no notes are chosen.
 bool copy_notes(Ui& ui, const Workspace& work, const StripState& strip);
 bool repeat_notes(Ui& ui, Workspace& work, StripState& strip, int times);
 bool remove_notes(Ui& ui, Workspace& work, StripState& strip);
 bool choose_all_notes(Ui& ui, const Workspace& work, StripState& strip);
 
-// The text of steps on the clipboard, at the mouse over the strip or at the playhead. False: there
-// is none, or another tool is in use.
+// Pastes a text of steps from the clipboard, at the mouse over the strip or at the playhead. False:
+// the clipboard has no steps, or another tool is in use.
 bool paste_notes(Ui& ui, Workspace& work, StripState& strip, double playhead_s);
 
-// By keys: the next note, or the one before, round from one end to the other.
+// For keys: chooses the next note, or the one before; after the last comes the first.
 void choose_next_note(Ui& ui, StripState& strip, const Pattern& pattern, int step);
 
 }  // namespace tact

@@ -146,7 +146,7 @@ Rhythm with_note_strength(const Rhythm& rhythm, const Grip& grip, double strengt
     Rhythm changed = rhythm;
     char& mark = changed.text[all[grip.index % all.size()].first];
     const double pitch = kind_of(rhythm, mark).pitch;
-    mark = 'x';  // its letter is free where no other note has it
+    mark = 'x';  // its letter can be used again if no other note has it
     const auto changed_mark = mark_for(changed, {std::round(9.0 * strength) / 9.0, pitch});
     if (!changed_mark) return rhythm;
     mark = *changed_mark;

@@ -32,7 +32,7 @@ void draw_body(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PopClipRect();
 }
 
-// Another one's wave beneath, dim, and its name at the end of the pattern.
+// Another vibration's wave below, dim, and its name at the end of the pattern.
 void draw_ghost(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     if (scene.ghost == nullptr) return;
     const Plot& lane = scene.scale.amplitude;
@@ -53,11 +53,11 @@ void draw_ghost_words(ImDrawList& list, const Theme& theme, const StripScene& sc
     const ImVec2 at{std::min(lane.max.x, end_px) - text_size(font, words).x - 0.5F * theme.gap_px,
                     lane.min.y + line_px};
     const float halo_px = 2.0F * theme.scale;
-    if (at.y + line_px + halo_px > list.GetClipRectMax().y) return;  // half of them says nothing
+    if (at.y + line_px + halo_px > list.GetClipRectMax().y) return;  // half a name says nothing
     draw_text_halo(list, font, at, theme.dim_text, theme.pane, halo_px, words);
 }
 
-// A line at the beginning of each bar, where they are not too close to be told apart.
+// A line at the beginning of each bar, unless they are too close to tell apart.
 void draw_bars(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Rhythm& rhythm = scene.pattern.rhythm;
     const double bar_s = rhythm.unit_s * static_cast<double>(steps_a_bar(rhythm.meter));
@@ -75,8 +75,8 @@ void draw_bars(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     }
 }
 
-// A row of blocks, or with their own tool as high as they are strong, with a bar to take them by.
-// Thousands that are narrower than a bar are drawn as the highest of each column of pixels.
+// A row of blocks; with the tool of notes they are as high as they are strong, with a bar to drag.
+// Thousands of blocks narrower than a bar are drawn as the highest in each column of pixels.
 void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     constexpr float kNarrowPx = 4.0F;
     const Rect& lane = scene.scale.amplitude.area;
@@ -87,7 +87,7 @@ void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const float bar_px = 3.0F * theme.scale;
     const float rounding = 2.0F * theme.scale;
     list.PushClipRect(lane.min, lane.max, true);
-    float last_px = -1.0F;  // the column that was drawn last, and how high
+    float last_px = -1.0F;  // the column drawn last, and its height
     float last_top = 0.0F;
     for (const auto& [index, area, top] : note_blocks(scene.pattern, scene.scale)) {
         const bool chosen =
@@ -117,7 +117,7 @@ void draw_notes(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     list.PopClipRect();
 }
 
-// What a copy of the chosen notes takes, and what a box will choose.
+// The notes that a copy takes, and the box that chooses notes.
 void draw_span(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Plot& lane = scene.scale.amplitude;
     const auto draw = [&](float from, float to) {
@@ -138,7 +138,7 @@ void draw_span(ImDrawList& list, const Theme& theme, const StripScene& scene) {
          to_pixel(lane.x, static_cast<double>(scene.notes.span.last + 1) * unit_s));
 }
 
-// The same path, of no more than four points in each column of pixels.
+// The same path with at most four points in each column of pixels.
 std::vector<ImVec2> by_columns(const std::vector<ImVec2>& points) {
     std::vector<ImVec2> path;
     for (std::size_t k = 0; k < points.size();) {
@@ -157,7 +157,7 @@ std::vector<ImVec2> by_columns(const std::vector<ImVec2>& points) {
     return path;
 }
 
-// The curve of each lane, held before its first and after its last point.
+// The curve of each lane, constant before its first and after its last point.
 void draw_lines(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     const Pattern& pattern = scene.pattern;
     const auto draw = [&](const Plot& lane, GripKind line, const std::vector<ImVec2>& points) {
@@ -176,7 +176,7 @@ void draw_lines(ImDrawList& list, const Theme& theme, const StripScene& scene) {
     add(pattern.duration_s,
         pattern.amplitude_curve.empty() ? 1.0 : pattern.amplitude_curve.back().value);
     draw(above, GripKind::level, points);
-    // On a logarithmic axis what is straight in Hz bends.
+    // A straight line in Hz is bent on a logarithmic axis.
     points.clear();
     const Plot& below = scene.scale.frequency;
     const FrequencyCurve curve = sounding_frequency(pattern);
@@ -197,7 +197,7 @@ void draw_grips(ImDrawList& list, const Theme& theme, const StripScene& scene) {
         const bool lit = scene.under == placed.grip;
         const bool chosen = scene.chosen == placed.grip;
         const float radius = (lit || chosen ? 1.4F : 1.0F) * kGripPx * theme.scale;
-        // What another tool takes is not offered.
+        // Grips of other tools are not offered.
         const bool is_tick = placed.grip.kind == GripKind::transient;
         if (!is_tick && scene.scale.tool != StripTool::curves) continue;
         const bool ramp =
@@ -269,7 +269,7 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
     return {};
 }
 
-// What is under the mouse, and what a press would do.
+// The item under the mouse, and the effect of a press.
 void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const StripScene& scene) {
     if (!scene.hovered) return;
     std::string text = help_on(scene.scale.tool);
@@ -282,8 +282,9 @@ void draw_help(ImDrawList& list, const Theme& theme, const Rect& area, const Str
                    2.0F * theme.scale, shortened(theme.fonts.small, text, area.max.x - left));
 }
 
-// The axis of a lane, its unit with the highest number. A lane too low for two round numbers has
-// those that it shows instead: one round number beside a line would be read as that line's.
+// The axis of a lane, with its unit at the highest number. A lane too low for two round numbers
+// shows its own numbers instead: a single round number beside a line would be read as that line's
+// value.
 void draw_lane_axis(ImDrawList& list, const Theme& theme, const Plot& lane, std::string_view unit,
                     std::span<const double> shown) {
     const ImFont* font = theme.fonts.small;

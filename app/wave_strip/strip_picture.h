@@ -1,4 +1,4 @@
-// How the wave strip looks: the wave, its lines, and what can be taken.
+// The picture of the wave strip: the wave, its lines, and grips.
 #pragma once
 
 #include <imgui.h>
@@ -22,7 +22,7 @@ struct StripScene {
     ChosenNotes notes{};
     std::optional<NoteBox> box{};
     std::optional<double> playhead_s{};
-    const Waveform* ghost = nullptr;  // beneath all else, dim, with what it is called
+    const Waveform* ghost = nullptr;  // below everything else, dim, with its name
     std::string ghost_words{};
     bool is_ruler_hovered = false;
 };

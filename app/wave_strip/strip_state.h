@@ -1,4 +1,4 @@
-// What the wave strip remembers between frames.
+// State of the wave strip between frames.
 #pragma once
 
 #include <cstdint>
@@ -11,47 +11,48 @@
 
 namespace tact {
 
-// From the press of the mouse until it is let go.
+// A drag, from the press of the mouse to its release.
 struct GripHold {
     Grip grip;
     Pattern before;
-    StripScale scale;  // stays as it was, or what is dragged would run away from the mouse
+    StripScale scale;  // does not change during a drag, so that the grip stays at the mouse
     ImVec2 pressed;
     bool moved = false;
-    const char* verb = "Change";  // of the step that it becomes
-    ChosenNotes notes{};          // chosen with the one that is held
+    const char* verb = "Change";  // in the label of the step of undo
+    ChosenNotes notes{};          // chosen together with the held one
 };
 
-// Notes are chosen by what it spans, px, until the mouse is let go.
+// A box that chooses the notes inside it, in px, until the mouse is released.
 struct NoteBox {
     float from_px = 0.0F;
     float to_px = 0.0F;
     StripScale scale;
 };
 
-// What the other layers sum up to, from where the open one begins.
+// The sum of the other layers, starting where the open one begins.
 struct LayersBeneath {
-    std::uint64_t revision = 0;  // of the document
+    std::uint64_t revision = 0;  // the document's revision
     Waveform waveform;
 };
 
-inline constexpr Range kStripHeight{120.0, 900.0};  // px at a scale of 1
+inline constexpr Range kStripHeight{120.0, 900.0};  // px at scale 1
 
-// The name of the chosen one's own number, which arrows nudge.
+// The name of the chosen item's own number, which arrows nudge.
 inline constexpr const char* kChosenValue = "chosen_value";
 
 struct StripState {
-    std::string pattern;  // its name, and its layer's; all below is of it, but for height and tool
+    std::string pattern;  // name of the pattern, and its layer's; everything below but height and
+                          // tool belongs to it
     std::optional<GripHold> held;
     std::optional<Grip> chosen;  // a point or a transient, whose numbers are shown
     ChosenNotes notes;           // with the tool of notes
     std::optional<NoteBox> box;
     std::optional<LayersBeneath> beneath;
-    std::optional<double> pointed_s;  // by the mouse over it: where notes are pasted
-    bool is_scrubbed = false;         // the playhead is held, on the ruler
-    bool has_just_drawn = false;      // the last press put something where nothing was
-    bool is_scrolled_past = false;    // by the wheel, with the pane that it is in
-    float height = 150.0F;            // of kStripHeight
+    std::optional<double> pointed_s;  // time under the mouse, where notes are pasted
+    bool is_scrubbed = false;         // the playhead is dragged on the ruler
+    bool has_just_drawn = false;      // the last press added an item at an empty place
+    bool is_scrolled_past = false;    // the wheel scrolls the pane, with the strip in it
+    float height = 150.0F;            // within kStripHeight
     StripTool tool = StripTool::curves;
 };
 

@@ -24,15 +24,15 @@ namespace {
 
 constexpr float kReachPx = 7.0F;
 constexpr float kLeastHeightPx = 96.0F;
-constexpr float kClickPx = 3.0F;  // moved less, a press is a click
-constexpr double kBeyond = 1.06;  // the end is seen, and can be taken
+constexpr float kClickPx = 3.0F;  // a shorter movement is a click
+constexpr double kBeyond = 1.06;  // keeps the end visible, with room for its grip
 
 TimeRange view_of(const StripTime& time, const Pattern& pattern) {
     const TimeRange shown = fitted(time.range, pattern.duration_s);
     return {shown.start_s, shown.start_s + kBeyond * shown.length_s()};
 }
 
-// The wheel zooms about the mouse; with Shift, or to the side, it pans, and so does a drag with the
+// The wheel zooms about the mouse; with Shift, or sideways, it pans, and so does a drag with the
 // middle button.
 void zoom_and_pan(StripTime& time, const Pattern& pattern, const StripScale& scale) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -51,7 +51,8 @@ void zoom_and_pan(StripTime& time, const Pattern& pattern, const StripScale& sca
     if (by_px != 0.0F || io.MouseWheel != 0.0F) time.range = unless_whole(shown, whole_s);
 }
 
-// The ticks below the lanes: a drag there moves the playhead, a double click shows the whole.
+// The ticks below the lanes: a drag there moves the playhead, a double click shows the whole
+// pattern.
 Rect ruler_of(const Rect& area, const StripScale& scale) {
     return {{scale.frequency.area.min.x, scale.frequency.area.max.y}, area.max};
 }
@@ -84,7 +85,7 @@ void choose(Ui& ui, StripState& strip, const Grip& grip) {
     ui.field.active = kChosenValue;  // arrows nudge it
 }
 
-// Where nothing lies the tools of notes and ticks begin one, which follows the mouse.
+// At an empty place, the tools of notes and ticks add an item, which follows the mouse.
 void begin_drawing(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
                    const StripScale& scale) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -113,7 +114,7 @@ void begin_drawing(Ui& ui, Workspace& work, StripState& strip, const Pattern& pa
     }
 }
 
-// With the tool of notes a note is chosen as it is taken; with Shift it is only that.
+// With the tool of notes, a press on a note also chooses it; with Shift, it only chooses.
 bool press_note(Ui& ui, StripState& strip, const Pattern& pattern, const Grip& grip) {
     if (ImGui::GetIO().KeyShift) {
         toggle_note(strip, pattern, grip.index);
@@ -206,7 +207,7 @@ void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pat
                   const StripScale& scale, std::optional<Grip> under) {
     strip.held.reset();
     strip.notes = {};
-    // The first of the two presses drew what lies there now.
+    // The first press of the double click drew this item.
     if (std::exchange(strip.has_just_drawn, false)) return;
     if (under && is_single(under->kind)) {
         strip.chosen = under;
@@ -222,8 +223,8 @@ void double_click(Ui& ui, Workspace& work, StripState& strip, const Pattern& pat
     }
 }
 
-// As high as the person made it. Before that, in a wide pane it has the height for its width, where
-// the pane has it, and all that its fields leave: it is what is drawn on by hand.
+// The height set by the person. Its default in a wide pane is proportional to the width, within
+// limits of the pane, and takes all room that the fields leave.
 float wanted_height_px(const Ui& ui, const StripState& strip, ImVec2 room) {
     constexpr float kByWidth = 0.16F;
     constexpr float kOfPane = 0.35F;
@@ -272,8 +273,8 @@ void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale, const R
     note_rect(ui.rects, "strip:frequency", scale.frequency.area.min, scale.frequency.area.max);
 }
 
-// What lies beneath the pattern, dim: the recording that measures it, or its partner where that is
-// a recording.
+// The wave shown dim below the pattern: the recording that measures it, or its partner if that is a
+// recording.
 struct Ghost {
     const Waveform* waveform = nullptr;
     std::string words;
@@ -301,8 +302,8 @@ Ghost ghost_of(const Workspace& work, const Vibration& vibration) {
             "beneath: " + found->name + (measurement.synthetic ? ", synthetic" : "") + since};
 }
 
-// The sum of the other layers from where the open one begins; none of what has no layers, or is
-// long.
+// The sum of the other layers, starting where the open one begins; none if there are no layers, or
+// the pattern is long.
 void follow_other_layers(const Workspace& work, std::optional<LayersBeneath>& beneath) {
     const LayeredPattern* layered = current_layers(work);
     if (layered == nullptr || duration_s(*layered) * kModelRateHz > kMostSamplesAtOnce) {
@@ -333,7 +334,7 @@ void follow_pattern(StripState& strip, const std::string& name) {
     strip.pattern = name;
 }
 
-// A scroll through the pane that brings the strip under the mouse goes on with the pane.
+// A scroll through the pane that brings the strip under the mouse continues in the pane.
 void follow_wheel(StripState& strip, bool hovered) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) strip.is_scrolled_past = false;
@@ -370,7 +371,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time
     const Rect ruler = ruler_of(area, scale);
     ImGui::InvisibleButton("wave strip", area.size());
     note_rect(ui.rects, "strip tool", area.min, area.max, name_of(strip.tool));
-    note_rect(ui.rects, "wave strip", area.min, area.max);  // by the mouse alone: no stop of Tab
+    note_rect(ui.rects, "wave strip", area.min, area.max);  // only for the mouse: Tab skips it
     const bool hovered = ImGui::IsItemHovered();
     const auto under =
         hovered ? grip_at(pattern, scale, ImGui::GetIO().MousePos, kReachPx * ui.theme.scale)

@@ -95,7 +95,7 @@ TEST_CASE("effect maps: a chosen one reads its format again, as one step, and is
     effects.program.press('z', true);
     CHECK(effects.set() == before);
     CHECK(effects.program.at("effects:maps").value == "android, core-haptics");
-    // From what undo brought back it goes on.
+    // After undo it continues from the restored set.
     effects.read_ahap_by("console-pcm");
     CHECK(effects.named("tap").effect.actuator == "console-pcm");
     CHECK(effects.named("top").effect.actuator == "console-pcm");

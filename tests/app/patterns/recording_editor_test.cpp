@@ -1,4 +1,4 @@
-// A recording is cut, and made a pattern, in the editor.
+// A recording is cut, and traced as a pattern, in the editor.
 
 #include "app/patterns/recording_editor.h"
 
@@ -48,7 +48,7 @@ PatternSet with_recording() {
 struct Recorded : Program {
     Recorded() : Program(with_recording()) {
         select_only(app.work, 2);
-        app.layout.maximised = Pane::editor;  // all of it is seen
+        app.layout.maximised = Pane::editor;  // all of it is visible
         settle();
     }
     const Vibration& recording() const { return app.work.document.set.vibrations[2]; }
@@ -139,7 +139,7 @@ TEST_CASE("recording: made parametric it stands beside its pattern, and PM betwe
     }
     const auto& map = program.app.shown_map.transition.shown;
     REQUIRE(map);
-    // Of the largest there is, as wherever PM is told.
+    // A percentage of the largest PM, as everywhere.
     CHECK(program.at("editor:partner").value ==
           "PM of tap parametric to tap: " + significant(map->prediction.pm(2, 3)) + " of " +
               significant(map->sorted_pm.back()));

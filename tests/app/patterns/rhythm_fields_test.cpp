@@ -24,7 +24,7 @@ void give_rhythm(Program& program, const std::string& text, double unit_s) {
 
 TEST_CASE("rhythm: steps behind the end are told, and one press lengthens the pattern to them") {
     Program program(short_patterns(2));
-    program.resize({1600.0F, 1600.0F}, 1.0F);  // the whole editor is in sight
+    program.resize({1600.0F, 1600.0F}, 1.0F);  // the whole editor is visible
     give_rhythm(program, "x-x-x-x-x-x-x-x-", 0.125);
     const PatternSet before = program.app.work.document.set;
     CHECK(program.at("rhythm:overrun").value == "Plays 8 of 16 steps");
@@ -34,7 +34,7 @@ TEST_CASE("rhythm: steps behind the end are told, and one press lengthens the pa
     CHECK(!program.shows("rhythm:overrun"));
     undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
-    // One that fits, or repeats, needs no word; one of more than a minute gets a minute.
+    // A rhythm that fits or repeats has no remark; a pattern cannot be lengthened beyond a minute.
     give_rhythm(program, "x-x-", 0.25);
     CHECK(!program.shows("rhythm:overrun"));
     give_rhythm(program, "x-x-x-x-", 10.0);
@@ -61,7 +61,7 @@ TEST_CASE("rhythm: a letter has its strength and pitch below, and beats and bars
     type("steps_a_beat", "2");
     type("beats_a_bar", "3");
     CHECK(shown(program).rhythm.meter == Meter{2, 3});
-    CHECK(shown(program).rhythm.unit_s == 0.125);  // counted otherwise, no longer
+    CHECK(shown(program).rhythm.unit_s == 0.125);  // another way to count leaves the step's length
     type("tempo_bpm", "120");
     CHECK(shown(program).rhythm.unit_s == 0.25);
     undo(program.app.ui, program.app.work);
@@ -84,7 +84,7 @@ TEST_CASE("rhythm: dragged up or down, a step's note is weaker or as strong as i
     CHECK(dragged("step:0", 300.0F) == "1-x=x---");
     for (int k = 0; k < 4; ++k) undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
-    // A click turns a weaker note into a rest, where it has nothing to hold.
+    // A click turns a weaker note into a rest if no step holds it.
     give_rhythm(program, "5-", 0.125);
     program.click("step:0");
     CHECK(shown(program).rhythm.text == "--");

@@ -1,4 +1,4 @@
-// What an empty set offers to begin with.
+// The ways to begin with an empty set.
 
 #include "app/document/editing.h"
 #include "app/workspaces/workspaces.h"

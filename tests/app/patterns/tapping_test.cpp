@@ -25,11 +25,11 @@ struct Tapping : Program {
     const Pattern& pattern(std::size_t k = 0) const {
         return std::get<Pattern>(app.work.document.set.vibrations[k].source);
     }
-    // Frames until so long after the first one.
+    // Draws frames until this time after the first one.
     void wait_until(double since_s) {
         while (window.now_s < time_s + since_s) frame();
     }
-    // T opens the dialog, and is held into it.
+    // T opens the dialog, and is still held when it opens.
     void open() {
         push(window.input, {window.now_s, KeyChange{'T', true, false, U't'}});
         settle();

@@ -1,4 +1,4 @@
-// What the wave strip can be taken by, and what becomes of the pattern.
+// Grips of the wave strip, and the pattern after a drag.
 
 #include "app/wave_strip/grips.h"
 

@@ -20,7 +20,7 @@ struct Strip : Program {
     Strip() : Program(short_patterns(2)) {}
 
     Pattern& pattern() { return std::get<Pattern>(app.work.document.edit().vibrations[0].source); }
-    // A share of the amplitude lane from its lower left corner.
+    // A position in the amplitude lane as shares from its lower left corner.
     ImVec2 in_lane(float x, float y) const {
         const Place& lane = at("strip:amplitude");
         return {lane.min.x + x * (lane.max.x - lane.min.x),
@@ -208,7 +208,7 @@ TEST_CASE("wave strip: the wheel zooms in time at the mouse, and the pane does n
 
 namespace {
 
-// The arrangement for design, in which the strip has its tools.
+// The layout for design, in which the strip has its tools.
 struct Band : Strip {
     Band() {
         resize({1600.0F, 1000.0F}, 1.0F);
@@ -267,7 +267,7 @@ TEST_CASE("wave strip: a double click where nothing was draws once, and on a not
     };
     twice();
     CHECK(std::ranges::count(strip.rhythm(), 'x') == 1);
-    for (int k = 0; k < 60; ++k) strip.frame();  // what follows is another double click
+    for (int k = 0; k < 60; ++k) strip.frame();  // the next press is another double click
     twice();
     CHECK(std::ranges::count(strip.rhythm(), 'x') == 0);
 }
@@ -284,7 +284,7 @@ struct Notes : Band {
         press('b', false);
         settle();
     }
-    // By steps from the start, low in the lane.
+    // A position by steps from the start, low in the lane.
     ImVec2 step(double at) const { return in_lane(static_cast<float>(at * 0.0625 / 1.06), 0.05F); }
     void shift(bool down) {
         push(window.input, {window.now_s, KeyChange{key::kLeftShift, down, false, 0}});
@@ -316,7 +316,7 @@ TEST_CASE("wave strip: a box chooses its notes, and Ctrl+D has them once more af
     CHECK(strip.chosen().onsets == std::vector<std::size_t>{8, 12});
     strip.press_key(key::kEscape);
     CHECK(strip.chosen().empty());
-    strip.press('d', true);  // of the pattern again
+    strip.press('d', true);  // removes the pattern again
     CHECK(strip.app.work.document.set.vibrations.size() == patterns + 1);
 }
 
@@ -335,7 +335,7 @@ TEST_CASE("wave strip: chosen notes are copied to where the mouse is, or to the 
     strip.app.timeline.playhead.at_s = 3 * 0.0625;
     strip.press('v', true);
     CHECK(strip.rhythm() == "x=-x=--5----5---");
-    // Another tool: the clipboard is no pattern, and nothing is pasted.
+    // Another tool: the clipboard is not a pattern, and nothing is pasted.
     strip.press('c', false);
     const std::string before = strip.rhythm();
     strip.press('v', true);
@@ -405,7 +405,7 @@ TEST_CASE("wave strip: notes are chosen by keys, and one more by Shift and a cli
     strip.type("130");
     strip.press_key(key::kEnter);
     CHECK(strip.rhythm() == "x=--x=--");
-    // A strength between two ninths, and a pitch, are a kind of its own.
+    // A strength between two ninths, with a pitch, needs a kind of its own.
     strip.click("entry:chosen_strength");
     strip.type("37");
     strip.press_key(key::kEnter);
@@ -446,7 +446,7 @@ TEST_CASE("wave strip: its time is the one of all views, moved, fitted and begun
     strip.drag(ruler, ruler + ImVec2{40.0F, 0.0F}, 3);
     CHECK(strip.app.timeline.playhead.at_s > range().start_s);
     CHECK(strip.app.timeline.playhead.at_s < range().end_s);
-    for (int k = 0; k < 60; ++k) strip.frame();  // a double click of its own
+    for (int k = 0; k < 60; ++k) strip.frame();  // a second double click
     strip.click_at(ruler);
     strip.click_at(ruler);
     CHECK(range().length_s() == 0.0);
