@@ -14,13 +14,13 @@ namespace tact {
 
 namespace {
 
-constexpr float kSides = 1.5F;    // width of the letters alone, of its height
-constexpr float kNamePx = 84.0F;  // of every name: a longer one ends in three dots
+constexpr float kSides = 1.5F;    // width of the letters alone, in units of its height
+constexpr float kNamePx = 84.0F;  // width of every name: longer names end in three dots
 constexpr float kMarkPx = 4.5F;   // radius
 
-// "A", mark and name, "|", and the same of B.
+// "A", mark and name, "|", and the same for B.
 struct Sides {
-    std::array<std::string, 2> names;  // as they are shown
+    std::array<std::string, 2> names;  // as shown
     std::array<std::string, 2> whole;
     std::array<PatternLook, 2> looks;
 };
@@ -49,14 +49,14 @@ float mark_room(const Ui& ui) { return (2.0F * kMarkPx + 9.0F) * ui.theme.scale;
 
 float name_room(const Ui& ui) { return mark_room(ui) + kNamePx * ui.theme.scale; }
 
-// Which side sounds now.
+// The side that plays now.
 std::optional<std::size_t> sounding_side(const PlayState& play) {
     const std::optional<Sounding>& sounding = play.sounding;
     if (!sounding || sounding->names.size() != 2 || sounding->rests_until_s) return std::nullopt;
     return sounding->at;
 }
 
-// Its mark and name; a dash where there is none.
+// Mark and name; a dash without a pattern.
 void draw_name(const Ui& ui, const std::optional<Sides>& sides, std::size_t side, ImVec2 corner,
                ImU32 ink) {
     const Theme& theme = ui.theme;
@@ -93,7 +93,7 @@ void draw_sides(const Ui& ui, const PlayState& play, const std::optional<Sides>&
         }
         if (k == 1) break;
         const float end = x + letter_width(ui, "|") + 2.0F * gap;
-        // In the middle of what a short name leaves.
+        // A short name stands in the middle of its room.
         const float unused = names && sides ? kNamePx * theme.scale -
                                                   text_size(theme.fonts.regular, sides->names[0]).x
                                             : 0.0F;

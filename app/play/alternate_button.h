@@ -1,4 +1,4 @@
-// A|B in the transport bar: switches on that two patterns are felt in turn, and says which.
+// A|B in the transport bar: plays two patterns in turn, and names them.
 #pragma once
 
 #include "app/document/workspace.h"
@@ -8,10 +8,10 @@
 
 namespace tact {
 
-// px; the same whatever the names are.
+// In px; does not depend on the names.
 float alternate_width(const Ui& ui, bool names);
 
-// `names`: with both patterns' marks and names, or dashes where there are not two.
+// `names`: shows both patterns' marks and names, or dashes if there are fewer than two.
 void draw_alternate(Ui& ui, const Workspace& work, const ShownMap& shown_map, PlayState& play,
                     bool names);
 

@@ -19,7 +19,7 @@ namespace tact {
 
 namespace {
 
-// What the window takes a voice coil for is the one that is calibrated.
+// The actuator of the rendering report is the calibrated one.
 void follow_rendered_coil(Workspace& work, RenderingState& rendered, const PlayState& play) {
     std::optional<Calibration>& used = rendered.by.calibration;
     const bool is_coil = traits(rendered.by.kind).language == Language::waveform;
@@ -63,7 +63,7 @@ std::filesystem::path calibration_folder(const Workspace& work) {
 }
 
 void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play) {
-    ui.dialog = Dialog::none;  // its list would lie over the files
+    ui.dialog = Dialog::none;  // its list would cover the files
     const std::filesystem::path last = play.choice.calibration;
     const std::filesystem::path own = calibration_folder(work);
     ask_for_file(ui,
@@ -96,7 +96,7 @@ std::string calibration_text(const PlayState& play) {
 }
 
 DrivenBy driven_by(const PlayState& play) {
-    // A phone's motor knows no g, and protects itself.
+    // A phone's motor has no strength in g, and protects itself.
     if (play.choice.id == kPhonesId) return {nullptr, play.phone_full_scale_g, false, false};
     return {play.calibration, play.full_scale_g, play.is_protected, play.for_ear};
 }

@@ -1,5 +1,5 @@
-// The calibration of the chosen device: kept with the choice, read when it is needed, and what a
-// pattern is driven with.
+// The calibration of the chosen device: remembered with the device, read when needed, and used to
+// make drives.
 //
 // Left out  measuring: app/calibrate/measuring_response.h.
 #pragma once
@@ -15,26 +15,27 @@
 
 namespace tact {
 
-// Reads the file of the chosen device where another one is chosen; a fault is told once. What the
-// rendering report takes a voice coil for follows it.
+// Reads the calibration file when the chosen device changes, reports an error once, and sets the
+// actuator of the rendering report to match.
 void follow_calibration(Ui& ui, Workspace& work, RenderingState& rendered, PlayState& play);
 
-// Where what is measured in the window is kept; empty: nowhere.
+// The file for measurements made in the window; empty: none.
 std::filesystem::path calibration_folder(const Workspace& work);
 
-// In the folder of the one in use, else in that one.
+// Opens the chooser in the folder of the calibration in use, or in the folder for measurements.
 void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play);
 void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
-                     PlayState& play, const std::filesystem::path& path);  // empty: none any more
+                     // empty: no calibration from now on
+                     PlayState& play, const std::filesystem::path& path);
 
-// "Calibrated: coil, 2026-11-21, 20-500 Hz"; empty: it is not.
+// "Calibrated: coil, 2026-11-21, 20-500 Hz"; empty if the device is not calibrated.
 std::string calibration_text(const PlayState& play);
 
-// As the window is set now.
+// The present settings of the window.
 DrivenBy driven_by(const PlayState& play);
 
-// What makes the chosen device do `vibration`. By a calibration a minute of it takes a good part of
-// a second: not for a thread that draws.
+// The drive that makes the chosen device play `vibration`. With a calibration, one minute of it
+// takes a good part of a second, so no thread that draws may call it.
 DriveRequest drive_request(const PlayState& play, const Vibration& vibration);
 MadeDrive made_drive(const DriveRequest& request);
 

@@ -1,4 +1,5 @@
-// Which device plays, and how: chosen, remembered, looked for. Declared in app/play/playing.h.
+// The device that plays, and its settings: chosen, remembered, searched for. Declared in
+// app/play/playing.h.
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +13,7 @@ namespace tact {
 
 void keep_devices(Workspace& work, const PlayState& play) {
     Session& session = work.session;
-    // Headphones and phones are of this run.
+    // Headphones and phones are chosen for this run only.
     const bool stays = !play.for_ear && play.choice.id != kPhonesId;
     session.device = stays ? play.choice.id : std::string();
     session.device_choices = play.choices;
@@ -40,7 +41,7 @@ void begin_softly(PlayState& play) {
     play.level = std::min(play.level, kFirstLevel);
 }
 
-// Behind what was said of the cause in the same moment.
+// Follows the sentence on the cause, said in the same frame.
 void tell_softened(Ui& ui, PlayState& play) {
     if (!std::exchange(play.was_softened, false)) return;
     StatusLine& line = ui.status;
@@ -64,7 +65,7 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
         play.choices.insert(play.choices.begin(), play.choice);
     }
     std::erase_if(play.choices, same(choice.id));
-    // What is a weak level on one actuator, or by one calibration, may be a strong one on the next.
+    // A weak level on one actuator or with one calibration may be a strong one on the next.
     const bool is_other = was_for_ear || choice.id != play.choice.id ||
                           choice.channel != play.choice.channel ||
                           choice.of_channels != play.choice.of_channels ||
@@ -97,7 +98,7 @@ std::optional<DeviceInfo> chosen_device(const PlayState& play) {
 
 namespace {
 
-// "PulseAudio on Headphones": by which name it was chosen, and what that is now.
+// "PulseAudio on Headphones": the chosen name, and the output that it stands for now.
 std::string name_with_output(const DeviceInfo& info) {
     if (info.output_name.empty() || info.name.starts_with(info.output_name)) return info.name;
     return info.name + " on " + info.output_name;

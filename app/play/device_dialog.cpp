@@ -1,4 +1,4 @@
-// The dialog of devices: what there is, which one plays, and how.
+// The dialog of devices: a list, the chosen one, and its settings.
 
 #include <cstdio>
 
@@ -16,7 +16,7 @@ namespace tact {
 
 namespace {
 
-// "ALSA, 4 channels, 48000 Hz, 8.7 ms": what is known of it.
+// The facts about a device: "ALSA, 4 channels, 48000 Hz, 8.7 ms".
 std::string facts_of(const DeviceInfo& device) {
     std::string text = device.interface;
     if (!device.server_output.empty()) text += ", on \"" + device.output_name + "\"";
@@ -74,7 +74,7 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     note_item(ui.rects, "device advice", device_trouble(play));
 }
 
-// One of a few, by its name in a combo.
+// A combo of a few names.
 bool draw_combo(Ui& ui, const char* label, const char* id, const std::vector<std::string>& names,
                 int& chosen) {
     draw_label(ui, label, 200.0F * ui.theme.scale);
@@ -168,7 +168,7 @@ void draw_calibration_links(Ui& ui, const Workspace& work, const PlayState& play
     draw_tooltip(ui, "A file that an earlier calibration of this actuator has left");
 }
 
-// How drives get their strength: by a calibration, or by what full scale is taken for.
+// The strength of drives: from a calibration, or from the full scale in g.
 void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                    PlayState& play) {
     const std::string calibrated = calibration_text(play);

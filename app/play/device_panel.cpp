@@ -1,5 +1,5 @@
-// What an actuator makes of the current pattern: intended and rendered waveforms, and the energy
-// that gets lost on the way, by band.
+// The current pattern as an actuator plays it: intended and rendered waveforms, and the lost energy
+// in each band.
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +28,13 @@ std::string percent(double share) {
     return text;
 }
 
-// Of what is read in rows: wider, the numbers of a row would stand too far from each other.
+// Maximum width of a table, so that a row's numbers stay close together.
 float read_width(const Theme& theme) {
     constexpr float kMostPx = 560.0F;
     return std::min(ImGui::GetContentRegionAvail().x, kMostPx * theme.scale);
 }
 
-// A number stays with its unit where a line is broken.
+// A number and its "%" stay on one line.
 std::string unbroken(std::string text) {
     for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) {
         text.replace(at, 1, "\u00A0");
@@ -106,7 +106,7 @@ void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlaySta
                  "full level, with the strength that they say.");
 }
 
-// The largest of both, so that what is weaker looks weaker.
+// The larger peak of both, so that the weaker looks weaker.
 void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRendering& live,
                 bool stale, const Rect& area) {
     const double largest = std::max(peak_g(live.intended), peak_g(live.rendering.waveform));
@@ -116,7 +116,7 @@ void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRen
     const float each = (area.height() - time_axis_height(ui)) / 2.0F;
     const auto draw = [&](const char* id, const char* words, const Waveform& waveform, ImU32 colour,
                           Rect place, bool last) {
-        // A low plot has room for one number at its axis.
+        // A low plot has room for one number on its axis.
         const std::string caption_text =
             std::string(words) + ", peak " + significant(peak_g(waveform), 2) + " g";
         draw_text(list, small, place.min, ui.theme.dim_text, caption_text);
@@ -198,7 +198,7 @@ void draw_bands(Ui& ui, const Rendering& rendering) {
     ImGui::PopFont();
 }
 
-// The sentences under the numbers: what a person would not see in the curves.
+// Sentences under the numbers: facts that the curves do not show.
 std::vector<std::string> remarks_on(const Rendering& rendering) {
     std::vector<std::string> remarks;
     for (const std::string& warning : rendering.warnings) {
@@ -290,7 +290,7 @@ void follow_level(Workspace& work, RenderingState& rendered, const PlayState& pl
 
 void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                        const PlayState& play) {
-    // Longer than a low pane.
+    // The content is higher than a low pane.
     ImGui::BeginChild("device report", ImGui::GetContentRegionAvail());
     draw_kind(ui, work, rendered);
     draw_switch(ui, work, rendered);

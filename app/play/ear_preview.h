@@ -1,10 +1,10 @@
-// Patterns heard instead of felt, where no actuator is there: a preview on headphones.
+// Patterns heard instead of felt: a preview on headphones, if no actuator is connected.
 //
-// All frequencies are two octaves up, where the ear hears what the skin feels best: 100 Hz is
-// 400 Hz. Strengths, rhythm and modulation are as they are. It is never remembered as the device of
-// an actuator, and the level begins as low as everywhere.
+// All frequencies are two octaves higher, where the ear is as sensitive as the skin: 100 Hz sounds
+// as 400 Hz. Strengths, rhythm and modulation are unchanged. The output is never saved as the
+// device of an actuator, and the level starts as low as everywhere.
 //
-// Left out  recordings, which are heard as they are, and say so.
+// Left out  recordings, which are heard unchanged, with a remark.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ inline constexpr const char* kEarWords =
 Pattern for_ear(Pattern pattern);
 LayeredPattern for_ear(LayeredPattern layered);
 
-// The output that the system plays on by itself; none: there is none.
+// The system's default output; nullopt: it has none.
 std::optional<DeviceInfo> ear_output(const PlayState& play);
 
 }  // namespace tact

@@ -1,5 +1,5 @@
-// What Esc stops at once, on whichever thread the key is noticed first: a window that draws slowly,
-// or hangs, must not keep an actuator going.
+// Esc stops the device at once, on the thread that notices the key first: a window that draws
+// slowly, or hangs, must not keep an actuator running.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@ namespace tact {
 
 class EmergencyStop {
   public:
-    // What sounds now; null: nothing does.
+    // The device that plays now; null: none.
     void watch(std::shared_ptr<Device> device) {
         const std::lock_guard lock(mutex_);
         device_ = std::move(device);
     }
 
-    // From any thread. Device::stop() is one of atomics or under a lock in devices that play.
+    // From any thread. In devices that play, Device::stop() uses atomics or a lock.
     void stop() {
         const std::lock_guard lock(mutex_);
         if (!device_) return;
@@ -26,7 +26,7 @@ class EmergencyStop {
         device_->stop();
     }
 
-    // Whether something was stopped since this was asked last.
+    // Whether a device was stopped since the last call.
     bool take() {
         const std::lock_guard lock(mutex_);
         return std::exchange(has_stopped_, false);

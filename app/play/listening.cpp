@@ -13,7 +13,7 @@ namespace tact {
 
 namespace {
 
-// When an edit was last sent on its way, for a story that measures how soon it is heard.
+// Time at which the last edit was sent: a story measures the delay until it is felt.
 void note_edit(Ui& ui, PlayState& play, bool is_edit) {
     if (ui.rects.file.empty()) return;
     if (is_edit) {
@@ -25,8 +25,8 @@ void note_edit(Ui& ui, PlayState& play, bool is_edit) {
     note_rect(ui.rects, "heard edit", {}, {}, text);
 }
 
-// Another protection, full scale or calibration holds for what sounds already: a loop becomes what
-// it would have been, a single pass that was not protected ends.
+// Another protection, full scale or calibration applies to playing drives: a loop changes to its
+// new drive, a single unprotected pass ends.
 void hear_settings(Ui& ui, Timeline& timeline, PlayState& play) {
     if (!play.sounding || play.halted || play.sounding->as_played.name.empty()) return;
     Sounding& sounding = *play.sounding;
@@ -67,7 +67,7 @@ void follow_hold(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     }
     const bool rests = static_cast<double>(ImGui::GetIO().MouseDownDuration[0]) < kHoldS;
     if (rests || play.hold_taken || !can_sound(play)) return;
-    play.hold_taken = true;  // Esc ends it for good
+    play.hold_taken = true;  // Esc ends it until the next press
     stop_playing(timeline, play);
     play.sounding = Sounding{.names = {}, .loops = true, .as_played = *pressed, .while_held = true};
     play_vibration(ui, timeline, play, *pressed);

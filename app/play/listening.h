@@ -1,4 +1,5 @@
-// Heard while one works: edits of what sounds, what the mouse is pressed on, and two in turn.
+// Playing while working: edits of the playing pattern, the item under the pressed mouse, and two
+// patterns in turn.
 #pragma once
 
 #include <optional>
@@ -13,19 +14,18 @@
 
 namespace tact {
 
-// At the end of a frame: a loop of the pattern in the editor becomes what was made of that in this
-// frame, without starting anew; and what sounds follows protection, full scale and calibration.
+// At the end of a frame: a playing loop takes up this frame's edits without a restart, and a
+// playing drive follows protection, full scale and calibration.
 void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play);
 
-// At the end of a frame, too: what the mouse has been pressed on for kHoldS sounds over and over,
-// until it is let go.
+// Also at the end of a frame: an item pressed for kHoldS repeats until the mouse is released.
 void follow_hold(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play);
 
-// The two that A|B plays, by name: those that sound in turn, else those that would.
+// The two patterns of A|B, by name: those that play in turn, or those that would.
 std::optional<std::pair<std::string, std::string>> alternating_pair(const Workspace& work,
                                                                     const ShownMap& shown_map,
                                                                     const PlayState& play);
-// The partner becomes the current one, and that its partner; what sounds goes on.
+// Makes the partner the current pattern, and the other way round; playing continues.
 void swap_pair(Workspace& work, const ShownMap& shown_map, PlayState& play);
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// What plays: the bar under the menus, the tab and the dialog of devices.
+// Panels of playing: the bar under the menus, the tab and the dialog of devices.
 #pragma once
 
 #include "app/document/workspace.h"
@@ -11,7 +11,7 @@
 
 namespace tact {
 
-// Where the report is to be of what is played now, its level is that of the bar.
+// The report uses the bar's level if it describes the present playback.
 void follow_level(Workspace& work, RenderingState& rendered, const PlayState& play);
 
 void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
@@ -22,8 +22,8 @@ float transport_height(const Ui& ui);
 void draw_transport_bar(Ui& ui, Workspace& work, Timeline& timeline, ShownMap& shown_map,
                         const RenderingState& rendered, PlayState& play, const Rect& area);
 
-// Of the bar: device, level, meter, clip light. Without `meter` that and the light, without `wide`
-// most of the device's name is left out; the level stays.
+// Part of the bar: device, level, meter, clip light. Without `meter`, meter and light are left out;
+// without `wide`, most of the device's name. The level is always there.
 struct SoundParts {
     bool meter = true;
     bool wide = true;

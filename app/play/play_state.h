@@ -1,4 +1,4 @@
-// What is being felt, on which device, and how the transport bar was left.
+// The playing pattern, its device, and the state of the transport bar.
 #pragma once
 
 #include <cstdint>
@@ -20,42 +20,42 @@ class AudioHost;    // devices/audio/audio_host.h
 class PhoneDevice;  // devices/phone/phone_device.h
 class PhoneServer;  // devices/phone/phone_server.h
 
-// What a drive is made by, besides the vibration.
+// The settings that a drive depends on, besides the vibration.
 struct DrivenBy {
-    std::shared_ptr<const Calibration> calibration;  // null: none
+    std::shared_ptr<const Calibration> calibration;  // null: no calibration
     double full_scale_g = kFullScaleG;
-    bool is_protected = true;  // without a calibration: devices/device/protection.h
+    bool is_protected = true;  // used if there is no calibration: devices/device/protection.h
     bool for_ear = false;      // two octaves up: app/play/ear_preview.h
 
     bool operator==(const DrivenBy&) const = default;
 };
 
-// Patterns to be felt, one after the other; of the test buzz none.
+// A queue of patterns to be played one after the other; empty for the test buzz.
 struct Sounding {
     std::vector<std::string> names;
-    std::size_t at = 0;                     // of names: the one that sounds
-    bool repeats = false;                   // from the first after the last
-    bool loops = false;                     // the only one, without a gap
-    bool follows = false;                   // the pattern in the editor, as it is edited
-    bool selects = false;                   // each becomes the current one
-    std::optional<double> rests_until_s{};  // between two of them
-    Vibration as_played{};                  // the one that sounds, as it was when it began
-    DrivenBy driven_by{};                   // ... and what its drive was made by
-    double position_s = 0.0;                // in the last frame
-    std::optional<double> level{};          // of its own, in the place of the bar's
-    bool is_prepared = true;                // its drive is there; false: still being computed
-    bool while_held = false;                // until the mouse lets go of as_played
-    bool has_begun = false;                 // on the device: another drive is a change of it
-    std::uint64_t first_drive = 0;          // number of the request that it began with
-    bool next_was_asked = false;            // of the device, to begin after this one by itself
-    std::optional<Vibration> next{};        // what it takes
-    DrivenBy next_by{};                     // ... and what the drive of that is made by
+    std::size_t at = 0;                     // index of the playing name
+    bool repeats = false;                   // continues with the first after the last
+    bool loops = false;                     // a single pattern, without a gap
+    bool follows = false;                   // the pattern in the editor, with its edits
+    bool selects = false;                   // each in turn becomes the current pattern
+    std::optional<double> rests_until_s{};  // end of the rest between two patterns
+    Vibration as_played{};                  // the playing pattern, as it was at its start
+    DrivenBy driven_by{};                   // ... and the settings of its drive
+    double position_s = 0.0;                // position in the last frame
+    std::optional<double> level{};          // a level that overrides the bar's
+    bool is_prepared = true;                // the drive has been computed
+    bool while_held = false;                // repeats as_played until the mouse is released
+    bool has_begun = false;                 // it plays on the device: another drive changes it
+    std::uint64_t first_drive = 0;          // number of the request that started it
+    bool next_was_asked = false;            // the device has the next pattern, and starts it
+    std::optional<Vibration> next{};        // the pattern in it
+    DrivenBy next_by{};                     // ... and the settings of its drive
     std::uint64_t next_drive = 0;           // number of its request, until the device has it
 };
 
 using Listing = std::vector<DeviceInfo>;
 
-// A vibration as the chosen device is to be driven for it.
+// A request for the drive that makes the chosen device play a vibration.
 struct DriveRequest {
     std::uint64_t number = 0;
     Vibration vibration;
@@ -66,68 +66,73 @@ struct DriveRequest {
 struct MadeDrive {
     DriveRequest request;
     Drive drive;
-    std::string remark;  // a sentence on what the actuator cannot do of it; empty: it can
+    std::string remark;  // a sentence on what the actuator cannot play; empty: it can play all
 };
 
-// An output is rendered so far ahead in the window: an edit is to be heard within 50 ms. Where that
-// leaves gaps it is doubled, up to kBufferS; a study and a measurement, which must have none, begin
-// with that.
+// The window renders an output this far ahead, so that an edit is felt within 50 ms. If gaps occur
+// it is doubled, up to kBufferS; a study and a measurement, which must not have gaps, begin with
+// kBufferS.
 inline constexpr double kLiveBufferS = 0.02;
 
-inline constexpr double kFirstLevel = 0.1;  // of every start: nobody is startled
+inline constexpr double kFirstLevel = 0.1;  // at every start, so that the first buzz startles
+                                            // nobody
 
 struct PlayState {
-    // Remembered from one start to the next (app/session/session.h).
+    // Saved in the session (app/session/session.h).
     DeviceChoice choice;                // no id: silent
-    std::vector<DeviceChoice> choices;  // of other devices, for when they are chosen again
+    std::vector<DeviceChoice> choices;  // settings of other devices, for the next time they are
+                                        // chosen
     double full_scale_g = kFullScaleG;
-    bool on_hover = false;  // a pattern pointed at in the map is felt
+    bool on_hover = false;  // plays the pattern under the mouse in the map
 
-    bool is_protected = true;  // the actuator, where no calibration says what it bears
-    bool for_ear = false;      // the choice is of headphones, and of this run: ear_preview.h
+    bool is_protected = true;  // limits the drive if no calibration gives the actuator's limits
+    bool for_ear = false;      // headphones were chosen, for this run only: ear_preview.h
 
     double level = kFirstLevel;
-    bool was_softened = false;  // to that again, and it is still to be said
+    bool was_softened = false;  // the level was lowered, and the person is not told yet
     bool alternates = false;    // A|B: the current pattern and its partner, in turn
-    double gap_s = 0.5;         // between two patterns
+    double gap_s = 0.5;         // rest between two patterns
 
     std::shared_ptr<AudioHost> audio;  // null: no sound in this program, as in tests and pictures
-    Query<int, Listing> list_job;      // asked for by number
+    Query<int, Listing> list_job;      // requested by number
     int lists_asked = 0;
-    std::shared_ptr<const Listing> found;      // by that job; null: not yet
-    std::shared_ptr<const Listing> listed_of;  // the found ones that `listed` was made of
+    std::shared_ptr<const Listing> found;      // result of that job; null: not yet
+    std::shared_ptr<const Listing> listed_of;  // the `found` from which `listed` was made
     std::shared_ptr<const Listing> listed;     // with the phones, which no job has to look for
 
     std::shared_ptr<PhoneServer> phones;      // null: no page is served to phones
-    std::weak_ptr<PhoneDevice> phone_device;  // `device`, where that is the phones
-    double phone_full_scale_g = 1.0;          // the loudest pattern's peak: full strength on them
-    std::string cards_fault;                  // why it has no sound cards; empty: it may have
+    std::weak_ptr<PhoneDevice> phone_device;  // `device`, if it is the phones
+    double phone_full_scale_g = 1.0;          // peak of the loudest pattern, which gets full
+                                              // strength on phones
+    std::string cards_fault;                  // the reason why there are no sound cards; empty:
+                                              // there may be some
 
-    std::shared_ptr<Device> device;  // the chosen one, where it is there; studies use it, too
-    DeviceChoice opened;             // as which it was opened
-    std::string opened_place;        // ... and where that sounds
-    std::shared_ptr<const Calibration> calibration;  // null: strengths in g are not known
-    std::string calibration_read;                    // the file it is from, or that was no good
-    Query<DriveRequest, MadeDrive> drive_job;        // of calibrated ones
+    std::shared_ptr<Device> device;  // the chosen device, if connected; studies use it, too
+    DeviceChoice opened;             // the choice with which it was opened
+    std::string opened_place;        // ... and the output behind it
+    std::shared_ptr<const Calibration> calibration;  // null: strengths in g are unknown
+    std::string calibration_read;                    // path of its file, also of one with an error
+    Query<DriveRequest, MadeDrive> drive_job;        // drives for calibrated devices
     std::uint64_t drives_asked = 0;
     std::uint64_t drive_taken = 0;  // number of the last one
-    DeviceStatus status;            // of this frame
-    std::string told_trouble;       // at the foot of the window ...
-    std::string complaint;          // ... where it stays until something is felt again
-    std::string told_held;          // there too: what plays before have left of this one
+    DeviceStatus status;            // in this frame
+    std::string told_trouble;       // in the status line ...
+    std::string complaint;          // ... where it stays until a pattern plays
+    std::string told_held;          // also there: the actuator's limits, used up by earlier plays
     std::optional<Sounding> sounding;
     std::optional<std::size_t> hovered_in_map;  // in this frame
-    std::string felt_on_hover;                  // until another one is pointed at
-    double edited_s = 0.0;                      // of the steady clock: the last edit that was sent
-    bool hold_taken = false;                    // by what the mouse is pressed on, until it lets go
-    double meter = 0.0;                         // of full scale; falls slowly
+    std::string felt_on_hover;                  // until the mouse is over another pattern
+    double edited_s = 0.0;                      // on the steady clock: time of the last edit sent
+    bool hold_taken = false;                    // by the item under the pressed mouse, until it is
+                                                // released
+    double meter = 0.0;                         // share of full scale; falls slowly
     bool clip_light = false;                    // until it is clicked
     double live_buffer_s = kLiveBufferS;        // until the program ends
-    double whole_buffer_s = kBufferS;           // where nothing that sounds may have gaps
-    bool held = false;                          // a study is under way: its device stays
-    bool gapless = false;                       // nothing that sounds may have gaps
-    bool focused = true;                        // the window, in the last frame
-    bool halted = false;  // Esc has stopped the device; the frame that takes it is still to come
+    double whole_buffer_s = kBufferS;           // for playback that must not have gaps
+    bool held = false;                          // a study is running: its device stays
+    bool gapless = false;                       // the current playback must not have gaps
+    bool focused = true;                        // the window has the keyboard, as of the last frame
+    bool halted = false;  // Esc has stopped the device, and no frame has handled it yet
 };
 
 }  // namespace tact

@@ -36,7 +36,7 @@ void show_current(Workspace& work, Timeline& timeline, const Sounding& sounding)
     work.selection.scroll_to_current = true;
 }
 
-// The pattern of the queue that is to sound now; one that was removed ends it all.
+// The pattern of the queue that plays next; if it was removed, the queue ends.
 void play_current(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     const Vibration* vibration = vibration_named(work, sounding.names[sounding.at]);
@@ -70,14 +70,14 @@ void end(Timeline& timeline, PlayState& play) {
     timeline.playhead.playing = false;
 }
 
-// The place in the queue after this one; none: it is the last.
+// The next place in the queue; nullopt: this one is the last.
 std::optional<std::size_t> next_place(const Sounding& sounding) {
     if (sounding.at + 1 < sounding.names.size()) return sounding.at + 1;
     return sounding.repeats ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
-// The next one is given to the device while this one sounds: the pause between them is then the
-// device's own, and does not wait for a frame. Its drive may take a while to be made.
+// The device gets the next pattern while this one plays: the device then keeps the rest between
+// them itself, independent of frames. The drive may take a while to compute.
 void ask_for_next(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     if (sounding.next_was_asked || !sounding.is_prepared || sounding.names.size() < 2) return;
@@ -87,8 +87,8 @@ void ask_for_next(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& 
     if (next != nullptr) play_next(ui, timeline, play, *next);
 }
 
-// True: what the device had taken begins, or will when its drive is made. It was edited, removed or
-// swapped meanwhile: false, and it does not sound.
+// True: the next pattern on the device starts, or starts when its drive is ready. False: it was
+// edited, removed or swapped meanwhile, and is dropped.
 bool take_next(Workspace& work, Timeline& timeline, PlayState& play) {
     Sounding& sounding = *play.sounding;
     if (!sounding.next) return false;
@@ -112,7 +112,7 @@ bool take_next(Workspace& work, Timeline& timeline, PlayState& play) {
     return true;
 }
 
-// What comes after a pattern that has been felt to its end.
+// Called at the end of a pattern: starts the next one, rests, or ends.
 void advance(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     if (take_next(work, timeline, play)) return;
     Sounding& sounding = *play.sounding;
@@ -142,7 +142,7 @@ void follow_selection(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
 
 void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     if (play.halted) return;
-    if (take_drive(ui, timeline, play)) return;  // of which this frame's status says nothing yet
+    if (take_drive(ui, timeline, play)) return;  // this frame's status does not tell it yet
     if (take_next_drive(ui, timeline, play) && !play.sounding) return;
     Sounding& sounding = *play.sounding;
     if (!sounding.is_prepared && !play.status.playing) return;
@@ -155,12 +155,12 @@ void follow_device(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play)
     timeline.playhead.at_s = play.status.position_s;
 }
 
-// The chosen device where it is there and not open yet, as it is chosen.
+// Opens the chosen device, if it is connected and not open yet.
 void open_chosen(Ui& ui, PlayState& play) {
     DeviceChoice wanted = play.choice;
     wanted.buffer_s = play.gapless ? play.whole_buffer_s : play.live_buffer_s;
     if (play.opened == wanted) return;
-    // Gaps are mended between two plays: opening it anew would be one more.
+    // A larger buffer is used between two plays: reopening during one would be another gap.
     DeviceChoice longer = play.opened;
     longer.buffer_s = wanted.buffer_s;
     if (longer == wanted && !play.gapless && play.sounding) return;
@@ -183,7 +183,7 @@ void open_chosen(Ui& ui, PlayState& play) {
     }
 }
 
-// The same name may lead to another output now, as it was listed anew: that is another device.
+// After a new search the same name may mean another output; that is another device.
 void follow_place(Timeline& timeline, PlayState& play) {
     const std::optional<DeviceInfo> info = chosen_device(play);
     if (play.listed && !play.choice.id.empty() && !info) begin_softly(play);  // it may come back
@@ -196,7 +196,7 @@ void follow_place(Timeline& timeline, PlayState& play) {
     play.device.reset();
 }
 
-// A computer that does not keep up is given more time, and the person is told what that costs.
+// A computer that is too slow gets a larger buffer, and the person is told the price.
 void follow_gaps(Ui& ui, PlayState& play) {
     const bool has_gaps = play.sounding && play.status.dropouts > 0 && !play.gapless;
     if (!has_gaps || play.opened.buffer_s != play.live_buffer_s) return;
@@ -210,7 +210,7 @@ void follow_gaps(Ui& ui, PlayState& play) {
     say(ui, text);
 }
 
-// What plays before have left of an actuator's limits is said once of each play.
+// A play is limited by earlier ones: the person is told once per play.
 void follow_held(Ui& ui, PlayState& play) {
     if (!play.sounding) return;
     const std::string held = words_on_held(play.status.kept, play.status.is_warm);
@@ -221,7 +221,7 @@ void follow_held(Ui& ui, PlayState& play) {
     say(ui, (name.empty() ? "This" : name) + " " + held + ".");
 }
 
-// It plays again: what was said of that it did not is over.
+// It plays again: the error that it did not is taken back.
 void take_back_complaint(Ui& ui, PlayState& play) {
     if (play.complaint.empty() || !play.status.playing || play.status.position_s <= 0.0) return;
     const std::string complaint = std::exchange(play.complaint, {});
@@ -245,13 +245,13 @@ void follow_status(Ui& ui, Timeline& timeline, PlayState& play) {
     } else if (play.told_trouble != play.status.trouble) {
         play.told_trouble = play.complaint = play.status.trouble;
         complain(ui, play.status.trouble);
-        // What comes back may be set to another volume.
+        // A device that comes back may have another volume.
         if (!play.status.connected) begin_softly(play);
         if (play.sounding) end(timeline, play);
     }
 }
 
-// Why there are no cards is said once, and then where devices are chosen.
+// The reason why there are no cards is told once, and then in the list of devices.
 void take_list(Ui& ui, PlayState& play, std::shared_ptr<const Listing> found) {
     play.found = std::move(found);
     const std::string fault = cards_fault(*play.audio);
@@ -279,7 +279,7 @@ void list_phones(PlayState& play) {
     play.listed = std::make_shared<const Listing>(std::move(all));
 }
 
-// A pattern that the mouse has rested on in the map is felt once.
+// A pattern that the mouse rests on in the map is played once.
 void follow_hover(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     const auto hovered = std::exchange(play.hovered_in_map, std::nullopt);
     if (!hovered || !play.on_hover || *hovered >= work.document.set.vibrations.size()) {
@@ -315,7 +315,7 @@ void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
         },
         ui.wake);
     refresh_devices(play);
-    // With an actuator at hand, play is meant to be felt.
+    // With an actuator connected, play means to feel it.
     if (!play.choice.id.empty()) timeline.playhead.speed = 1.0;
 }
 
@@ -355,7 +355,7 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     open_chosen(ui, play);
     follow_status(ui, timeline, play);
     if (play.sounding) {
-        // The playhead was halted, dragged or slowed down: it goes its own way.
+        // The playhead was halted, dragged or slowed down: it no longer follows the device.
         const bool is_pattern = !play.sounding->names.empty();
         if (is_pattern && (!timeline.playhead.playing || timeline.playhead.speed != 1.0)) {
             const bool goes_on = timeline.playhead.playing;
@@ -370,7 +370,7 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
 
 namespace {
 
-// Where it is pressed, and not only in the list of devices.
+// Told where it was pressed, and not only in the list of devices.
 void tell_silent(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     if (!play.choice.id.empty()) return say(ui, device_text(play) + ": " + device_trouble(play));
     say(ui, "Plays silently: no actuator is chosen. The list beside the speeds has them.");

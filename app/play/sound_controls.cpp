@@ -1,4 +1,4 @@
-// The transport bar's part that is felt: which device, how strong, and whether it was too strong.
+// The part of the transport bar about the device: its name, its level, and a light for clipping.
 
 #include <imgui_internal.h>
 
@@ -27,7 +27,7 @@ constexpr const char* kPlays = "What plays: at 1\u00d7 it is felt.";
 
 bool is_device_chosen(const PlayState& play) { return !play.choice.id.empty(); }
 
-// Of the meter's width: its left end is -48 dB of full scale.
+// Share of the meter's width: its left end is -48 dB of full scale.
 float meter_share(double of_full_scale) {
     if (of_full_scale <= 0.0) return 0.0F;
     const double db = 20.0 * std::log10(of_full_scale);
@@ -56,7 +56,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     if (ImGui::MenuItem("No device", nullptr, !is_device_chosen(play)))
         choose_device(ui, timeline, play, {});
     note_item(ui.rects, "device:silent");
-    const auto listed = play.listed;  // kept: choosing may change it
+    const auto listed = play.listed;  // a copy: choosing may change it
     for (std::size_t k = 0; listed && k < listed->size(); ++k)
         draw_device_item(ui, timeline, play, (*listed)[k]);
     draw_divider(ui.theme);
@@ -82,7 +82,7 @@ void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) 
     draw_tooltip(ui, (text + ". " + (trouble.empty() ? kPlays : trouble)).c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
-    // As and where a combo of ImGui has it.
+    // Looks and stands like a combo of ImGui.
     ImGui::RenderArrow(&list, {corner.x + size.x - size.y + pad.y, corner.y + pad.y}, theme.text,
                        ImGuiDir_Down);
     const bool is_lost = is_device_chosen(play) && !trouble.empty();

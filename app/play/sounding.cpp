@@ -12,10 +12,10 @@ namespace tact {
 
 namespace {
 
-// Longer patterns are rendered beside the window: this much takes about a millisecond.
+// Longer patterns are rendered in the background: this length takes about a millisecond.
 constexpr double kLongestAtOnceS = 2.0;
 
-// The number of the request.
+// Returns the number of the request.
 std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
     play.drive_job.begin(
         JobPolicy::finish,
@@ -28,7 +28,7 @@ std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
     return play.drives_asked;
 }
 
-// Where two play in turn, phones of side A play the first, those of side B the second.
+// When two play in turn, phones of side A play the first, those of side B the second.
 void aim_phones(const PlayState& play, std::size_t at) {
     const auto phones = play.phone_device.lock();
     if (!phones) return;
@@ -46,7 +46,7 @@ void give_next(Ui& ui, Timeline& timeline, PlayState& play, const MadeDrive& mad
     silence(timeline, play);
 }
 
-// True: what was being computed cannot be played, and nothing sounds any more.
+// True: the requested drive cannot be played, and playing has ended.
 bool fails_to_make(Ui& ui, Timeline& timeline, PlayState& play) {
     const std::string failure = play.drive_job.failure();
     if (failure.empty()) return false;

@@ -1,5 +1,5 @@
-// How the pattern that sounds gets to the device: its drive, made at once or beside the window,
-// begun or changed.
+// The way of the playing pattern to the device: its drive is computed at once or in the background,
+// then started or exchanged.
 #pragma once
 
 #include "app/play/play_state.h"
@@ -8,26 +8,26 @@
 
 namespace tact {
 
-// As the bar says, but for a signal that has a level of its own.
+// The bar's level, or that of a signal with its own level.
 double level_now(const PlayState& play);
 
-// Something is to sound (play.sounding). The first drive of it begins, the next ones change it.
+// Starts play.sounding with its first drive; later calls exchange the drive.
 void play_drive(Ui& ui, Timeline& timeline, PlayState& play, const Drive& drive, bool loop);
 
-// Whether its drive takes a few milliseconds at most: then no job computes it.
+// Whether computing its drive takes at most a few milliseconds, so that no job is needed.
 bool is_made_at_once(const DriveRequest& request);
 
-// At once, or when its drive is computed; until then what sounded goes on.
+// At once, or when the drive is ready; until then the old one plays.
 void play_vibration(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& vibration);
 
-// `next` waits on the device for the end of what sounds, and for the pause after it; at once, or
-// when its drive is computed.
+// Gives `next` to the device, which starts it after the present pattern and the rest; at once, or
+// when its drive is ready.
 void play_next(Ui& ui, Timeline& timeline, PlayState& play, const Vibration& next);
 
-// Takes what was being computed for that; true: it did.
+// Takes the job's answer if it is for the next pattern; true: it was.
 bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play);
 
-// Takes what was being computed for the one that sounds; true: it did.
+// Takes the job's answer if it is for the playing pattern; true: it was.
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play);
 
 }  // namespace tact

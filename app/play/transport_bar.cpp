@@ -1,4 +1,4 @@
-// The bar under the menus: play and step, how fast, where in time, and what is being computed.
+// The bar under the menus: play and step, speed, position in time, and running computations.
 
 #include <algorithm>
 #include <array>
@@ -65,11 +65,11 @@ void draw_speeds(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& sh
 struct TimeTexts {
     std::string at;
     std::string whole;
-    std::string range;  // empty: all of it is shown
+    std::string range;  // empty: the whole pattern is shown
 };
 
 TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
-    // As finely as the read-outs of the curves, and a thousandth at least.
+    // The resolution of the read-outs of curves, at least a thousandth.
     const double duration_s = shown_duration_s(work);
     const TimeRange range = shown_range(timeline, duration_s);
     const double step_s = std::min(1e-3, range.length_s() / 500.0);
@@ -83,7 +83,7 @@ TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
     return {at, whole, shown};
 }
 
-// What is being computed, at length and in short; empty: nothing.
+// The running computation, in a long and a short form; empty: none.
 struct ComputingTexts {
     std::string full;
     std::string brief;
@@ -103,7 +103,7 @@ ComputingTexts computing_texts(const Ui& ui, const Workspace& work, const ShownM
     return {};
 }
 
-// What the bar has room for; the parts, from the one that goes first to the one that goes last.
+// Parts for which the bar has room, from the first to the last to be left out.
 struct BarParts {
     bool computing_in_full = true;
     bool whole = true;
@@ -116,7 +116,7 @@ struct BarParts {
     bool loop = true;
     bool computing = true;
 };
-// The level is not among them, nor what stops: they can be seen at every size of text.
+// The level and the stop button are never left out: they are visible at every size of text.
 constexpr std::array<bool BarParts::*, 10> kFirstToGo{&BarParts::computing_in_full,
                                                       &BarParts::whole,
                                                       &BarParts::range,
@@ -136,13 +136,13 @@ constexpr const char* kShowAll = "Show all";
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// Of the playhead's time, so that what stands after it does not move as it runs.
+// Width of the playhead's time, so that what stands after it does not move while it runs.
 float time_slot(const Ui& ui, const TimeTexts& time) {
     const ImFont* font = ui.theme.fonts.semibold;
     return std::max(text_size(font, time.at).x, text_size(font, "00.000 s").x);
 }
 
-// What stands before the time, whatever is played and computed.
+// Everything before the time: independent of the state of playing and computing.
 float buttons_width(const Ui& ui, const PlayState& play, const BarParts& parts) {
     const float gap = ui.theme.gap_px;
     const float icon = 1.15F * ImGui::GetFrameHeight() + 0.5F * gap;
@@ -156,7 +156,7 @@ float buttons_width(const Ui& ui, const PlayState& play, const BarParts& parts) 
            sound_controls_width(ui, play, {parts.meter, parts.wide_device});
 }
 
-// The time and what comes after it, which comes and goes.
+// The time, and the texts after it, which come and go.
 float texts_width(const Ui& ui, const TimeTexts& time, const ComputingTexts& computing,
                   const BarParts& parts) {
     const float gap = ui.theme.gap_px;
@@ -173,8 +173,9 @@ float texts_width(const Ui& ui, const TimeTexts& time, const ComputingTexts& com
     return sum;
 }
 
-// First the buttons, beside the texts at their shortest, whether those are there or not: so they
-// stay where they are while a map is computed or the time is zoomed. Then the texts.
+// Room for the buttons is found first, with the texts at their shortest, whether they are shown or
+// not: buttons then stay in place while a map is computed or the time is zoomed. Texts get the
+// rest.
 BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& timeline,
                        const ShownMap& shown_map, const PlayState& play, float room_px) {
     const TimeTexts time = time_texts(work, timeline);
@@ -197,7 +198,7 @@ BarParts fitting_parts(const Ui& ui, const Workspace& work, const Timeline& time
     return parts;
 }
 
-// "0.382 s of 1.000 s": digits that do not dance.
+// "0.382 s of 1.000 s", with a fixed number of digits so that the text does not jump.
 void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts& parts) {
     const TimeTexts time = time_texts(work, timeline);
     ImGui::PushFont(ui.theme.fonts.semibold);

@@ -1,4 +1,4 @@
-// What one stage is about: in the body, in the model, and what neither says.
+// Explanation of a stage: in the body, in the model, and the facts that the model leaves out.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ void draw_paragraph(const Ui& ui, const char* heading, const char* text) {
     ImGui::Dummy({1.0F, 0.25F * ui.theme.gap_px});
 }
 
-// What was measured there, each with its source.
+// Measured facts, each with its source.
 void draw_measured_facts(const Ui& ui, const std::string& key) {
     std::string facts;
     for (const TextbookFact& fact : textbook()) {

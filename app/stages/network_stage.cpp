@@ -26,7 +26,7 @@ std::vector<std::string> layer_names(const NeuralCodingParams& params) {
     return names;
 }
 
-// Of one channel, made when it is first shown in this step: large grids take milliseconds.
+// Layers of one channel, computed when first shown in this step: large grids take milliseconds.
 const std::vector<RelayLayer>& layers_of(const Timeline& timeline, Physiology& physiology,
                                          const ShownStages& shown, Receptor type) {
     ShownLayers& known = shown.pinned ? physiology.view.pinned_layers : physiology.view.layers;
@@ -42,8 +42,7 @@ const std::vector<RelayLayer>& layers_of(const Timeline& timeline, Physiology& p
 
 constexpr const char* kNoSpikes = "no spikes in this step";
 
-// Of what comes in there may be nothing: then that is said in `words`, else there is a legend if it
-// is asked for.
+// If no spikes arrive, `place` says so; otherwise it has a legend if `legend` is set.
 struct NetworkWords {
     Rect place;
     bool legend = true;
@@ -84,7 +83,7 @@ void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
     note_rect(ui.rects, "under the mouse:network", area.min, area.max, exact);
 }
 
-// Four chips to choose whose network the overview shows; what is left of their line.
+// Four chips to choose the type whose network the overview shows; returns the rest of their line.
 Rect draw_network_choice(Ui& ui, Physiology& physiology, const Rect& area) {
     PhysiologyState& state = physiology.view;
     const float gap = 2.0F * ui.theme.scale;
@@ -126,14 +125,15 @@ void draw_network_stage(Ui& ui, const Timeline& timeline, Physiology& physiology
         Rect map = area;
         NetworkWords words;
         if (!shown.pinned) words.place = draw_network_choice(ui, physiology, area);
-        // The second of a pair keeps the room of the choice, and so has the same columns.
+        // The second of a pair leaves the same room for the choice, so that both have the same
+        // columns.
         map.min.y += chip_height(ui) + 2.0F * theme.scale;
         return draw_one_network(ui, timeline, physiology, shown, state.network, map, words);
     }
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     const float gap = theme.gap_px;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Names have a column of their own: above the maps they would cost them height.
+    // Names have a separate column: above the maps they would take height.
     const float height = (area.height() - 3.0F * gap) / 4.0F;
     const float names_px = text_size(theme.fonts.small, kNoSpikes).x + 2.0F * gap;
     const float words_px = height >= 2.4F * text_px ? names_px : 0.0F;  // below the name

@@ -1,5 +1,5 @@
-// The middle column: what the fingertip and the nerves make of the selected vibration, stage by
-// stage, and where another one parts from it.
+// The middle column: the stages of the selected vibration in fingertip and nerves, and its
+// differences from another one.
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ namespace tact {
 
 namespace {
 
-// The patterns on screen: the current one, then the pinned one; without those whose stages are on
-// their way.
+// Patterns on screen: the current one, then the pinned one; a pattern whose stages are not computed
+// yet is left out.
 std::vector<ShownStages> shown_patterns(Ui& ui, const Workspace& work,
                                         const Physiology& physiology) {
     std::vector<ShownStages> patterns;
@@ -32,7 +32,7 @@ std::vector<ShownStages> shown_patterns(Ui& ui, const Workspace& work,
     const auto add = [&](const std::shared_ptr<const LiveStages>& live, std::size_t index,
                          bool pinned) {
         const Vibration& wanted = set.vibrations[index];
-        // Another pattern's signals would be worse than none.
+        // Another pattern's signals would be worse than an empty pane.
         if (!live || live->request.vibration.name != wanted.name) return;
         const bool behind =
             live->request.vibration.source != wanted.source || live->request.model != set.model;
@@ -64,8 +64,8 @@ void follow_difference(Physiology& physiology, const std::vector<ShownStages>& p
     }
 }
 
-// One line: the stage's name, what is plotted, its controls at the right end, and between them what
-// misleads where it fits, else below.
+// One line: the stage's name, the quantity, its controls at the right end, and a remark between
+// them; if the remark does not fit, it stands below.
 void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                 const std::vector<ShownStages>& patterns, Stage stage) {
     const Rect pane = rest_of_pane();
@@ -112,8 +112,8 @@ void draw_large(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& p
     draw_patterns(ui, work, timeline, physiology, patterns, stage, plots, size);
 }
 
-// What a row shows, and the place in it from which the next one goes where all are too narrow for
-// their names.
+// Stages of a row, and the order in which they are left out if the columns are too narrow for their
+// names: indices into the stages that remain.
 constexpr std::array kRowStages{Stage::vibration, Stage::spikes, Stage::central, Stage::brain};
 constexpr std::array<std::size_t, kRowStages.size() - 1> kGoFirst{2, 1, 1};
 
@@ -156,7 +156,7 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& phy
     }
 }
 
-// What was moved in the spectrum is a change of the set's model.
+// A threshold moved in the spectrum changes the set's model.
 void move_threshold(Ui& ui, Workspace& work, Physiology& physiology) {
     const auto move = std::exchange(physiology.view.threshold_move, std::nullopt);
     if (!move) return;
@@ -217,7 +217,7 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     if (!failed && !patterns.empty()) {
         draw_row(ui, work, timeline, physiology, {patterns.front()}, row);
     }
-    // Last, as they stand at the right end: Tab goes from left to right.
+    // Drawn last because they stand at the right end: Tab moves from left to right.
     ImGui::SetCursorScreenPos({rest.max.x - links, rest.min.y});
     ImGui::BeginGroup();
     PhysiologyDeed deed = physiology.view.open ? PhysiologyDeed::unfold : PhysiologyDeed::none;
@@ -239,7 +239,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
     follow_difference(physiology, patterns);
     PhysiologyDeed deed = PhysiologyDeed::none;
     if (!ui.as_picture) deed = draw_strip(ui, work, physiology, tour_begun);
-    // The links above may have turned to another range.
+    // The links above may have changed the range.
     fit_time(work, timeline);
     const bool failed = draw_failure(ui, "physiology", physiology.stages_job.failure()) ||
                         draw_failure(ui, "physiology", physiology.pinned_job.failure());

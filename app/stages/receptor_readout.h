@@ -1,4 +1,4 @@
-// What pictures of receptors and of their spikes have in common.
+// Helpers shared by the pictures of receptors and of their spikes.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace tact {
 
-// A picture's name for tests and for ImGui: the one for comparison is another.
+// Name of a picture for tests and for ImGui; that of the compared pattern differs.
 std::string id_of(const ShownStages& shown, const std::string& name);
 
-// The step of the model that the playhead is in.
+// The model step under the playhead.
 std::size_t step_at(const Timeline& timeline, const ShownStages& shown);
 
 int total_spikes(const std::vector<int>& train);

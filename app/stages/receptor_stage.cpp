@@ -16,10 +16,10 @@ namespace tact {
 namespace {
 
 constexpr double kTiltS = 0.18;
-// A flash fades in this time of the pattern; in steps of the model it then lasts for three.
+// Time in which a flash fades: three steps of the model.
 constexpr double kFlashS = 0.015;
 
-// 1 for a receptor that fires in this step, less for one that fired in an earlier one.
+// 1 for a receptor that fires in this step, less for an earlier spike.
 std::vector<float> flashes(const Timeline& timeline, const ChannelStages& channel,
                            std::size_t step) {
     std::vector<float> flash(channel.spike_count.size(), 0.0F);
@@ -41,7 +41,7 @@ std::optional<std::size_t> of_type(const std::optional<ReceptorPlace>& place, Re
     return place->index;
 }
 
-// Of the receptor under the probe, counted as the raster shows it.
+// Spikes of the receptor under the probe, counted as in the raster.
 std::optional<int> centre_spikes(const ChannelStages& channel) {
     const auto centre =
         std::ranges::min_element(channel.grid.receptors, {}, &GridReceptor::distance_mm);
@@ -50,7 +50,7 @@ std::optional<int> centre_spikes(const ChannelStages& channel) {
     return total_spikes(channel.spike_count[k]);
 }
 
-// As fired, of all types.
+// The largest firing rate at the centre over all types.
 double largest_fired_hz(const LiveStages& live) {
     int most = 0;
     for (const ChannelStages& channel : live.neural.channel) {
@@ -59,7 +59,7 @@ double largest_fired_hz(const LiveStages& live) {
     return most / std::max(duration_s(live.waveform), 1e-3);
 }
 
-// What all maps on screen have in common: those of both patterns of a pair.
+// Scales shared by all maps on screen, including both patterns of a pair.
 struct MapScale {
     double largest_hz = 0.0;
     double half_extent_mm = 0.0;
@@ -100,7 +100,7 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.half_extent_mm = scale.half_extent_mm;
     scene.half_width_mm = scale.half_width_mm;
     scene.largest_hz = scale.largest_hz;
-    scene.legend = !large;  // which have one for all
+    scene.legend = !large;  // which have one for all maps
     scene.centre_spikes = centre_spikes(channel);
     scene.duration_s = duration_s(live.waveform);
     scene.only_leaks = live.firing[c] == Firing::leaks;
@@ -145,12 +145,12 @@ void draw_view_choice(Ui& ui, Physiology& physiology, ImVec2 corner) {
     choose(kTilted, true);
 }
 
-// How the four maps share an area: columns and rows of them, and what each has.
+// Layout of the four maps in an area: columns, rows, and the size of a cell.
 struct MapGrid {
     int columns = 4;
     ImVec2 each{0, 0};
     float map_px = 0.0F;   // height of a map
-    float used_px = 0.0F;  // of `each`, down to the end of its words
+    float used_px = 0.0F;  // part of `each`, including its words
 };
 
 MapGrid map_grid(const Theme& theme, const Rect& area, const MapScale& scale, int columns) {
@@ -180,10 +180,10 @@ void draw_receptor_stage(Ui& ui, const Timeline& timeline, Physiology& physiolog
     if (size.controls && !shown.pinned) draw_view_choice(ui, physiology, *size.controls);
     const MapScale scale = map_scale(physiology, *shown.live);
     MapGrid grid = map_grid(ui.theme, area, scale, 4);
-    // Two rows where the maps are then about as large: they fill the pane.
+    // Two rows if the maps are about as large as in one: they fill the pane.
     const MapGrid square = map_grid(ui.theme, area, scale, 2);
     if (size.large && square.map_px > 0.95F * grid.map_px) grid = square;
-    // What one row leaves free is shared out above and below it.
+    // Room that a single row leaves is split above and below it.
     const float free = grid.columns == 4 ? std::max(0.0F, area.height() - grid.used_px) : 0.0F;
     const ImVec2 first = area.min + ImVec2{0.0F, std::floor(0.4F * free)};
     const ImVec2 each{grid.each.x, grid.each.y - free};

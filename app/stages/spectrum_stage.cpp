@@ -1,4 +1,4 @@
-// Components over thresholds, which can be moved where the spectrum is large.
+// Components over thresholds; in the large spectrum the thresholds can be moved.
 
 #include <cstdio>
 

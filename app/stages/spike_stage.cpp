@@ -31,7 +31,8 @@ void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiol
     const TimeRange range = shown_range(timeline, shown_duration_s(work));
     scene.start_s = range.start_s;
     scene.end_s = range.end_s;
-    // Large, names stand with their peaks on the left; small, beside the lanes on the right.
+    // In the large stage, names stand with their peaks at the left; in the small one, beside the
+    // lanes at the right.
     if (!size.large) scene.names_px = 0.0F;
     scene.time_axis = size.time_axis;
     scene.rates = size.large;

@@ -15,7 +15,7 @@ float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& 
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushTextWrapPos(area.max.x - ImGui::GetWindowPos().x);
     const float icon = line + 8.0F * theme.scale;
-    // Where both do not fit, what it is comes before what is said of it.
+    // Without room for both, the name is shown before the quantity.
     const float beside = area.width() - icon;
     const bool has_icon =
         !ui.as_picture && text_size(theme.fonts.small, text.short_name).x <= beside;

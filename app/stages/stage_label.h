@@ -1,4 +1,4 @@
-// What is written beside a stage's plots.
+// Text beside a stage's plots.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace tact {
 
-// Name and what is plotted, left of the plots; the name opens the stage, the "i" explains it.
-// Where it ends.
+// Name and quantity, left of the plots; the name opens the stage, the "i" explains it.
+// Returns the lower end.
 float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area);
 
-// How far up and down signals reach, at the foot of the label of a stage that has the room.
+// Largest value up and down, at the bottom of the label if there is room.
 void draw_reach(Ui& ui, const Rect& label, Stage stage, const std::string& text);
 
 }  // namespace tact

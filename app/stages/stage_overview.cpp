@@ -20,23 +20,24 @@ namespace {
 
 constexpr float kLabelColumnPx = 96.0F;
 
-// Height of each stage in the overview, in units. Signals have what the pictures leave.
+// Height of each stage in the overview, in units. Signals share the height that pictures leave.
 constexpr std::array<float, kStages.size()> kUnits{1.0F, 2.1F, 1.8F, 3.2F, 2.1F,
                                                    2.2F, 1.7F, 0.9F, 1.1F};
 constexpr std::array<float, kStages.size()> kPairUnits{0.9F, 2.1F, 3.3F, 3.2F, 3.0F,
                                                        2.2F, 3.0F, 1.1F, 1.1F};
-constexpr float kLowestUnitPx = 28.0F;  // below, the column scrolls
+constexpr float kLowestUnitPx = 28.0F;  // with less, the column scrolls
 constexpr float kLowestPairUnitPx = 36.0F;
-constexpr float kScrolledPairUnitPx = 72.0F;  // once it scrolls, lanes are as high as is good
+constexpr float kScrolledPairUnitPx = 72.0F;  // used while it scrolls, so that lanes are
+                                              // comfortably high
 
-// What a picture needs, and what it makes good use of, in heights of small text.
+// The least and the largest useful height of a picture, in heights of small text.
 struct PictureHeight {
     float least;
     float most;
 };
 
 std::optional<PictureHeight> picture_height(Stage stage, bool is_pair) {
-    // Of two, with a line of words between them; the choice of networks stands above both.
+    // A pair has a line of words between its pictures; the choice of networks stands above both.
     if (stage == Stage::spectrum) {
         return is_pair ? PictureHeight{12.6F, 14.0F} : PictureHeight{5.6F, 14.0F};
     }
@@ -81,13 +82,13 @@ StageHeights stage_heights(const Theme& theme, float free, float lowest_unit, bo
     return heights;
 }
 
-// So that it is said once.
+// Whether all patterns have one range, which is then shown once.
 bool have_one_reach(const Workspace& work, const std::vector<ShownStages>& patterns, Stage stage) {
     return !patterns.empty() &&
            reach_text(work, patterns.front(), stage) == reach_text(work, patterns.back(), stage);
 }
 
-// Wrapped within the size, "..." in the place of what has no room; in less than a line, one line.
+// Text wrapped within the size, cut with "..."; in less than one line, one line.
 std::string fitted(const ImFont& font, const std::string& text, const ImVec2& size) {
     const float room_px = std::max(size.y, font.FontSize) + 0.5F;
     const auto fits = [&](const std::string& some) {
@@ -103,7 +104,7 @@ std::string fitted(const ImFont& font, const std::string& text, const ImVec2& si
     return some == text ? text : some + "\u2026";
 }
 
-// What misleads in the stage, under its name; what does not fit is in the tooltip with the rest.
+// Remarks on the stage, under its name; the tooltip has those that do not fit.
 void draw_short_remark(Ui& ui, const ShownStages& shown, Stage stage, const Rect& area) {
     const std::string whole = short_remark(*shown.live, stage);
     if (whole.empty()) return;
@@ -130,7 +131,8 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     const float gap = 0.75F * theme.gap_px;
     const float free = ImGui::GetContentRegionAvail().y - gap * static_cast<float>(kStages.size());
     float lowest = patterns.size() > 1 ? kLowestPairUnitPx : kLowestUnitPx;
-    // Nobody can scroll a picture, and no clicker a single pattern; two would be too small.
+    // A picture cannot be scrolled, and a clicker cannot scroll a single pattern; two would be too
+    // small.
     if (ui.as_picture || (ui.presenting && patterns.size() < 2)) lowest = 1.0F;
     const StageHeights heights =
         stage_heights(theme, free, lowest * theme.scale, patterns.size() > 1);
@@ -138,7 +140,7 @@ void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                          gap * static_cast<float>(kStages.size());
     const bool scrolls = height > ImGui::GetContentRegionAvail().y + 1.0F;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    // The wheel moves through time where there is more of it than is shown.
+    // The wheel moves through time if only a part of it is shown.
     const bool zoomed_in = is_zoomed_in(timeline, shown_duration_s(work));
     ImGuiWindowFlags flags = sideways_if_narrow(ui, ImGui::GetContentRegionAvail().x);
     if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar;

@@ -1,4 +1,4 @@
-// All stages below one another, each as high as it needs.
+// All stages below one another.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tact {
 
-// Of one pattern or two; where the pane is too low, it scrolls.
+// Stages of one pattern or two; scrolls if the pane is too low.
 void draw_overview(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
                    const std::vector<ShownStages>& patterns);
 

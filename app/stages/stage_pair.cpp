@@ -16,8 +16,8 @@ namespace tact {
 
 namespace {
 
-// Whose signals these are, beside a row of plots: a mark in its colour, as small text in it would
-// be hard to read, its name, and below it what else there is to say.
+// The pattern's name beside its row of plots, with a mark in its colour because coloured small text
+// is hard to read, and more words below.
 struct RowName {
     std::string id;
     std::string name;
@@ -53,7 +53,7 @@ void draw_row_name(Ui& ui, const Rect& place, const RowName& row) {
     if (has_more) line(row.more, theme.dim_text);
 }
 
-// The number that the paper makes of a pair at this stage, where it makes one.
+// The paper's number for a pair at this stage, if it has one.
 std::string paper_number(const Physiology& physiology, Stage stage) {
     if (stage == Stage::brain) return "NC " + significant(physiology.view.difference.nc);
     if (stage != Stage::envelope || !physiology.view.pair_oc) return {};
@@ -67,7 +67,7 @@ std::string of_pattern(const std::string& name, std::string remark) {
     return name + ": " + remark;
 }
 
-// Right of all plots: as wide as names need, within limits.
+// Room for names at the right of all plots: as wide as needed, within limits.
 float row_names_px(const Ui& ui, const std::vector<ShownStages>& patterns, float width_px) {
     float words_px = text_size(ui.theme.fonts.small, "difference").x;
     for (const ShownStages& shown : patterns) {
@@ -89,7 +89,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
     StageSize upper = size;
     if (patterns.size() > 1) plots.max.x -= row_names_px(ui, patterns, area.width());
     const Rect names{{plots.max.x, area.min.y}, area.max};
-    // All time axes end at one place, whether there are lanes or not.
+    // All time axes end at one place, with or without lanes.
     if (has_signals && size.names) {
         upper.lanes_px = lane_names_px(ui, area.width());
         plots.max.x -= upper.lanes_px;
@@ -98,7 +98,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
         return draw_stage(ui, work, timeline, physiology, patterns[0], stage, plots, upper);
     const StageSize lower = upper;
     upper.time_axis = false;
-    // Several rows are as high in between as above and below; large, they have values.
+    // Several rows are equally high between the axes; large ones have values.
     const float of_many = size.large ? 0.35F : 0.3F;
     const float share = rows > 1 ? of_many : 0.24F;
     const float axis = size.time_axis ? time_axis_height(ui) : 0.0F;
@@ -117,7 +117,7 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                           upper);
     draw_stage(ui, work, timeline, physiology, patterns[1], stage, below, lower);
     const std::string key = text_of(stage).key;
-    // Where both reach as far, the stage's label says it.
+    // If both have the same range, the stage's label tells it.
     const bool apart =
         !size.large && reach_text(work, patterns[0], stage) != reach_text(work, patterns[1], stage);
     const auto name = [&](const char* row, const Rect& of, std::size_t k) {

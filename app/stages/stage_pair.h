@@ -1,4 +1,4 @@
-// One stage of one pattern, or of two with their difference between them, each under its name.
+// A stage of one pattern, or of two with their difference between them, each under its name.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ void draw_patterns(Ui& ui, const Workspace& work, Timeline& timeline, Physiology
                    const std::vector<ShownStages>& patterns, Stage stage, const Rect& area,
                    const StageSize& size);
 
-// What misleads in the stage of the first pattern: in `beside` where it fits in one line, else at
-// the top of `below`; the height that it takes there.
+// Remarks on the first pattern: in `beside` if they fit in one line, otherwise at the top of
+// `below`; returns the height used there.
 float draw_remark(Ui& ui, const Physiology& physiology, const std::vector<ShownStages>& patterns,
                   Stage stage, const Rect& beside, const Rect& below);
 

@@ -35,7 +35,7 @@ bool fires(const LiveStages& live, Receptor receptor) {
     return live.firing[index_of(receptor)] == Firing::fires;
 }
 
-// "Meissner 99 %, Pacinian 99 %": of types that send anything.
+// "Meissner 99 %, Pacinian 99 %": types that send anything.
 std::string shares_text(const LiveStages& live, double (*share)(const LiveStages&, Receptor)) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
@@ -69,14 +69,14 @@ std::string leak_text(const LiveStages& live, bool fires) {
     return {};
 }
 
-// Impulses a cycle, where they are more than a fibre's; else 0.
+// Impulses a cycle if there are more than a real fibre's; otherwise 0.
 double many_times(const LiveStages& live, Receptor receptor) {
     if (!fires(live, receptor)) return 0.0;
     const double times = live.impulses_a_cycle[index_of(receptor)];
     return times > kManyACycle ? times : 0.0;
 }
 
-// "Meissner 11.5, Pacinian 2": of types that fire more often than a fibre does.
+// "Meissner 11.5, Pacinian 2": types that fire more often than a real fibre.
 std::string many_a_cycle(const LiveStages& live) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
@@ -95,13 +95,13 @@ std::string cycles_text(const LiveStages& live) {
            ". A fibre fires about one; the model\u2019s rate knows no cycles.";
 }
 
-// Where Ruffini's corpuscles are said to fire, how rarely they were found.
+// If Ruffini's corpuscles fire: how rarely they were found.
 std::string ruffini_text(const LiveStages& live) {
     if (!fires(live, Receptor::ruffini)) return {};
     return "Ruffini fires here. " + sentence_of(*fact_named("ruffini found"));
 }
 
-// "Merkel 391 of 872": impulses that are fired where nothing moves.
+// "Merkel 391 of 872": impulses while nothing moves.
 std::string in_silence(const LiveStages& live) {
     std::string text;
     for (const Receptor receptor : kReceptors) {
@@ -117,7 +117,7 @@ std::string joined(const std::string& first, const std::string& second) {
     return first + (first.empty() || second.empty() ? "" : " ") + second;
 }
 
-// What lines of the textbook say as well, where they are laid over the stage.
+// Remarks that the textbook's lines repeat; empty if those are shown.
 std::string facts_text(const LiveStages& live, bool has_textbook) {
     return has_textbook ? std::string() : joined(cycles_text(live), ruffini_text(live));
 }

@@ -1,8 +1,8 @@
-// What misleads in a stage of one pattern, said where it is seen: what a filter leaks, a gate that
-// is nearly on or off, receptors beyond the finger, more impulses than cycles.
+// Remarks on a stage of one pattern that is easily misread: a filter leaks, a gate is nearly always
+// open or closed, receptors lie beyond the finger, more impulses than cycles.
 //
 // Input     one pattern's stages
-// Output    numbers of this pattern; a sentence, or nothing where there is nothing to say
+// Output    numbers of this pattern; a sentence, or an empty text
 #pragma once
 
 #include <string>
@@ -12,23 +12,24 @@
 
 namespace tact {
 
-// Share of the steps in which the centre of a type's network sends anything at all.
+// Share of the steps in which the centre of a type's network sends anything.
 double share_on(const LiveStages& live, Receptor receptor);
 
-// The same of the steps in which it sends as much as the model lets it.
+// Share of the steps in which it sends the model's maximum.
 double share_at_cap(const LiveStages& live, Receptor receptor);
 
-// Receptors of the grid that lie beyond the finger's edge.
+// Number of the grid's receptors beyond the finger's edge.
 std::size_t beyond_finger(const LiveStages& live, Receptor receptor);
 
-// Of one type's impulses, beside its rows: "filter leak", "11.5 a cycle"; empty: nothing misleads.
+// Remark on one type's impulses, beside its rows: "filter leak", "11.5 a cycle"; empty: no remark.
 std::string firing_note(const LiveStages& live, Receptor receptor);
 
-// The same in a few words, for beside a small stage: who only leaks, who fires many a cycle.
+// The same in a few words, for a small stage: types that only leak, types with many impulses a
+// cycle.
 std::string short_remark(const LiveStages& live, Stage stage);
 
-// For the line under a stage's title; empty: nothing to say. `has_textbook`: measured facts are
-// laid over the stage, and what they say is left to them.
+// Remark for the line under a stage's title; empty: no remark. `has_textbook`: leaves out whatever
+// the measured facts over the stage say.
 std::string stage_remark(const LiveStages& live, Stage stage, bool has_textbook = false);
 
 }  // namespace tact

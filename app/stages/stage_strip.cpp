@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kAllStages = "All stages";
 
-// A stage in the strip; beneath it, how far two patterns are apart there.
+// A stage in the strip; below it, the distance of two patterns at this stage.
 void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
                      std::optional<double> difference) {
     const bool pressed = draw_chip(ui, key, text, lit);
@@ -36,7 +36,7 @@ void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char
 }
 
 std::string compare_words(const Ui& ui, const Workspace& work) {
-    constexpr float kMostPx = 180.0F;  // of the name
+    constexpr float kMostPx = 180.0F;  // the name's width
     const std::string& pinned = work.selection.pinned;
     if (pinned.empty()) return "Compare with\u2026";
     return "compared with " + shortened(ui.theme.fonts.regular, pinned, kMostPx * ui.theme.scale);
@@ -58,7 +58,7 @@ const char* tour_words(bool tour_begun) { return tour_begun ? "Resume the tour" 
 
 float words_px(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// For a popup that is begun next: below what asked for it, and within the pane.
+// Places the popup that begins next: below its button, and within the pane.
 void open_below(const Theme& theme, const Rect& asked) {
     const float middle = ImGui::GetWindowPos().x + 0.5F * ImGui::GetWindowSize().x;
     const bool at_right = asked.centre().x > middle;
@@ -103,7 +103,7 @@ PhysiologyDeed draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool 
     return deed;
 }
 
-// The links as a menu, for a pane that has no line for them.
+// The links as a menu, for a pane without room for them.
 PhysiologyDeed draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
     if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
     note_item(ui.rects, "stages:more");

@@ -1,4 +1,4 @@
-// Above the stages: which of them is large, and which pattern is shown for comparison.
+// The strip above the stages: the large stage, and the pattern shown for comparison.
 #pragma once
 
 #include "app/document/workspace.h"
@@ -8,9 +8,9 @@
 
 namespace tact {
 
-// The strip, and comparing, the tour and the way back to one row: at the right end of its last
-// line, else below it, and in a menu where it has two lines already. What was asked for;
-// `tour_begun`: the tour can be taken up again.
+// The strip; links to compare, to the tour and back to one row stand at the right end of its last
+// line, or below it, or in a menu if it has two lines already. Returns the pressed links.
+// `tour_begun`: offers to continue the tour.
 PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun);
 
 }  // namespace tact

@@ -21,7 +21,7 @@ namespace tact {
 
 namespace {
 
-// Nothing to draw: no receptor of the type fires, or its filter lets nothing through.
+// Whether a lane is empty: no receptor of the type fires, or its filter passes nothing.
 bool is_silent(const StageSignal& signal) {
     return std::ranges::all_of(signal.samples, [](double sample) { return sample == 0.0; });
 }
@@ -32,7 +32,7 @@ ImU32 colour_of(const Ui& ui, const ShownStages& shown, const StageSignal& signa
     return stage == Stage::brain ? ui.theme.text : ui.theme.dim_text;
 }
 
-// A silent channel's line, from where the others' time begins: its name and why there is nothing.
+// The lane of a silent channel, from the left edge of the other lanes: its name and the reason.
 void draw_silent_row(const Ui& ui, Rect area, const StageSignal& signal, bool large) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (large) area.min.x += value_room_px(ui);
@@ -49,13 +49,13 @@ void draw_silent_row(const Ui& ui, Rect area, const StageSignal& signal, bool la
     draw_text(list, ui.theme.fonts.small, corner, ui.theme.dim_text, text);
 }
 
-// What is right of a lane.
+// The area right of a lane.
 Rect beside_lane(const Rect& lane, const StageSize& size) {
     return {{lane.max.x, lane.min.y}, {lane.max.x + size.lanes_px, lane.max.y}};
 }
 
-// Of the rows that share an area: channels that are silent in all patterns on screen take less.
-// Those of a pair are alike, so that one is seen above the other.
+// Heights of rows in an area: channels that are silent in all patterns on screen take less. A pair
+// has the same rows, so that its lanes stand one above the other.
 std::vector<float> row_weights(const Physiology& physiology, const LiveStages& live, Stage stage) {
     const ShownDifference& pair = physiology.view.difference;
     std::vector<float> weights;
@@ -84,8 +84,8 @@ std::vector<Rect> shared_out(const Rect& area, const std::vector<float>& weights
     return rects;
 }
 
-// Vibrations of a set are on one scale, what a device makes of them and what filters leave of them
-// too, unless it is stronger.
+// Vibrations of a set share one scale, and so do renderings and filtered signals, unless they are
+// stronger.
 double reach_of(const Workspace& work, const StageSignal& signal, Stage stage) {
     const double reach_g = shown_reach_g(work);
     const bool in_g = stage == Stage::vibration || stage == Stage::filtered;
@@ -95,7 +95,7 @@ double reach_of(const Workspace& work, const StageSignal& signal, Stage stage) {
     return peak;
 }
 
-// In a trace that shows nothing of the vibration, what it does show.
+// A note in a trace that shows nothing but filter leak.
 void draw_leak_note(Ui& ui, const Rect& area, Receptor receptor) {
     const std::string text =
         std::string(traits(receptor).name) + ": nothing in its band, its filter leaks";
@@ -125,7 +125,7 @@ TimeRow row_of(const Ui& ui, const ShownStages& shown, const StageSignal& signal
     return row;
 }
 
-// Close enough to tell spikes apart, the central signals show each of them.
+// If spikes are far enough apart to be told apart, the central signals show each of them.
 constexpr double kSingleSpikesS = 0.05;
 
 void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physiology& physiology,
@@ -159,10 +159,10 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
         row.largest = reach_of(work, signals[k], stage);
         row.time_axis = last && size.time_axis;
         row.values = !silent;
-        if (silent) row.colour = IM_COL32_BLACK_TRANS;  // its line below is enough
+        if (silent) row.colour = IM_COL32_BLACK_TRANS;  // the line of its lane is enough
         draw_time_row(ui, work, timeline, rects[k], row);
         if (silent) draw_silent_row(ui, lane, signals[k], size.large);
-        // Large, the remark above says it.
+        // In the large stage the remark above says it.
         if (stage == Stage::filtered && !size.large &&
             shown.live->only_leaks[index_of(*signals[k].receptor)]) {
             draw_leak_note(ui, lane, *signals[k].receptor);
@@ -170,12 +170,12 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
     }
 }
 
-// In words, where there is no signal to subtract.
+// Words for stages without a signal to subtract.
 void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
                           std::optional<double> difference) {
     if (!difference) return;
     char text[64];
-    // Bars beside each other share nothing, however near: a number would say no more.
+    // Bars at different frequencies share nothing, however close: a number would add nothing.
     if (stage == Stage::spectrum && *difference > 0.995) {
         std::snprintf(text, sizeof text, "no frequency in common");
     } else {
@@ -210,7 +210,7 @@ void draw_lane_name(const Ui& ui, const Rect& place, Receptor receptor) {
     draw_receptor_mark(list, ui.theme, {left + ui.theme.mark_px, y}, radius, receptor);
     const float words_px = left + 2.6F * ui.theme.mark_px;
     const char* const name = traits(receptor).name;
-    if (place.height() < 0.8F * text_px) return;  // none of the names reaches below its line
+    if (place.height() < 0.8F * text_px) return;  // no name reaches below its line
     if (words_px + text_size(font, name).x > place.max.x + 1.0F) return;
     draw_text(list, font, {words_px, y - 0.55F * text_px}, ui.theme.text, name);
 }

@@ -13,12 +13,12 @@ namespace tact {
 
 namespace {
 
-constexpr const char* kParts = "\u2260 ";  // not as measured
+constexpr const char* kParts = "\u2260 ";  // deviates from the measured facts
 constexpr const char* kTitle = "Textbook: ";
-constexpr float kMostOfStage = 0.3F;  // of a large stage's height
+constexpr float kMostOfStage = 0.3F;  // share of a large stage's height
 constexpr double kHighestHz = 500.0;
 
-// What people notice of a pair, in the place of what they notice in general.
+// For a pair, the difference that people notice replaces the general facts.
 std::string pair_line(const std::vector<ShownStages>& patterns, Stage stage) {
     if (patterns.size() < 2 || stage != Stage::brain) return {};
     const auto* a = std::get_if<Pattern>(&patterns[0].live->request.vibration.source);
@@ -62,7 +62,7 @@ float draw_textbook(Ui& ui, const Physiology& physiology, const std::vector<Show
     float top = below.min.y;
     std::size_t shown = 0;
     for (const BesideLine& line : lines) {
-        // The last one that fits leaves room to say that there are more.
+        // The last line that fits leaves room to say that there are more.
         const bool is_last = shown + 1 == lines.size();
         const std::string words = words_of(line);
         const float line_px = height_px(font, words, width);

@@ -1,4 +1,4 @@
-// Measured facts over a stage, where the switch is on, and where the model parts from them.
+// Measured facts over a stage, if they are switched on, and the model's deviations from them.
 //
 // Source    model/textbook
 #pragma once
@@ -14,17 +14,17 @@
 
 namespace tact {
 
-// Lines at the top of `below`, as many as leave a large stage most of its room; of a pair, what
-// people notice of their difference. The height that they take there.
+// Lines at the top of `below`, limited so that a large stage keeps most of its room; for a pair,
+// the difference that people notice. Returns the height used there.
 float draw_textbook(Ui& ui, const Physiology& physiology, const std::vector<ShownStages>& patterns,
                     Stage stage, const Rect& below);
 
-// Of a small stage that parts: a few words at the foot of its label, and the lines as a tooltip.
-// The height that they take.
+// A small stage with a deviation: a few words at the bottom of its label, and the lines as a
+// tooltip. Returns the height used.
 float draw_textbook_sign(Ui& ui, const Physiology& physiology, const ShownStages& shown,
                          Stage stage, const Rect& label);
 
-// What the spectrum draws of it; none while the switch is off.
+// The part for the spectrum; null while the switch is off.
 struct MeasuredSpectrum {
     std::vector<std::pair<double, double>> felt_db;
     std::vector<MeasuredBand> bands;

@@ -1,4 +1,4 @@
-// A|B says which two it plays, and swaps them; digits play what was picked.
+// A|B names its two patterns, and swaps them; digits play the picked patterns.
 #include <doctest/doctest.h>
 
 #include <memory>
@@ -17,10 +17,10 @@ using namespace tact;
 
 namespace {
 
-// As an output is: the next one may wait for the end of what plays.
+// Behaves as an output: the next pattern may wait for the end of the present one.
 struct QueueingDevice final : Device {
     bool plays = false;
-    bool has_ended = false;  // told by one status
+    bool has_ended = false;  // told in one status only
     int begun = 0;
     int stops = 0;
     std::vector<double> rests_s;
@@ -97,13 +97,14 @@ TEST_CASE("A|B: a device that can keeps the pause, and is given the next one whi
     program.space();
     CHECK(queue->begun == 1);
     REQUIRE(queue->rests_s == std::vector<double>{0.3});
-    // The next one goes on by itself: nothing begins it again, and the third waits for it.
+    // The device continues with the next pattern by itself: no call starts it, and the third waits
+    // for it.
     queue->end();
     program.settle();
     CHECK(program.app.play.sounding->at == 1);
     CHECK(queue->begun == 1);
     CHECK(queue->rests_s == std::vector<double>{0.3, 0.3});
-    // Edited while it waits: the device does not play what it was.
+    // Edited while it waits: the device does not play the old version.
     edit_patterns(program.app.work, [](Pattern& pattern) { pattern.amplitude_g *= 0.5; });
     program.settle();
     queue->end();
@@ -158,7 +159,7 @@ TEST_CASE("keys: 1 to 9 play what was picked, by its number in the list") {
     }
     program.press('4');
     CHECK(app.ui.status.text == "Only 3 are picked.");
-    // Typed into a field they are a number.
+    // Typed into a field, they are a number.
     const int begun = program.device->begun();
     program.click("entry:amplitude_g");
     program.type("1");

@@ -1,4 +1,4 @@
-// Pressed and held, a pattern is felt as long as it is held; a click and a drag stay what they are.
+// A pattern pressed and held plays until it is released; a click and a drag keep their meaning.
 #include <doctest/doctest.h>
 
 #include "app/document/editing.h"

@@ -1,4 +1,4 @@
-// Which device is played on: chosen, lost, remembered, another.
+// The device of playback: chosen, lost, remembered, exchanged.
 #include "app/play/playing.h"
 
 #include <doctest/doctest.h>
@@ -71,10 +71,10 @@ TEST_CASE(
     CHECK(made_drive(drive_request(program.app.play, recording)).remark.find("unchanged") !=
           std::string::npos);
     CHECK_FALSE(can_be_calibrated(program.app.play));
-    // It is nobody's actuator, and the next device is felt again.
+    // Headphones are not an actuator, and the next device is felt again.
     keep_devices(program.app.work, program.app.play);
     CHECK(program.app.work.session.device.empty());
-    // The same output, chosen as the actuator's: another thing, and softly again.
+    // The same output, chosen as an actuator: another meaning, and a low level again.
     program.app.play.choice.everywhere = true;
     program.app.play.level = 1.0;
     const std::string id = program.app.play.choice.id;
@@ -120,7 +120,7 @@ TEST_CASE("playing: how each device was used is remembered, in the session too")
     CHECK(remembered_choice(next.play, "audio/ALSA/pulse") == pulse);
     CHECK(next.play.full_scale_g == 2.5);
     CHECK(next.play.whole_buffer_s == 0.3);
-    CHECK(next.play.level == kFirstLevel);  // every start is a quiet one
+    CHECK(next.play.level == kFirstLevel);  // every start has a low level
 }
 
 TEST_CASE("playing: a controller is still when another window has the keys, sound plays on") {
@@ -156,7 +156,7 @@ TEST_CASE("playing: another device, or another of its channels, begins at a low 
     choice.id = "audio/test/another";
     choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
     CHECK(play.level == kFirstLevel);
-    // Who had it lower keeps it.
+    // A lower level is kept.
     play.level = 0.05;
     choice.id = "audio/test/a third";
     choose_device(program.app.ui, program.app.timeline, program.app.play, choice);
@@ -207,7 +207,7 @@ TEST_CASE("playing: a name that leads to another output now is another device, a
     PlayState& play = program.app.play;
     program.space();
     REQUIRE(program.device->playing());
-    const auto kept = play.device;  // to be looked at afterwards
+    const auto kept = play.device;  // for inspection afterwards
     play.level = 1.0;
     play.opened_place = "server amplifier";
     DeviceInfo info;

@@ -1,4 +1,4 @@
-// What is felt, when: the program's real frames, with a device that keeps what it is given.
+// Playback in the program's real frames, with a device that records its drives.
 
 #include "app/play/playing.h"
 
@@ -44,7 +44,7 @@ TEST_CASE("playing: slow motion is silent, and slowing down silences") {
     program.space();
     CHECK_FALSE(program.device->playing());
     CHECK(program.app.timeline.playhead.playing);
-    program.click("speed:1\u00d7");  // under way: from now on it is felt
+    program.click("speed:1\u00d7");  // it is running: from now on it is felt
     CHECK(program.plays(0));
     program.click("speed:1/100");
     CHECK_FALSE(program.device->playing());
@@ -61,7 +61,7 @@ TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing
     CHECK_FALSE(program.device->playing());
     program.settle();
     CHECK(program.app.layout.maximised == Pane::physiology);
-    program.press_key(key::kEscape);  // now it means what it always means
+    program.press_key(key::kEscape);  // now it has its usual meaning
     CHECK_FALSE(program.app.layout.maximised);
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("playing: A|B plays the pattern and its partner in turn, with a gap") 
     program.device->end();
     program.frame();
     program.frame();
-    CHECK(program.device->rests_s().front() == 0.5);  // the gap is the device's
+    CHECK(program.device->rests_s().front() == 0.5);  // the device keeps the rest
     program.wait(0.6);
     CHECK(program.plays(2));
     program.device->end();
@@ -255,7 +255,7 @@ TEST_CASE("playing: Esc that comes before its frame stops the device, and no seq
     REQUIRE(program.plays(0));
     EmergencyStop stop;
     stop.watch(program.app.play.device);
-    stop.stop();  // as the window does it when the key goes down
+    stop.stop();  // as the window does when the key is pressed
     CHECK_FALSE(program.device->playing());
     program.app.play.halted = stop.take();
     CHECK(program.app.play.halted);
@@ -265,7 +265,7 @@ TEST_CASE("playing: Esc that comes before its frame stops the device, and no seq
     program.app.work.selection.others = {1};
     program.press_key(key::kEscape);
     CHECK_FALSE(is_sounding(program.app.play));
-    CHECK(program.app.work.selection.others.size() == 1);  // it has done enough
+    CHECK(program.app.work.selection.others.size() == 1);  // enough for this test
     program.space();
     CHECK(program.device->playing());
 }
@@ -318,17 +318,17 @@ TEST_CASE("playing: protection that is switched holds for what sounds, in the sa
     program.app.play.is_protected = true;
     program.frame();
     CHECK(program.plays(0));
-    CHECK(program.device->begun() == begun);  // the loop goes on
+    CHECK(program.device->begun() == begun);  // the loop continues
     program.app.play.is_protected = false;
     program.frame();
     CHECK(*program.device->playing() == program.drive_of_pattern(0));
-    // So does a full scale.
+    // The same holds for full scale.
     program.app.play.full_scale_g = 2.0;
     program.frame();
     CHECK(program.device->playing()->samples[100] ==
           program.drive_of_pattern(0).samples[100] / 2.0);
     program.space();
-    // A single pass cannot become another: it ends.
+    // A single pass cannot change its drive: it ends.
     program.app.timeline.playhead.loop = false;
     program.space();
     REQUIRE(program.device->playing());

@@ -1,4 +1,4 @@
-// The device goes, whatever it is doing: one sentence, silence, and all is well once it is back.
+// The device is unplugged in any state: one sentence, silence, and it works again once it is back.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kGone = "the coil is gone: plug it in to go on";
 
-// As real ones are: what plays ends, a play is refused, and the status says so at rest, too.
+// Behaves as real devices: playing ends, a play is refused, and the status says so at rest, too.
 struct PulledDevice final : Device {
     bool is_gone = false;
     bool plays = false;
@@ -67,7 +67,7 @@ struct Pulled : FeltProgram {
         click("transport:A|B");
         space();
     }
-    void come_to_the_end() {  // of what sounds; the rest begins
+    void come_to_the_end() {  // of the first pattern; the rest begins
         coil->plays = false;
         frame();
         frame();
@@ -82,7 +82,7 @@ struct Pulled : FeltProgram {
     }
 };
 
-constexpr double kLongS = 3.0;  // rendered beside the window
+constexpr double kLongS = 3.0;  // rendered in the background
 
 struct State {
     const char* name;
@@ -164,7 +164,7 @@ void let_all_go(Pulled& program) {
     program.app.ui.status = {};
 }
 
-// Who tries again while it is gone is told again; once it is back, it plays.
+// Another attempt while it is unplugged gives the sentence again; once it is back, it plays.
 void check_that_it_can_come_back(Pulled& program) {
     let_all_go(program);
     program.space();
@@ -247,7 +247,7 @@ TEST_CASE("pulled: the level starts at 10 % again, said; the complaint goes with
     CHECK(play.level == kFirstLevel);
     CHECK(line.is_error);
     CHECK(line.text == std::string(kGone) + ". The level starts at 10 % again.");
-    // Back again, it is red until something is felt.
+    // Once it is back, the sentence stays red until a pattern plays.
     program.coil->is_gone = false;
     program.settle();
     CHECK(line.is_error);

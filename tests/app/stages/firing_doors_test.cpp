@@ -1,5 +1,5 @@
-// Whatever names types that fire goes by one answer: a type that follows what its filter leaks is
-// named as firing nowhere, whichever door one comes by.
+// Every place that names firing types agrees: a type that only follows its filter's leak is never
+// named as firing.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,13 +29,13 @@ std::vector<PatternSet> bundled() {
         const auto set = parse_set(asset(example.path), example.path, {});
         REQUIRE(set);
         if (set->vibrations.size() <= 20)
-            sets.push_back(*set);  // the Morse signals are of one tone
+            sets.push_back(*set);  // the Morse signals have a single frequency
     }
     REQUIRE(sets.size() >= 9);
     return sets;
 }
 
-// Text that counts what a type fires, without any word of its filter.
+// Text that counts a type as firing, without a word about its filter.
 bool counts_as_firing(const std::string& text, const std::string& name) {
     return holds(text, name + " fires") || holds(text, name + ": fires");
 }
@@ -45,7 +45,7 @@ void check_remarks(const LiveStages& live, Receptor receptor) {
     for (const bool has_textbook : {false, true}) {
         for (const Stage stage : {Stage::receptors, Stage::spikes}) {
             std::string remark = stage_remark(live, stage, has_textbook);
-            // "What Merkel fires here answers to what its filter leaks".
+            // The remark "What Merkel fires here answers to what its filter leaks" is allowed.
             const std::size_t said = remark.find("What " + name + " fires here answers to what");
             if (said != std::string::npos) remark.erase(said, 5 + name.size() + 6);
             CHECK_FALSE(counts_as_firing(remark, name));
@@ -64,7 +64,7 @@ void check_textbook(const LiveStages& live, Receptor receptor) {
     }
 }
 
-// Of every pattern of a set: who fires, and how often.
+// A lesson that asks for the firing types and rates of every pattern of a set.
 Lesson asking(const PatternSet& set) {
     Lesson lesson;
     lesson.name = "who fires";
@@ -144,7 +144,7 @@ TEST_CASE(
         CAPTURE(hz);
         CHECK(live->firing[index_of(Receptor::merkel)] == firing);
         if (hz < 30.0) continue;
-        // More than one impulse a cycle is said in both stages, large and small.
+        // Both stages, large and small, mention more than one impulse a cycle.
         for (const Stage stage : {Stage::receptors, Stage::spikes}) {
             CHECK(holds(stage_remark(*live, stage), "Impulses a cycle: Meissner"));
             CHECK(holds(short_remark(*live, stage), "a cycle"));

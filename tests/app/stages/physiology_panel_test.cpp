@@ -1,5 +1,5 @@
-// The physiology pane through the program's real frames: one playhead, one time axis, and numbers
-// that are those of the command line.
+// The physiology pane through the program's real frames: one playhead, one time axis, and the
+// numbers of the command line.
 #include <doctest/doctest.h>
 
 #include <sstream>
@@ -16,7 +16,7 @@ using namespace tact;
 
 namespace {
 
-// What `tactspace stages` writes about a pattern of the set.
+// Output    of `tactspace stages` for a pattern of the set.
 struct Written {
     TemporaryFolder folder;
 
@@ -76,7 +76,7 @@ TEST_CASE(
     PhysiologyProgram program(set);
     const Written written(set, "p1");
 
-    // Somewhere on the spectrum there is a component to point at.
+    // At some place of the spectrum there is a component under the mouse.
     std::vector<std::string> found;
     for (float share = 0.05F; share < 0.95F && found.empty(); share += 0.01F) {
         program.hover(program.in_row("spectrum", share));
@@ -316,7 +316,7 @@ TEST_CASE("physiology: silence, saturation, nothing at all and an edit under way
         }
         program.click("stage:all");
     }
-    // An edit that the job has not answered yet: what is shown is known to be stale.
+    // The job has not answered this edit yet, so the shown stages are stale.
     std::get<Pattern>(program.app.work.document.edit().vibrations[2].source).amplitude_g = 0.3;
     program.frame();
     CHECK(program.shows("plot:brain"));

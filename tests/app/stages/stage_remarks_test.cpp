@@ -1,4 +1,4 @@
-// What misleads in a stage is said there, of the patterns that it is true of.
+// Remarks on a stage name the patterns they are true of.
 #include "app/stages/stage_remarks.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The textbook over the stages: switched, remembered, and saying what the model parts from.
+// The textbook over the stages: switched on, remembered, with the model's deviations.
 #include <doctest/doctest.h>
 
 #include "app/window/session_layout.h"
@@ -23,7 +23,7 @@ TEST_CASE("textbook over the stages: off at first, signs small, lines large, by 
     program.settle();
     CHECK(holds(program.at("textbook:spikes").value, "Freeman & Johnson 1982, monkey"));
     CHECK(holds(program.at("textbook:spikes").value, "\u2260 Textbook: "));
-    // Nothing was measured of the vibration itself, nor of its envelope.
+    // No facts were measured for the vibration itself, or for its envelope.
     CHECK_FALSE(program.shows("textbook:vibration"));
     CHECK_FALSE(program.shows("textbook:envelope"));
     program.app.physiology.view.open = Stage::receptors;
