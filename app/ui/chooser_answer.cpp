@@ -14,7 +14,7 @@ bool is_there(const fs::path& path) {
     return fs::exists(path, none);
 }
 
-// Says what is wrong with the name, which is to be typed again.
+// States the error in the name, which the person then types again.
 Chosen refused(FileChooser& chooser, std::string remark) {
     chooser.remark = std::move(remark);
     chooser.focus_name = true;
@@ -48,7 +48,7 @@ Chosen accept_to_save(FileChooser& chooser, fs::path path) {
     return std::nullopt;
 }
 
-// Asks before a file in the folder is replaced.
+// Asks before it replaces a file in the folder.
 Chosen accept_to_save_into(FileChooser& chooser, const fs::path& folder) {
     for (const std::string& name : chooser.file_names) {
         if (!is_there(folder / name)) continue;
@@ -85,7 +85,7 @@ Chosen accept_name(FileChooser& chooser) {
     const fs::path path = typed_path(chooser, chooser.name);
     if (is_folder(path)) {
         go_to_folder(chooser, path);
-        // Of a folder that was saved into before, and not of one of the same name in it.
+        // A folder that was saved into before, not another one with the same name inside it.
         const bool again = path.filename() == chooser.offered;
         if (chooser.use == ChooserUse::save_folder && again) chooser.name.clear();
         return std::nullopt;

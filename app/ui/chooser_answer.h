@@ -1,8 +1,8 @@
-// What a file chooser makes of the name that stands in it: a path, another folder, or what is wrong
-// with it.
+// The answer of a file chooser to the text in its name field: a path, another folder, or an error.
 //
-// Output    the path chosen; none: it asks, goes to a folder, or says in its remark what is missing
-// Errors    what the file system refuses is a remark, too
+// Output    the chosen path; nullopt: the chooser asks, goes to a folder, or states in its remark
+//           what is missing
+// Errors    errors of the file system are remarks, too
 #pragma once
 
 #include <filesystem>
@@ -13,22 +13,22 @@
 
 namespace tact {
 
-// To another folder, with the name that the caller offers.
+// Goes to another folder, with the name that the caller offers.
 void go_to_folder(FileChooser& chooser, const std::filesystem::path& folder);
 
-// What Enter does with the name as it stands.
+// Enter with the present name.
 std::optional<std::filesystem::path> accept_name(FileChooser& chooser);
 
-// The folder itself, where that may be an answer.
+// Chooses the folder itself, if that is allowed.
 std::optional<std::filesystem::path> accept_folder(FileChooser& chooser);
 
-// The folder that was named, made here and gone to.
+// Makes the named folder here and goes into it.
 void make_folder(FileChooser& chooser);
 
-// Why there is nothing to open or to save as yet; empty: there may be.
+// The reason why nothing can be opened or saved yet; empty: it can.
 const char* lack_of_name(const FileChooser& chooser);
 
-// "No .wav, .csv here."; empty: a file of them is.
+// "No .wav, .csv here."; empty if there is such a file.
 std::string lack_of_files(const FileChooser& chooser);
 
 }  // namespace tact

@@ -14,19 +14,19 @@ namespace tact {
 
 namespace {
 
-constexpr float kMostHeight = 0.9F;  // of the window
-constexpr float kEdgePx = 2.0F;      // for the frames of what stands at the edges of what scrolls
+constexpr float kMostHeight = 0.9F;  // share of the window
+constexpr float kEdgePx = 2.0F;      // for the frames of items at the edges of the scrolling part
 
-// How high the dialog was when it was drawn last; ImGui keeps it with the window.
-constexpr ImGuiID kBody = 1;    // all that scrolls
-constexpr ImGuiID kShown = 2;   // of that
-constexpr ImGuiID kAround = 3;  // its title, its foot and what is between
+// Heights of the dialog when it was drawn last; ImGui keeps them with the window.
+constexpr ImGuiID kBody = 1;    // all of the scrolling part
+constexpr ImGuiID kShown = 2;   // the visible part of that
+constexpr ImGuiID kAround = 3;  // its title, its foot and the spacing
 
 float kept_px(ImGuiWindow* dialog, ImGuiID what) {
     return dialog == nullptr ? 0.0F : dialog->StateStorage.GetFloat(what);
 }
 
-// Beside what is around it. As long as that is not known, about.
+// The height of everything but the scrolling part; an estimate until it is known.
 float room_px(float around_px) {
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float room = kMostHeight * ImGui::GetIO().DisplaySize.y;
@@ -86,10 +86,10 @@ void begin_foot(const Ui& ui) {
     dialog.StateStorage.SetFloat(kShown, shown);
     const float widest = dialog.DC.CursorMaxPos.x;
     ImGui::EndChild();
-    dialog.DC.CursorMaxPos.x = widest;  // it reaches from edge to edge, and nothing is beside it
+    dialog.DC.CursorMaxPos.x = widest;  // it spans the dialog, with nothing beside it
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - pad);
     if (content <= shown + 1.0F) return;
-    // There is more of it. The line takes no room, which would change how much is shown.
+    // There is more below. The line takes no room, which would change the visible part.
     draw_level_line(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos().y, dialog.Pos.x,
                     dialog.Pos.x + dialog.Size.x, whole_px(ui.theme.hairline_px),
                     ImGui::GetColorU32(ImGuiCol_Separator));
@@ -97,7 +97,7 @@ void begin_foot(const Ui& ui) {
 
 void end_foot() {
     ImGuiWindow& dialog = *ImGui::GetCurrentWindow();
-    // A field that takes the keys may have scrolled it while it was too low.
+    // A field that takes the keyboard may have scrolled it while it was too low.
     const float whole_px = dialog.DC.CursorMaxPos.y - dialog.Pos.y + dialog.Scroll.y +
                            ImGui::GetStyle().WindowPadding.y;
     dialog.StateStorage.SetFloat(kAround, whole_px - kept_px(&dialog, kShown));
@@ -120,10 +120,10 @@ void press_focused(const Ui& ui) {
 
 ImFont* push_dialog_head(const Theme& theme) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, theme.hairline_px);
-    // The title begins where the content does.
+    // The title begins at the left edge of the content.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().WindowPadding.x,
                                                      1.5F * ImGui::GetStyle().FramePadding.y});
-    // Not PushFont: what it pushes belongs to the window that is current, which then is another.
+    // Not PushFont, which would change the current window, not the new one.
     ImFont* before = ImGui::GetFont();
     if (theme.fonts.title != nullptr) ImGui::SetCurrentFont(theme.fonts.title);
     return before;
@@ -162,9 +162,9 @@ bool is_popup_open() {
 void end_dialog(Ui& ui) {
     begin_foot(ui);
     ImGui::Spacing();
-    const bool typing = is_number_typed(ui);  // whose keys these are then
+    const bool typing = is_number_typed(ui);  // which then gets these keys
     const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape) && !ui.escape_taken && !typing;
-    // Enter in a field of text has been taken by that.
+    // A text field has already taken Enter.
     const bool in_text = ImGui::GetCurrentContext()->ActiveIdPreviousFrame != 0;
     const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter) && !typing && !in_text &&
                        !ui.rects.tab_order.is_on_button;

@@ -1,4 +1,4 @@
-// What every dialog over the window begins and ends with.
+// Begin and end of every dialog over the window.
 #pragma once
 
 #include <imgui.h>
@@ -7,47 +7,48 @@
 
 namespace tact {
 
-// Where a dialog stands in the window.
+// The place of a dialog in the window.
 enum class DialogSide {
     middle,
-    right  // clear of the map, which it is about
+    right  // clear of the map, which the dialog is about
 };
 
-// A dialog over the window. Where true, what is drawn next scrolls if the window is too
-// low for it, up to begin_foot(); and the dialog ends by one of the functions below.
+// Begins a dialog over the window. If true, everything up to begin_foot() scrolls when the window
+// is too low for it, and one of the functions below must end the dialog.
 bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F,
                   DialogSide side = DialogSide::middle);
 
-// What follows stays in sight: buttons, and what they are about.
+// Begins the part that always stays visible: buttons, and the values they apply to.
 void begin_foot(const Ui& ui);
 
-// In the place of ImGui::EndPopup(), after begin_foot().
+// Replaces ImGui::EndPopup(), after begin_foot().
 void end_foot();
 
-// The dialog ends without an answer, in the middle of what scrolls, for what comes in its place.
+// Ends a dialog without an answer, before begin_foot(), because another one replaces it.
 void give_way(Ui& ui);
 
-// How high what scrolls may be, for a part of it that scrolls by itself.
+// The largest height of the scrolling part, for a list in it that scrolls by itself.
 float dialog_room_px();
 
-// As Enter does, of what Tab has led to: a button, a link, a choice; not a field of text.
+// Presses the item with the focus of Tab, as Enter does: a button, a link, a choice; text fields
+// take Enter themselves.
 void press_focused(const Ui& ui);
 
-// Around what begins a window that looks like one.
-ImFont* push_dialog_head(const Theme& theme);  // the font before
+// Style for the begin of a window that should look like a dialog.
+ImFont* push_dialog_head(const Theme& theme);  // the previous font
 void pop_dialog_head(ImFont* before);
 
-// Of any kind: a dialog, a menu, a list.
+// For any popup: a dialog, a menu, a list.
 bool is_popup_open();
 
-// Around all that lies over the panes: at the end of a frame.
+// Draws the frames of everything over the panes, at the end of a frame.
 void draw_shadows(const Theme& theme);
 
-// Its last line, with Close; Esc and Enter do the same.
+// The last line of a dialog, with Close; Esc and Enter do the same.
 void end_dialog(Ui& ui);
 
-// The buttons at its end. True when the dialog is to go on with `action`, on
-// Enter too; either button closes it.
+// The buttons at the end of a dialog. True if the person chose `action`, also with Enter; either
+// button closes the dialog.
 bool draw_ends(Ui& ui, const char* action, bool enabled);
 
 }  // namespace tact

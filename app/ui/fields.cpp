@@ -29,8 +29,8 @@ float share_of(const Field& field, double value) {
     return static_cast<float>((value - low) / (high - low));
 }
 
-// Over the frame, the part of the slider up to its value; of several that differ, from the least to
-// the most.
+// Fills the part of the slider up to its value; if several values differ, the part between the
+// smallest and the largest.
 void draw_fill(const Ui& ui, const Field& field, double value) {
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
@@ -49,10 +49,10 @@ double snapped(const Field& field, double value) {
     return std::clamp(value, field.slider.low, field.slider.high);
 }
 
-// One step from where it is, typed values beyond the slider too, onto the next multiple of `snap`
-// on the way.
+// One step from the present value to the next multiple of `snap`; typed values beyond the slider
+// step, too.
 double nudged(const Field& field, double value, double step) {
-    constexpr double kSame = 1e-9;  // of a multiple: 0.3 is three tenths
+    constexpr double kSame = 1e-9;  // tolerance in multiples: 0.3 is three tenths
     double to = value + step;
     if (field.snap > 0.0 && std::abs(step) >= field.snap) {
         const double multiples = to / field.snap;
@@ -62,10 +62,10 @@ double nudged(const Field& field, double value, double step) {
     return std::clamp(to, field.typed.low, field.typed.high);
 }
 
-// Left and right nudge the field that was touched last, unless text is being typed, and so does the
-// wheel over it: how many steps.
+// Left and right nudge the last touched field, unless text is being typed, and so does the wheel
+// over it: returns the number of steps.
 int nudges(Ui& ui, const Field& field, int wheel) {
-    // Not by WantTextInput, which swallows the first key after a text field has been left.
+    // WantTextInput is no use here: it takes the first key after a text field has been left.
     if (ui.field.active != field.id || ImGui::IsAnyItemActive() || !field.enabled) return 0;
     if (ui.keyboard_mode) return wheel;
     const bool right = ImGui::IsKeyPressed(ImGuiKey_RightArrow);
@@ -85,27 +85,29 @@ void nudge(Ui& ui, const Field& field, int steps, double& value, FieldEdit& edit
     edit.along = Along::step;
 }
 
-// Over the bar or the entry of the focused field.
+// Whether the mouse is over the bar or the entry of the focused field.
 int wheel_over(Ui& ui, const Field& field) {
     return ui.field.active == field.id && field.enabled ? wheel_steps(ui) : 0;
 }
 
 bool draw_bar(Ui& ui, const Field& field, double& value) {
-    // No input: there is an entry for that, and Tab would turn the bar into another one.
+    // No typed input in the bar: the entry is for that, and Tab would turn the bar into another
+    // one.
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput;
-    // Over logarithms of our own: ImGui's take all below a thousandth for zero.
+    // A linear slider over logarithms: ImGui's logarithmic one takes everything below a thousandth
+    // for zero.
     const auto on_bar = [&](double of) {
         return field.logarithmic ? std::log(std::max(of, field.slider.low)) : of;
     };
     const double low = on_bar(field.slider.low);
     const double high = on_bar(field.slider.high);
     double moved = on_bar(value);
-    ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // the entry beside it is one
+    ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // the entry beside it is a stop
     const bool changed =
         ImGui::SliderScalar("##bar", ImGuiDataType_Double, &moved, &low, &high, "", flags);
     ImGui::PopItemFlag();
-    // The ends to the bit.
+    // The ends are exact to the bit.
     if (field.logarithmic) {
         moved = moved <= low    ? field.slider.low
                 : moved >= high ? field.slider.high
@@ -143,7 +145,7 @@ NumberEdit draw_entry(Ui& ui, const Field& field, double& value, float width_px)
     return edit;
 }
 
-// What it is for, and its default, which a double click brings back: true then.
+// Its tooltip, and its default, which a double click restores: true then.
 bool draw_label_help(Ui& ui, const Field& field) {
     std::string help = field.help == nullptr ? "" : field.help;
     if (field.normal && ImGui::IsItemHovered()) {
@@ -155,8 +157,8 @@ bool draw_label_help(Ui& ui, const Field& field) {
     return reset;
 }
 
-// A ring on the field that arrow keys nudge. Once Tab is used they do not, and the ring is around
-// what has the focus.
+// A ring on the field that arrow keys nudge. After Tab they do not, and the ring is around the
+// focus.
 void draw_nudge_ring(Ui& ui, const Field& field) {
     const bool is_nudged = ui.field.active == field.id && !ui.keyboard_mode;
     if (!is_nudged || !field.enabled || ui.as_picture) return;
@@ -167,7 +169,7 @@ void draw_nudge_ring(Ui& ui, const Field& field) {
     note_item(ui.rects, "nudged by arrows", field.id);
 }
 
-// A locked field takes nothing, but what is typed at it is not meant for the window either.
+// A locked field accepts nothing, but keys typed at it must not act on the window either.
 void follow_locked(Ui& ui, const Field& field, const Rect& row) {
     const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.min, row.max);
     if (!over || !is_item_disabled() || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
@@ -179,7 +181,7 @@ float label_column(const Ui& ui) { return kLabelColumnPx * ui.theme.scale; }
 
 struct FieldRow {
     bool stacked = false;  // the label above the rest
-    float bar_px = 0.0F;   // none: no slider
+    float bar_px = 0.0F;   // empty: no slider
     float entry_px = 0.0F;
 };
 

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Chosen = std::optional<fs::path>;
 
-// In heights of the font.
+// Width and height of the dialog, in heights of the font.
 constexpr float kDialogWidth = 44.0F;
 constexpr float kDialogHeight = 30.0F;
 constexpr float kPlacesWidth = 9.0F;
@@ -38,7 +38,7 @@ void move_cursor(FileChooser& chooser, bool down) {
     chooser.scroll_to_cursor = true;
 }
 
-// Up and down in the name field. ImGui lets an active field be changed only from inside.
+// Up and down in the name field. ImGui changes an active field only from inside its callback.
 int on_history(ImGuiInputTextCallbackData* field) {
     FileChooser& chooser = *static_cast<FileChooser*>(field->UserData);
     move_cursor(chooser, field->EventKey == ImGuiKey_DownArrow);
@@ -64,7 +64,7 @@ void draw_place(Ui& ui, const char* label, const fs::path& place) {
     ImGui::PopID();
 }
 
-// The folders of the desktop, and those that were worked in lately.
+// The folders of the desktop, and recently used ones.
 void draw_places(Ui& ui, float height_px) {
     ImGui::BeginChild("##places", {kPlacesWidth * ImGui::GetFontSize(), height_px});
     // A chosen row reaches half of the spacing past its words.
@@ -86,7 +86,7 @@ void draw_places(Ui& ui, float height_px) {
     ImGui::EndChild();
 }
 
-// The head of a path elided: its end is what tells folders apart.
+// The path with its beginning cut off: folders differ at its end.
 std::string end_of(const std::string& path, float room_px) {
     std::string shown = path;
     while (ImGui::CalcTextSize(shown.c_str()).x > room_px) {
@@ -116,7 +116,7 @@ bool draw_entry(FileChooser& chooser, std::size_t row) {
     ImGui::PushID(static_cast<int>(row));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    // A name may hold ImGui's own mark "##": it is written beside the row, not as its label.
+    // A name may contain ImGui's mark "##", so it is written beside the row, not as its label.
     if (ImGui::Selectable("##row", is_current,
                           ImGuiSelectableFlags_AllowDoubleClick |
                               ImGuiSelectableFlags_DontClosePopups |
@@ -206,7 +206,7 @@ const char* name_hint(const FileChooser& chooser) {
     return "";
 }
 
-// Where a file may be of several kinds: the ending of its name, by choice.
+// A choice of extensions, if the file may be of several kinds.
 void draw_format(FileChooser& chooser) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -249,7 +249,7 @@ Chosen draw_name(Ui& ui) {
                                                          : accept_name(chooser);
 }
 
-// For a folder that is made here: the two buttons, and back to choosing.
+// While a folder is being named: a button to make it, and one to return.
 void draw_making(Ui& ui) {
     FileChooser& chooser = ui.chooser;
     if (button(ui, "Make the folder")) make_folder(chooser);
@@ -260,7 +260,7 @@ void draw_making(Ui& ui) {
     chooser.focus_name = true;
 }
 
-// Opens or saves what is named; with nothing named it says what is missing.
+// Opens or saves the named path; without a name, tells what is missing.
 Chosen draw_choose(Ui& ui) {
     FileChooser& chooser = ui.chooser;
     const std::string lack = lack_of_name(chooser);

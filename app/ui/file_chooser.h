@@ -1,12 +1,12 @@
-// A dialog to open or save a file, or to save into a folder, a new one too.
+// A dialog to open or save a file, or to save into a folder, which may be new.
 //
-// Typing always goes into the name field, so that everything works by keyboard: up and down walk
-// through the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves;
-// a typed path may be absolute, relative or start with ~. Ctrl+Enter takes the folder itself. Tab
-// goes to the buttons.
+// Typing always goes into the name field, so that the keyboard is enough: up and down walk through
+// the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves; a typed
+// path may be absolute, relative or start with ~. Ctrl+Enter takes the folder itself. Tab goes to
+// the buttons.
 //
 // Input     a folder to start in and the kinds of file wanted
-// Output    the path chosen, once
+// Output    the chosen path, once
 // Left out  hidden files, sizes, several files at once, making folders of folders.
 #pragma once
 
@@ -24,32 +24,34 @@ struct Ui;
 enum class ChooserUse { open, save, save_folder };
 
 struct FileChooser {
-    // What the caller wants; to be set before show().
+    // The caller's wishes; to be set before show().
     ChooserUse use = ChooserUse::open;
     std::string title = "Open";
-    std::vector<std::string> extensions;        // the first is added to a name saved without
+    std::vector<std::string> extensions;        // the first is added to a name saved without an
+                                                // extension
     bool folders_too = false;                   // a folder may be the answer
-    std::vector<std::string> file_names;        // that go into the folder of save_folder
-    std::vector<std::filesystem::path> recent;  // folders that were worked in lately
+    std::vector<std::string> file_names;        // files that go into the folder of save_folder
+    std::vector<std::filesystem::path> recent;  // recently used folders
 
-    // What the person is doing.
+    // The present state of the dialog.
     bool is_open = false;
     bool appears = false;  // opened since the last frame
     FolderListing listing;
     std::string name;                   // as typed
-    std::string offered;                // by the caller: back after each change of folder
+    std::string offered;                // offered by the caller: returns after each change of
+                                        // folder
     std::optional<std::size_t> cursor;  // row of the listing
     bool scroll_to_cursor = false;
     bool focus_name = false;
-    std::string remark;               // what was wrong with the last try
+    std::string remark;               // error of the last attempt
     bool makes_folder = false;        // the name is that of a folder to be made here
-    std::filesystem::path replacing;  // exists; waits for a yes
+    std::filesystem::path replacing;  // exists; waits for confirmation
 };
 
-// Opens the dialog with the next frame. A folder that is not there becomes the home folder.
+// Opens the dialog in the next frame. A missing folder is replaced by the home folder.
 void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
 
-// Draws the dialog if it is open. The path chosen, in the frame in which it is.
+// Draws the dialog if it is open. Returns the path in the frame in which it is chosen.
 std::optional<std::filesystem::path> draw_file_chooser(Ui& ui);
 
 }  // namespace tact

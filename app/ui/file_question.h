@@ -1,4 +1,4 @@
-// Asking for a file or a folder, with what the answer is for.
+// Asking for a file or a folder, with the purpose of the answer.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@ struct FileQuestion {
     ChooserPurpose purpose{};
     ChooserUse use = ChooserUse::open;
     std::string title{};
-    std::vector<std::string> extensions{};  // ".wav"; none: all files
+    std::vector<std::string> extensions{};  // ".wav"; empty: all files
     bool folders_too = false;
-    std::vector<std::string> file_names{};  // that go into the folder of save_folder
+    std::vector<std::string> file_names{};  // files that go into the folder of save_folder
 };
 
-// Opens the dialog in a folder (one that is not there: the home folder), with a name offered.
+// Opens the dialog in a folder (if missing: the home folder), with a name offered.
 void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
                   const std::string& name = {});
 

@@ -23,7 +23,7 @@ std::string lowered(std::string_view text) {
     return result;
 }
 
-// Natural order, case aside.
+// Natural order, case ignored.
 bool comes_before(const FolderEntry& a, const FolderEntry& b) {
     if (a.is_folder != b.is_folder) return a.is_folder;
     const std::string x = lowered(a.name);

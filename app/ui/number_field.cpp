@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kMixed = "mixed";
 
-// What ImGui asks back about while text is edited: a step changes the text itself.
+// State for ImGui's callback while text is edited: a step changes the text itself.
 struct Stepping {
     Ui* ui;
     const NumberEntry* entry;
@@ -46,7 +46,7 @@ double step_of(const NumberEntry& entry, double value) {
     return io.KeyAlt && !entry.rules.whole ? kFine * step : step;
 }
 
-// Up, down and the wheel in the entry. ImGui lets an active field be changed only from inside.
+// Up, down and the wheel in the entry. ImGui changes an active field only from inside its callback.
 int on_step(ImGuiInputTextCallbackData* field) {
     Stepping& stepping = *static_cast<Stepping*>(field->UserData);
     const NumberEntry& entry = *stepping.entry;
@@ -59,7 +59,7 @@ int on_step(ImGuiInputTextCallbackData* field) {
     if (steps == 0) return 0;
     const std::string_view text{field->Buf, static_cast<std::size_t>(field->BufTextLen)};
     const auto typed = typed_number(text, stepping.value, entry.rules);
-    // What stands there as it was is the number itself, with the digits that are not shown.
+    // Unchanged text stands for the number itself, with the digits that are not shown.
     const bool as_it_was = !typed || text == shown_number(entry.format, stepping.value);
     const double from = as_it_was ? stepping.value : typed->value;
     const double to = from + steps * step_of(entry, from);
@@ -81,7 +81,7 @@ void frame_in_red(const Ui& ui) {
                                         1.5F * ui.theme.hairline_px);
 }
 
-// What is wrong with a text; empty: nothing.
+// The error in a text; empty: no error.
 std::string fault_of(const NumberEntry& entry, const Expected<TypedNumber>& typed) {
     if (!typed) return typed.error().message;
     if (typed->remark.empty()) return {};
@@ -89,14 +89,14 @@ std::string fault_of(const NumberEntry& entry, const Expected<TypedNumber>& type
     return (is_most ? "at most " : "at least ") + shown_number(entry.format, typed->value);
 }
 
-// A sum is not understood: where one may be meant, what is. "+0.1" is 0.1.
+// Sums are not computed; if one may be meant, the message tells so. "+0.1" is 0.1.
 std::string meaning_of(const NumberEntry& entry, const std::string& text,
                        const Expected<TypedNumber>& typed) {
     if (!text.starts_with('+') || !typed || typed->factor) return {};
     return shown_number(entry.format, typed->value) + " itself; +10% and *2 change what is there";
 }
 
-// Of the text while it is typed, on a plate beneath the entry: what is wrong, or what it means.
+// A plate beneath the entry while typing: the error of the text, or its meaning.
 void show_words_on(Ui& ui, const NumberEntry& entry, const NumberTyping& typing) {
     if (typing.text == typing.first || typing.text.empty()) return;
     const auto typed = typed_number(typing.text, typing.before, entry.rules);
@@ -118,9 +118,9 @@ void show_words_on(Ui& ui, const NumberEntry& entry, const NumberTyping& typing)
     note_rect(ui.rects, "words on typed", corner, corner + size, words);
 }
 
-// Takes the number that the text stands for; where it stands for none, the one that was stays.
+// Takes the number in the text; without one, the old number stays.
 NumberEdit take_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, double& value) {
-    if (typing.text == typing.first) {  // back to where it began, past all steps
+    if (typing.text == typing.first) {  // back to its value before all steps
         const bool stepped = typing.taken != typing.first;
         return {std::exchange(value, typing.before) != typing.before || stepped, false,
                 Along::back};
@@ -134,14 +134,14 @@ NumberEdit take_number(Ui& ui, const NumberEntry& entry, NumberTyping& typing, d
     }
     if (!typed->remark.empty()) {
         complain_of(ui, entry, typed->remark);
-        typing.refused = typing.entry;  // what stands there is not what was typed
+        typing.refused = typing.entry;  // the text is not the typed one
     }
     const bool changed = std::exchange(value, typed->value) != typed->value || entry.mixed;
     if (typed->factor) return {changed, false, Along::factor, *typed->factor};
     return {changed, false, Along::same};
 }
 
-// While it is typed: half a number may be out of range or none.
+// While typing: half a number may be out of range, or not a number.
 double live_number(const NumberEntry& entry, const NumberTyping& typing) {
     if (typing.text == typing.first) return typing.before;
     const auto typed = typed_number(typing.text, typing.before, entry.rules);
@@ -164,7 +164,7 @@ void join_steps(Ui& ui, const std::string& field) {
 
 int wheel_steps(Ui& ui) {
     if (!ImGui::IsItemHovered()) return 0;
-    // The pane beneath has been scrolled already if this is the first frame here.
+    // In the entry's first frame the pane beneath has been scrolled already.
     return take_wheel() ? whole_turns(ui) : 0;
 }
 
@@ -186,7 +186,7 @@ NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value) {
     const std::string name = "##" + entry.id;
     const ImGuiID id = ImGui::GetID(name.c_str());
     const int frame = ImGui::GetFrameCount();
-    // One that went from the screen in the middle of being typed is not taken up again.
+    // An entry that left the screen while typing does not continue.
     const bool was_typed = typing.entry == id && typing.frame >= frame - 1;
     const std::string shown = entry.mixed ? kMixed : shown_number(entry.format, value);
     std::string text = was_typed ? typing.text : shown;
@@ -229,7 +229,7 @@ NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value) {
     edit = take_number(ui, entry, typing, value);
     if (entry.live) edit.changed = value != before;
     typing.entry = 0;
-    // Esc takes the steps of arrows back with it.
+    // Esc also takes back the steps of arrows.
     ui.field.nudges_on = text == typing.first && ui.field.nudged == entry.label;
     return edit;
 }
@@ -257,7 +257,7 @@ bool enter_whole_with_buttons(Ui& ui, const NumberEntry& entry, int& value) {
     ImGui::BeginGroup();
     ImGui::PushID(entry.id.c_str());
     enter_whole(ui, narrow, value);
-    note_stop(ui.rects.tab_order);  // the group is none, and the buttons are its arrow keys
+    note_stop(ui.rects.tab_order);  // the group is not a stop, and the buttons are its arrow keys
     ImGui::PushButtonRepeat(true);
     for (const int step : {-1, 1}) {
         ImGui::SameLine(0.0F, gap);

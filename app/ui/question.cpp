@@ -26,10 +26,10 @@ void move_mark(const TabOrder& order, Question& question) {
     }
 }
 
-// The buttons; the one that was chosen.
+// The buttons; returns the chosen one.
 std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
     std::optional<std::size_t> chosen;
-    ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);  // Enter is for the marked one alone
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);  // Enter is only for the marked one
     for (std::size_t k = 0; k < question.answers.size(); ++k) {
         const std::string& label = question.answers[k].label;
         const bool is_marked = k == question.marked;
@@ -70,7 +70,7 @@ void draw_question(Ui& ui) {
     note_item(ui.rects, "question", question.text);
     begin_foot(ui);
     ImGui::Spacing();
-    // The key that asked has not answered yet.
+    // The key that opened the question must not answer it.
     std::optional<std::size_t> chosen;
     if (!ImGui::IsWindowAppearing()) {
         move_mark(ui.rects.tab_order, question);
@@ -80,7 +80,7 @@ void draw_question(Ui& ui) {
     if (chosen) ImGui::CloseCurrentPopup();
     end_foot();
     if (!chosen) return;
-    // An answer may ask anew.
+    // An answer may ask the next question.
     const Question answered = *std::exchange(ui.question, std::nullopt);
     if (const auto& run = answered.answers[*chosen].run) run();
 }

@@ -1,11 +1,9 @@
-// A question over the window: a sentence, and answers of which one is to be chosen before anything
-// else is done.
+// A question over the window: a sentence, and answers; one must be chosen before anything else.
 //
-// Everything goes by keyboard: arrows and Tab move along the answers, Enter takes the marked one,
-// Esc the last one, which changes nothing.
+// The keyboard is enough: arrows and Tab move along the answers, Enter takes the marked one, Esc
+// the last one, which changes nothing.
 //
-// Left out  questions one after the other: a newer one takes the place of the older, as if that
-//           had been left by Esc.
+// Left out  a queue of questions: a new one replaces the open one as if Esc had been pressed.
 #pragma once
 
 #include <functional>
@@ -18,22 +16,21 @@ namespace tact {
 struct Ui;
 
 struct Answer {
-    std::string label;            // a verb: what is then done
-    std::function<void()> run{};  // none: nothing is
+    std::string label;            // a verb
+    std::function<void()> run{};  // null: nothing happens
 };
 
 struct Question {
     std::string title;
     std::string text;
-    std::vector<Answer>
-        answers;  // the first is the safe one, and marked; the last leaves all as is
+    std::vector<Answer> answers;  // the first is safe, and marked; the last changes nothing
     std::size_t marked = 0;
 };
 
-// In the place of any dialog that is open.
+// Replaces any open dialog.
 void ask(Ui& ui, Question question);
 
-// What is to be known and has no other place; it stays until it is read.
+// A message that has no other place; it stays until it is read.
 void tell(Ui& ui, const std::string& title, const std::string& text);
 
 void draw_question(Ui& ui);

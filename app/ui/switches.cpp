@@ -1,4 +1,5 @@
-// What is pressed and shows whether it is on: segments, rings, boxes, chips, switches; and links.
+// Widgets that are pressed and show whether they are on: segments, rings, boxes, chips, switches;
+// and links.
 #include <imgui_internal.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ constexpr float kBoxPx = 14.0F;
 constexpr float kBoxGapPx = 7.0F;
 
 void draw_box(const Theme& theme, ImVec2 corner, float size_px, bool on, bool lit) {
-    // GetColorU32 fades what is disabled.
+    // GetColorU32 fades disabled items.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 far_corner = corner + ImVec2{size_px, size_px};
@@ -36,7 +37,7 @@ void draw_box(const Theme& theme, ImVec2 corner, float size_px, bool on, bool li
     list.AddPolyline(tick, 3, ink(readable_on(theme.accent)), 0, 1.8F * theme.scale);
 }
 
-// A word in small type on a plate that lights up, in the middle of so many pixels of height.
+// A word in small type on a highlighted plate, in the middle of this height.
 bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float height_px,
                 bool has_edge) {
     const Theme& theme = ui.theme;
@@ -46,14 +47,14 @@ bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float 
     const bool pressed = ImGui::InvisibleButton(id, {plate.x, height_px});
     const bool over = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const ImVec2 corner{top.x, top.y + std::round(0.5F * (height_px - plate.y))};
-    // GetColorU32 fades what is disabled.
+    // GetColorU32 fades disabled items.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (lit) {
         list.AddRectFilled(corner, corner + plate, ink(faded(theme.accent, 0.28F)),
                            theme.rounding_px);
     }
-    // Under the mouse it has an edge, never the ground of what is chosen.
+    // Under the mouse it gets an edge, never the background of the chosen one.
     if (has_edge || over) {
         const ImU32 edge = lit && has_edge ? ink(theme.accent)
                            : over          ? ink(theme.dim_text)
@@ -67,8 +68,8 @@ bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float 
 
 enum class LinkTo { deed, name };
 
-// With so much room above and below the words. A deed is a quiet button: its ground reaches a
-// little beyond the words, so that these stand where others do.
+// With this room above and below the words. An action is a quiet button: its background reaches a
+// little beyond the words, so that these stay aligned.
 bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px,
                LinkTo to = LinkTo::deed) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -76,7 +77,7 @@ bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_
     const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const bool is_name = to == LinkTo::name;
-    // GetColorU32 fades what is disabled.
+    // GetColorU32 fades disabled items.
     const ImU32 ink = ImGui::GetColorU32(is_item_disabled() ? ui.theme.dim_text
                                          : is_name          ? ui.theme.accent
                                                             : ui.theme.text);
@@ -109,7 +110,7 @@ bool draw_segment(const Ui& ui, const char* words, bool chosen, std::optional<Ic
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(words, size);
     const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
-    // GetColorU32 fades what is disabled.
+    // GetColorU32 fades disabled items.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(corner, corner + size, ink(theme.field));
@@ -144,7 +145,7 @@ bool draw_radio(const Ui& ui, const char* label, bool chosen) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(label, size);
     const bool lit = ImGui::IsItemHovered() || (ui.keyboard_mode && ImGui::IsItemFocused());
-    // GetColorU32 fades what is disabled.
+    // GetColorU32 fades disabled items.
     const auto ink = [](ImU32 colour) { return ImGui::GetColorU32(colour); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 centre{corner.x + 6.0F * s, corner.y + size.y * 0.5F};
@@ -168,7 +169,7 @@ bool draw_check(const Theme& theme, const char* label, bool& on) {
     const float pad = ImGui::GetStyle().FramePadding.y;
     const ImRect area{corner, corner + ImVec2{check_width(theme, label), ImGui::GetFrameHeight()}};
     const ImGuiID id = window.GetID(label);
-    ImGui::ItemSize(area, pad);  // words beside it stand on the line of its own
+    ImGui::ItemSize(area, pad);  // words beside it stand on its line
     if (!ImGui::ItemAdd(area, id)) return false;
     bool over = false;
     bool held = false;

@@ -18,7 +18,7 @@ ImGuiID popup_on_top() {
     return popups.empty() ? 0 : popups.back().PopupId;
 }
 
-// Stops that can be reached now: of the topmost of what lies over the panes, or of all.
+// Stops that can be reached now: those of the topmost popup, or all.
 std::vector<TabStop> reachable(const std::vector<TabStop>& stops) {
     const ImGuiContext& imgui = *ImGui::GetCurrentContext();
     if (imgui.OpenPopupStack.empty()) return stops;
@@ -42,8 +42,8 @@ bool is_number(const TabOrder& order, const TabStop& stop) {
     return std::ranges::find(order.numbers, stop.id) != order.numbers.end();
 }
 
-// Once around. Without a focus, the first one, or the last. `by_number`: from one to the next, as
-// in a table.
+// The next stop, cyclic. Without a focus, the first one, or the last. `by_number`: the next number,
+// as in a table.
 std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, bool by_number) {
     const int step = order.step;
     const std::size_t count = stops.size();
@@ -61,7 +61,7 @@ std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, 
     }
     if (!order.by_pane) return to;
     while (to != *from && pane(to) == pane(*from)) to = after(to);
-    // Its first one, from either side.
+    // The first stop of the next pane, in either direction.
     while (after(to) != to && step < 0 && pane(after(to)) == pane(to) && after(to) != *from) {
         to = after(to);
     }
@@ -71,7 +71,7 @@ std::size_t next_stop(const std::vector<TabStop>& stops, const TabOrder& order, 
 void focus_on(const TabStop& stop) {
     ImGuiContext& imgui = *ImGui::GetCurrentContext();
     const ImRect place{stop.left, stop.top, stop.right, stop.bottom};
-    ImGui::ClearActiveID();  // what is typed there is taken
+    ImGui::ClearActiveID();  // its text is accepted
     ImGui::FocusWindow(stop.window);
     ImGui::SetNavID(stop.id, ImGuiNavLayer_Main, 0, ImGui::WindowRectAbsToRel(stop.window, place));
     ImGui::ScrollToBringRectIntoView(stop.window, place);
@@ -105,11 +105,11 @@ void note_stop(TabOrder& order) {
     constexpr ImGuiItemFlags kNone =
         ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop;
     ImGuiWindow* window = imgui.CurrentWindow;
-    // A field of several lines has the flags of a group while it is typed in.
+    // A multi-line text field has the flags of a group while it is active.
     const bool is_none = (item.InFlags & kNone) != 0 && item.ID != imgui.ActiveId;
     if (item.ID == 0 || is_none) return;
     const bool is_typed_in = (item.InFlags & ImGuiItemFlags_Inputable) != 0;
-    // Windows with keys of their own have fields of text alone.
+    // Windows with keys of their own have only text fields as stops.
     if (!is_typed_in && (window->Flags & ImGuiWindowFlags_NoNavInputs) != 0) return;
     if (window->DC.NavLayerCurrent != ImGuiNavLayer_Main) return;
     if (!order.stops.empty() && order.stops.back().id == item.ID) return;
@@ -133,7 +133,7 @@ void move_focus(Ui& ui) {
     const auto focused = focused_among(stops);
     const bool has_begun = order.has_begun || order.step != 0;
     const unsigned over = popup_on_top();
-    const bool is_new = over != 0 && over != order.over;  // one begins at its first control
+    const bool is_new = over != 0 && over != order.over;  // a popup begins at its first control
     order = {};
     order.has_begun = has_begun && !is_new;
     order.over = over;

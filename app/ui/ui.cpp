@@ -21,7 +21,7 @@ void step_text_scale(Ui& ui, float factor) {
 
 void set_theme(Ui& ui, bool dark) {
     ui.dark = dark;
-    ui.fonts_outdated = true;  // the theme is made anew with them
+    ui.fonts_outdated = true;  // the theme is made again with them
 }
 
 constexpr double kBehindS = 0.3;

@@ -1,5 +1,4 @@
-// What every pane draws with: looks, clock, keyboard, the line at the foot, and what lies over the
-// panes.
+// Shared by all panes that draw: looks, clock, keyboard, status line, and popups.
 #pragma once
 
 #include <functional>
@@ -17,7 +16,7 @@
 
 namespace tact {
 
-// What may lie over the panes.
+// Dialogs over the panes.
 enum class Dialog {
     none,
     about,
@@ -46,7 +45,7 @@ enum class Dialog {
     course
 };
 
-// What a chosen path is for.
+// The purpose of a chosen path.
 enum class ChooserPurpose {
     open_document,
     open_library,
@@ -81,53 +80,52 @@ enum class ChooserPurpose {
     course_answers
 };
 
-// The number that is being typed in an entry: what of it outlives a frame.
+// The entry in which a number is typed: its state between frames.
 struct NumberTyping {
-    unsigned entry = 0;      // ImGui's name of the one with the keyboard; 0: none
-    int frame = 0;           // when it was last drawn so
-    std::string text;        // as it stands there
-    std::string first;       // as it stood there at first: what Esc goes back to ...
-    double before = 0.0;     // ... and the number that was
-    std::string taken;       // as it stood when it was last taken: an arrow takes at once
-    bool by_number = false;  // Tab goes on to the next number, past all else
-    unsigned refused = 0;    // the entry whose last text was no good
+    unsigned entry = 0;      // ImGui's id of the entry with the keyboard; 0: none
+    int frame = 0;           // time of its last frame
+    std::string text;        // its present text
+    std::string first;       // its text at first, to which Esc returns ...
+    double before = 0.0;     // ... and its number
+    std::string taken;       // its text when it was last accepted: an arrow accepts at once
+    bool by_number = false;  // Tab goes to the next number, past everything else
+    unsigned refused = 0;    // the entry whose last text was refused
 };
 
-// The field that keys go to, and the number that is being typed in it.
+// The field with the keyboard, and the number typed in it.
 struct FieldEntry {
     std::string active;  // arrows nudge it
-    std::string wanted;  // takes the keys when it is drawn next
-    std::string locked;  // clicked in vain: keys meant for it do nothing else
+    std::string wanted;  // gets the keyboard when it is drawn next
+    std::string locked;  // a locked field was clicked: keys meant for it have no other effect
     NumberTyping typing;
-    bool tabbed_on = false;      // Tab is on its way from a number to the next one
-    float wheel = 0.0F;          // turns over the focused field that are no whole step yet
-    std::vector<double> before;  // in each of several patterns, when the gesture began
-    std::size_t clamped = 0;     // of them: how many could not follow to where it led
+    bool tabbed_on = false;      // Tab is moving from a number to the next one
+    float wheel = 0.0F;          // turns of the wheel over the focused field, below one step
+    std::vector<double> before;  // its value in each of several patterns, when the gesture began
+    std::size_t clamped = 0;     // the number of patterns that could not follow
     std::string nudged;          // by arrows ...
-    double nudged_s = -10.0;     // ... and when: more of it soon is the same undo step
-    bool nudges_on = false;      // the step that is about to be committed joins the last one
+    double nudged_s = -10.0;     // ... and the time: another one soon after is the same undo step
+    bool nudges_on = false;      // the step that is committed next merges with the last one
 };
 
-// The line at the foot.
-// A line at the foot of the window; errors stay until replaced, the rest fades.
+// The line at the bottom of the window; errors stay until replaced, other messages fade.
 struct StatusLine {
     std::string text;
     bool is_error = false;
-    double since_s = 0.0;  // it was said, or the mouse or a key was used for the first time since
-    bool is_seen = false;  // somebody is there
-    // A link behind it, and what that does; with one the line stays until it is put away.
+    double since_s = 0.0;  // time of the message, or of the first input after it
+    bool is_seen = false;  // a person was active since then
+    // A link behind it, and its action; with a link the line stays until it is closed.
     std::string more{};
     std::function<void()> show_more{};
 };
 
-// What a pane shows, and since when something newer is on its way.
+// The result shown in a pane, and the time since a newer one is computed.
 struct ShownAge {
     std::shared_ptr<const void> of;
     bool stale = false;
     double since_s = 0.0;
 };
 
-// How far work was when it was drawn last, and since when it has been.
+// The share of work when it was drawn last, and the time at which it began.
 struct ProgressSeen {
     float share = 0.0F;
     double since_s = 0.0;
@@ -137,47 +135,46 @@ struct ProgressSeen {
 struct Ui {
     Theme theme;
     bool dark = true;
-    float text_scale = 1.0F;     // the person's, on top of the screen's
+    float text_scale = 1.0F;     // the person's, multiplied by the screen's
     float content_scale = 1.0F;  // the screen's
     bool fonts_outdated = false;
     bool motion = true;
-    bool as_picture = false;     // panes without what is there to be pressed
+    bool as_picture = false;     // for a picture: panes without buttons and links
     bool presenting = false;     // for a class: without hints and links
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
     FileChooser chooser;
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
     Dialog dialog = Dialog::none;
-    bool escape_taken = false;  // Esc has silenced something in this frame: it closes nothing
+    bool escape_taken = false;         // Esc has stopped a device in this frame, and closes nothing
     std::optional<Question> question;  // over everything else
     StatusLine status;
-    // What may not be done in the middle of what is being drawn: a shortcut while something is
-    // dragged or typed, an action of a row while rows are drawn. It is done in the same frame,
-    // after the panels, or after the dialogs.
+    // Work that must not run while panes are drawn: a shortcut during a drag or typing, an action
+    // of a row among its rows. It runs in the same frame, after the panels or after the dialogs.
     std::vector<std::function<void()>> waiting;
-    double time_s = 0.0;         // of the current frame
-    double frame_s = 0.0;        // since the last one; short after a rest
-    double hover_since_s = 0.0;  // when the mouse came to rest
-    bool has_pressed = false;    // since then: no tooltip over what was just pressed
+    double time_s = 0.0;         // time of this frame
+    double frame_s = 0.0;        // since the last frame; short after a rest
+    double hover_since_s = 0.0;  // time at which the mouse came to rest
+    bool has_pressed = false;    // since it came to rest: no tooltip over the pressed item
     bool quit = false;
     WidgetRects rects;
     std::function<void()> wake;  // draws a frame soon; from any thread
     FieldEntry field;
     std::set<std::string> dismissed_hints;
     std::map<std::string, ShownAge> ages;          // by pane
-    std::map<std::string, ProgressSeen> progress;  // by what is under way
+    std::map<std::string, ProgressSeen> progress;  // by the name of the work
 };
 
-// Says something at the foot of the window; complaints stay until something else is said.
+// Show a message in the status line; complaints stay until the next message.
 void say(Ui& ui, const std::string& text);
 void complain(Ui& ui, const std::string& text);
 
-// Whether what is shown, of an earlier state, is to look so: not before it is 0.3 s behind, as a
-// pane that follows a drag is always a little behind. A picture says it at once.
+// Whether an outdated result is to look so: only after 0.3 s, as a pane always lags a little during
+// a drag. In a picture at once.
 bool looks_stale(Ui& ui, const std::string& pane, std::shared_ptr<const void> shown, bool stale);
-// Until the next of them is to look so, s.
+// Seconds until the next of them is to look so.
 double aging_wake_s(const Ui& ui);
 
-// Looks, as of the next frame.
+// Looks of the next frame.
 void set_text_scale(Ui& ui, float scale);
 void step_text_scale(Ui& ui, float factor);
 void set_theme(Ui& ui, bool dark);

@@ -20,7 +20,7 @@ void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 m
                const std::string& value) {
     if (!rects.watched.empty() && name == rects.watched) rects.watched_at = Rect{min, max};
     if (rects.file.empty()) return;
-    // A list that opens is measured, not shown, in its first frame, and somewhere else.
+    // In its first frame, a list that opens is only measured, at another place.
     if (ImGui::GetCurrentWindowRead()->Hidden) return;
     const auto pixel = [](float position) { return std::to_string(static_cast<int>(position)); };
     std::string line = value;

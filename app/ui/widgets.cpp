@@ -19,8 +19,8 @@ ImVec4 colour4(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 constexpr float kTooltipPx = 320.0F;
 
-// Below what it speaks of, or above where the screen ends; of a row of a menu beside the menu:
-// never over anything that is about to be pressed. Of a whole picture it speaks where the mouse is.
+// Below its item, or above at the bottom of the screen; beside the menu for a row of a menu: never
+// over the next item to press. For a whole picture it stands at the mouse.
 void place_tooltip(const Theme& theme, const char* text) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -41,7 +41,7 @@ void place_tooltip(const Theme& theme, const char* text) {
                              std::clamp(place.y, 0.0F, std::max(0.0F, room.y))});
 }
 
-// The longest form that fits, or none: half a number would be a wrong one.
+// The longest form that fits, or none: half a number would be wrong.
 std::string fitting(const std::vector<std::string>& forms, const ImFont* font, float room_px) {
     for (const std::string& form : forms) {
         if (text_size(font, form).x <= room_px) return form;
@@ -49,7 +49,7 @@ std::string fitting(const std::vector<std::string>& forms, const ImFont* font, f
     return {};
 }
 
-// Of a name a part is better than nothing, if it is enough to know it by.
+// Part of a name is better than nothing, if it can be recognised.
 std::string cut(const std::string& name, const ImFont* font, float room_px) {
     if (text_size(font, name).x <= room_px) return name;
     return room_px < 4.0F * font_or_current(font).FontSize ? "" : shortened(font, name, room_px);
@@ -62,19 +62,19 @@ void draw_title_part(Ui& ui, const ImFont* font, ImVec2 corner, ImU32 colour,
     note_rect(ui.rects, noted, corner, corner + text_size(font, text), text);
 }
 
-// Where the workspace itself has but this pane nothing was maximised: *Fold* leads to the others.
+// Only a pane of several can be maximised: with a single one, *Fold* leads to the others.
 bool is_alone(const Layout& layout, Pane pane) {
     return layout.arrangement == Arrangement::physiology && pane == Pane::physiology;
 }
 
-// What the detail leaves to the right end, which tells a state, as that several are edited
-// together.
+// Room that the detail leaves to the right end, which shows a state, such as several edited
+// patterns.
 float kept_px(const ImFont* font, const std::vector<std::string>& forms, float gap_px) {
     return forms.empty() || forms.back().empty() ? 0.0F : text_size(font, forms.back()).x + gap_px;
 }
 
-// The title goes first; the detail has what it and the shortest form of the right end leave, the
-// right end what both leave.
+// The title has precedence; the detail gets the rest beside the shortest form of the right end, and
+// the right end the rest of both.
 void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) {
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -83,7 +83,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     const std::string head = shortened(fonts.title, title.title, size.x);
     float used = text_size(fonts.title, head).x + theme.gap_px;
     draw_title_part(ui, fonts.title, corner, theme.text, head, "title text:" + title.title);
-    // On the line that the title stands on.
+    // On the line of the title.
     const float lower = 0.8F * (size.y - text_size(fonts.regular, "0").y);
     float end_px = size.x;
     constexpr const char* kRestore = "Restore";
@@ -114,7 +114,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
               title.right.empty() ? "" : title.right.front());
 }
 
-// Points have something to glow on.
+// Points have a dark background to glow on.
 void draw_ground(const Theme& theme, const Rect& area) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(area.min, area.max);  // ImGui's own leaves half of the padding out
@@ -140,7 +140,7 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.theme.pane_rounding_px);
-    // It scrolls where large text leaves what is in it no room.
+    // It scrolls if large text makes its content too wide.
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoSavedSettings |
@@ -161,7 +161,7 @@ bool is_item_disabled() { return (ImGui::GetItemFlags() & ImGuiItemFlags_Disable
 void draw_divider(const Theme& theme) {
     const ImGuiWindow& window = *ImGui::GetCurrentWindow();
     const float thick = whole_px(theme.hairline_px);
-    // From edge to edge of what it divides, as ImGui's own, which is a pixel at every scale.
+    // From edge to edge of its window, like ImGui's own, which is one pixel at every scale.
     draw_level_line(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos().y + 0.5F * thick,
                     window.Pos.x, window.Pos.x + window.Size.x, thick,
                     ImGui::GetColorU32(ImGuiCol_Separator));
@@ -230,10 +230,10 @@ void draw_tooltip(const Ui& ui, const char* text) {
     constexpr double kRestS = 0.6;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (ImGui::GetIO().MouseDown[0] || ui.has_pressed) return;
-    if (ImGui::IsItemActive()) return;  // who types there knows, and has to see what is beside
+    if (ImGui::IsItemActive()) return;  // the person who types needs to see the neighbourhood
     if (ui.time_s - ui.hover_since_s < kRestS) return;
     place_tooltip(ui.theme, text);
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on what is disabled, too
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on disabled items, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
     ImGui::TextUnformatted(shown_lines(text).c_str());
@@ -244,7 +244,7 @@ void draw_tooltip(const Ui& ui, const char* text) {
 
 bool primary_button(Ui& ui, const char* label, ImVec2 size) {
     const Theme& theme = ui.theme;
-    // What cannot be pressed does not call for it.
+    // A disabled button has no accent.
     const ImGuiItemFlags flags = ImGui::GetCurrentContext()->CurrentItemFlags;
     if ((flags & ImGuiItemFlags_Disabled) != 0) return ImGui::Button(label, size);
     ImGui::PushStyleColor(ImGuiCol_Button, theme.accent);
@@ -271,7 +271,7 @@ void open_beside_pane(const Theme& theme, float width_px) {
     const bool at_right = right + width_px <= ImGui::GetIO().DisplaySize.x;
     const bool at_left = !at_right && pane->Pos.x - width_px - gap >= 0.0F;
     if (!at_left && !at_right) {
-        // Over the end of the pane: what is pressed and changed stands where it begins.
+        // Over the end of the pane: buttons and fields stand at its beginning.
         return ImGui::SetNextWindowPos({right - 2.0F * gap, top}, ImGuiCond_Appearing,
                                        {1.0F, 0.0F});
     }
@@ -329,7 +329,7 @@ void dim_text_beside(const Ui& ui, const std::string& text) {
 }
 
 void wrapped_text(const std::string& text) {
-    // The window may scale the font, of which the lines are measured unscaled.
+    // The window may scale the font; lines are measured unscaled.
     const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;
     std::string lines;
     for (const std::string& line :

@@ -81,13 +81,13 @@ void draw_next_frame(App& app) {
     app.exports.animation.reset();
 }
 
-// A step a frame, then the page.
+// Draws one step per frame, then writes the page.
 void draw_next_of_sheet(App& app) {
     LessonState& state = app.lesson;
     if (!state.lesson) return state.sheet_to.clear();
     const LessonAnswers* answers = answers_of(state);
     const Lesson& lesson = *state.shown;
-    if (state.job.busy()) return;  // they are on their way
+    if (state.job.busy()) return;  // the answers are being computed
     const std::size_t next = state.sheet_pictures.size();
     if (next < lesson.steps.size()) {
         state.sheet_pictures.push_back(step_picture(lesson, next));
@@ -126,7 +126,7 @@ std::string step_picture(const Lesson& lesson, std::size_t step_at) {
     if (places) choice.dimensions = 2;
     const auto still = opened_view(lesson.set, choice);
     still->app.timeline.range = {step.from_s, step.to_s};
-    if (places) {  // what is asked for is not to be seen
+    if (places) {  // hides the pattern to be placed
         show_lesson(still->app.lesson, std::make_shared<const Lesson>(lesson));
         still->app.lesson.step = step_at;
     }

@@ -1,5 +1,6 @@
-// The program behind the window: what every room keeps, side by side. Only the window and its tests
-// see all of it; a panel takes what it touches. draw_frame() in app/window/frame.h draws it.
+// The program behind the window: the state of all rooms, side by side. Only the window and its
+// tests see all of it; a panel gets the parts it needs. draw_frame() in app/window/frame.h draws
+// it.
 #pragma once
 
 #include <cstdint>
@@ -40,24 +41,24 @@
 
 namespace tact {
 
-// What was typed in the command palette.
+// State of the command palette.
 struct PaletteState {
     bool open = false;
     std::string text;
     int choice = 0;
 };
 
-// The pane that the keyboard is in, and by how many steps it is to be larger.
+// The pane with the keyboard, and the number of steps by which it grows.
 struct PaneInUse {
     Pane pane = Pane::matrix;
     int wider = 0;
     int higher = 0;
 };
 
-// What rooms know of one document. While a lesson shows its own set in the place of the person's
-// document, theirs is aside with its work under way, and comes back with it.
+// State that belongs to one document. While a lesson shows its own set, that of the person's
+// document is set aside with its running work, and comes back with it.
 struct DocumentRooms {
-    std::uint64_t document = 0;  // its number; 0: nothing is aside
+    std::uint64_t document = 0;  // document number; 0: nothing is set aside
     ShownMap shown_map;
     Physiology physiology;
     Comparing comparing;
@@ -106,17 +107,17 @@ struct App {
     CourseState course;
     PaletteState palette;
     ManualState manual;
-    std::uint64_t of_document = 0;  // number of the one that the rooms know of; 0: of none yet
+    std::uint64_t of_document = 0;  // number of the document that the rooms belong to; 0: none yet
     DocumentRooms aside;
 };
 
-// What a class with phones touches.
+// The parts of the program used by a class with phones.
 inline Classroom classroom_of(App& app) {
     return {app.ui,   app.work,     app.layout, app.shown_map,
             app.play, app.studying, app.lesson, app.phones};
 }
 
-// What a lesson drives.
+// The parts of the program driven by a lesson.
 inline LessonHands hands_of(App& app) {
     return {app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology};
 }

@@ -15,15 +15,15 @@ namespace tact {
 
 namespace {
 
-// What a column or a row of panes needs for its content at this size of text, as a share of the
-// window; in a small window the others need room, too.
+// The least share of the window that a column or row of panes needs at this size of text; capped in
+// a small window, where the others need room, too.
 double least_share(const App& app, float wanted_px, float total_px, float most) {
     return static_cast<double>(std::min(wanted_px * app.ui.theme.scale / total_px, most));
 }
 
-constexpr float kRowPx = 168.0F;  // of stages
+constexpr float kRowPx = 168.0F;  // height of stages
 
-// Who selects looks at many patterns; the editor comes with the design.
+// Selecting shows many patterns and no editor; the arrangement for design has it.
 bool has_editor(const App& app) { return app.layout.arrangement != Arrangement::select; }
 
 bool is_folded(const App& app) { return app.layout.physiology != Fold::open; }
@@ -38,7 +38,7 @@ struct LayoutLimits {
     Range left_split{0.15, 0.80};
     Range right_split{0.20, 0.85};
     Range band{0.20, 0.70};
-    float all_numbers = 0.0F;  // of the band: it has that until somebody moves its bar
+    float all_numbers = 0.0F;  // share of the band until the person moves its bar
 };
 
 LayoutLimits layout_limits(const App& app, const Rect& area) {
@@ -46,7 +46,7 @@ LayoutLimits layout_limits(const App& app, const Rect& area) {
     const float list_px = has_band(app) ? 232.0F : 290.0F;
     limits.left.low = std::max(0.14, least_share(app, list_px, area.width(), 0.26F));
     limits.right.low = std::max(0.18, least_share(app, 300.0F, area.width(), 0.34F));
-    // Between them the map leads; it needs no more than to be seen.
+    // The map between them leads, and needs only room to be visible.
     if (is_folded(app)) limits.right.high = std::min(0.58, 0.75 - limits.left.low);
     limits.left_split.low = std::max(0.15, least_share(app, 150.0F, area.height(), 0.40F));
     limits.right_split.high = 1.0 - std::max(0.15, least_share(app, 240.0F, area.height(), 0.46F));
@@ -55,7 +55,7 @@ LayoutLimits layout_limits(const App& app, const Rect& area) {
     return limits;
 }
 
-// The shares as they are on screen; the person's own stay as they were for a larger window.
+// Shares clamped for this window; the person's own are kept for a larger one.
 Layout within(const LayoutLimits& limits, Layout layout) {
     const auto keep = [](float& share, const Range& range) {
         share = std::clamp(share, static_cast<float>(range.low), static_cast<float>(range.high));
@@ -80,7 +80,7 @@ void move_splitter(App& app, const Splitter& splitter, float shown, float& share
     if (shown != before) share = shown;
 }
 
-// The same of a share that grows as its bar moves left or up. The splitter's limits are the
+// The same for a share that grows as its bar moves left or up. The splitter's limits are the
 // share's.
 void move_far_splitter(App& app, Splitter splitter, float shown, float& share) {
     splitter.share = {1.0 - splitter.share.high, 1.0 - splitter.share.low};
@@ -123,14 +123,14 @@ void draw_splitters(App& app, const Rect& area, const LayoutLimits& limits, cons
         shown.right_split, layout.right_split);
 }
 
-// What a pane shares with its neighbour, and which way it grows with that.
+// A share between a pane and its neighbour, and the direction in which the pane grows.
 struct Edge {
     float Layout::*share;
     float sign;
     Range limits;
 };
 
-// The right one gives way first, of a column between two the left one after it.
+// The neighbour at the right gives way first; for a middle column the one at the left is next.
 std::vector<Edge> upright_edges(const App& app, Pane pane, const LayoutLimits& limits) {
     if (pane == Pane::patterns) return {{&Layout::left, 1.0F, limits.left}};
     if (pane == Pane::editor) {
@@ -155,9 +155,9 @@ std::vector<Edge> level_edges(const App& app, Pane pane, const LayoutLimits& lim
     return {};
 }
 
-// False where no neighbour has anything to give or take.
+// False if no neighbour can give or take room.
 bool move_edge(App& app, const LayoutLimits& limits, const std::vector<Edge>& edges, int steps) {
-    constexpr float kStep = 0.02F;  // of the window
+    constexpr float kStep = 0.02F;  // share of the window
     const Layout shown = within(limits, app.layout);
     for (const Edge& edge : edges) {
         const float moved =
@@ -170,7 +170,7 @@ bool move_edge(App& app, const LayoutLimits& limits, const std::vector<Edge>& ed
     return false;
 }
 
-// The bars by the keyboard.
+// Keys that move the bars.
 void resize_pane_in_use(App& app, const Rect& area) {
     const int wider = std::exchange(app.in_use.wider, 0);
     const int higher = std::exchange(app.in_use.higher, 0);
@@ -194,7 +194,7 @@ void draw_left_column(App& app, const Rect& column, float split) {
     draw_pane_of(app, Pane::editor, {{column.min.x, y + app.ui.theme.splitter_px}, column.max});
 }
 
-// The map above the stages in a row, or by itself. In the editor's band they are its foot.
+// The map above the stages in a row, or alone. In the editor's band they stand at its bottom.
 void draw_map_column(App& app, const Rect& column) {
     const float bar = app.ui.theme.splitter_px;
     const float row =
@@ -216,7 +216,7 @@ Rect physiology_area(const App& app, const Rect& columns) {
 }
 
 void draw_columns(App& app, const Rect& area) {
-    // It has nothing to be maximised for: all else is empty.
+    // It is never maximised, as all other panes are empty.
     if (app.layout.maximised == Pane::start) app.layout.maximised.reset();
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
     resize_pane_in_use(app, area);

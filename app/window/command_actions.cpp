@@ -121,7 +121,7 @@ bool has_map_of_all(const App& app) {
 }
 
 void start_rename(App& app) {
-    // Names are typed in the list, which the table takes the place of.
+    // Names are typed in the list, which the table replaces.
     if (app.layout.arrangement == Arrangement::select) show_workspace(app, Arrangement::design);
     if (app.layout.maximised != Pane::patterns) app.layout.maximised.reset();
     const std::vector<std::size_t> rows = listed_indices(app.work);
@@ -236,7 +236,7 @@ void show_findings(App& app) {
 
 namespace {
 
-// Between the panels and the end of the frame: another set takes the document's place.
+// Runs between the panels and the end of the frame: another set replaces the document.
 template <class Then>
 void once_lesson_may_go(App& app, Then then) {
     app.ui.waiting.emplace_back(
@@ -331,7 +331,7 @@ const char* what_lacks(const App& app, const Command& command) {
     return found == kLacks.end() ? "not now" : found->words;
 }
 
-// All digits, and only what is exact: a preview would lose its name on the way.
+// All digits, and only exact values: a pasted preview would lose its label.
 void copy_shown_table(App& app) {
     const auto& map = app.shown_map.transition.shown;
     if (!map || map_state(app.work, app.shown_map) != MapState::exact) {

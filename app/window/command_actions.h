@@ -1,4 +1,4 @@
-// What commands do that takes more than one room, and when they can.
+// Actions of commands that need more than one room, and the conditions for them.
 #pragma once
 
 #include "app/window/app.h"
@@ -26,7 +26,7 @@ bool has_layers(const App& app);
 bool can_add_layer(const App& app);
 bool can_layer_selected(const App& app);
 
-// Of the notes that are chosen on the strip, or else of the patterns that are selected.
+// For the notes chosen on the strip; without any, for the selected patterns.
 void remove_chosen_or_selected(App& app);
 void copy_notes_or_selected(App& app);
 void paste_notes_or_patterns(App& app);
@@ -42,7 +42,7 @@ void show_workspace(App& app, Arrangement arrangement);
 bool is_workspace(const App& app, Arrangement arrangement);
 void reset_workspace(App& app);
 void maximise_or_restore(App& app);
-// Panes stand side by side, with bars between them.
+// Whether panes stand side by side, with bars between them.
 bool has_bars(const App& app);
 void fold_physiology(App& app, Fold fold);
 void show_tab(App& app, BenchTab tab);
@@ -52,7 +52,7 @@ void begin_tour(App& app);
 void present(App& app);
 void leave_the_lesson(App& app);
 void begin_lesson(App& app);
-// A lesson, or what can be a set; what was written in an open lesson is asked about.
+// Opens a lesson, or a file that can be a set; asks about unsaved changes of an open lesson.
 void open_file(App& app, const std::filesystem::path& path);
 void open_bundled_lesson(App& app, const char* path);
 void open_course_of_program(App& app);

@@ -20,7 +20,7 @@ namespace tact {
 
 namespace {
 
-// An actuator is measured through the sound output that drives it: that is chosen first.
+// An actuator is measured through the sound output that drives it, so that is chosen first.
 void open_calibration(App& app) {
     app.ui.dialog = Dialog::calibrate;
     if (can_be_calibrated(app.play)) return;
@@ -333,7 +333,7 @@ void open_example_at(App& app) {
     open_example_set(app.ui, app.work, kExampleSets[kPlace]);
 }
 
-// A row for each set that comes with the program: a menu of its own within File.
+// One row for each bundled set: a submenu of File.
 template <std::size_t... kPlaces>
 std::vector<Command> with_examples(std::index_sequence<kPlaces...>) {
     std::vector<Command> all(document_commands().begin(), document_commands().end());
@@ -355,7 +355,7 @@ void open_lesson_at(App& app) {
     open_bundled_lesson(app, kBundledLessons[kPlace].path);
 }
 
-// The lessons that come with the program stand in their menu behind what opens others.
+// Bundled lessons stand in their menu behind the commands that open others.
 template <std::size_t... kPlaces>
 std::vector<Command> with_lessons(std::vector<Command> all, std::index_sequence<kPlaces...>) {
     (all.push_back({"Lesson",

@@ -1,5 +1,5 @@
-// Everything the program can be told to do, in one table: menus, shortcuts and the command palette
-// are made from it.
+// All commands of the program in one table, from which menus, shortcuts and the command palette are
+// made.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@
 namespace tact {
 
 struct Shortcut {
-    char32_t sign = 0;         // what the key writes: layouts differ in where it sits
-    int code = key::kUnknown;  // for keys that write nothing
+    char32_t sign = 0;         // the sign that the key writes: layouts differ in its place
+    int code = key::kUnknown;  // for keys that write no sign
     bool ctrl = false;
     bool shift = false;
 };
@@ -31,43 +31,43 @@ struct Command {
     bool (*enabled)(const App&);
     void (*run)(App&);
     bool (*checked)(const App&) = nullptr;
-    const char* words = "";  // that the palette finds it by, besides its name
+    const char* words = "";  // more words by which the palette finds it
 };
 
 inline constexpr const char* kExampleMenu = "Example sets";  // within File
 
 std::span<const Command> commands();
-std::span<const Command> document_commands();  // the first of them: File, Edit ...
+std::span<const Command> document_commands();  // the order of menus: File, Edit ...
 std::span<const Command> view_commands();      // ... and View
 
-// Runs it, and notes its name for what a crash would tell.
+// Runs it, and notes its name for crash reports.
 void carry_out(App& app, const Command& command);
 
-// Why it cannot be run; none: it can.
+// The reason why it is disabled; null: it can run.
 const char* what_lacks(const App& app, const Command& command);
 
 // "Ctrl+Shift+Z"; empty without one.
 std::string shortcut_text(const Shortcut& shortcut);
 
-// The name; of undoing and redoing with what they would undo.
+// The name; for Undo and Redo with the step's label.
 std::string item_text(const App& app, const Command& command);
 
-// Where it stands: "View > Map > Frame the selection in the space".
+// Its place: "View > Map > Frame the selection in the space".
 std::string menu_path(const Command& command);
 
-// Runs the commands of this frame's key presses. While text is being typed only Ctrl combinations
-// count that text fields do not use themselves.
+// Runs the commands of this frame's key presses. While text is being typed, only Ctrl combinations
+// that text fields do not use.
 void run_shortcuts(App& app, std::span<const KeyPress> pressed);
 
 void draw_menus(App& app);
 
-// A right click where nothing else in the pane takes it: what can be done with it as a whole.
+// A right click that nothing else in the pane takes: a menu for the pane as a whole.
 void draw_pane_menu(App& app, Pane pane);
 
-// The commands that begin a group in their menu, after a line.
+// Commands that begin a group in their menu, below a line.
 std::span<const std::string_view> menu_groups();
 
-// Every command by a few letters of its name; where it is open.
+// The command palette: every command, found by a few letters of its name.
 void draw_palette(App& app, std::span<const KeyPress> pressed);
 
 }  // namespace tact

@@ -60,7 +60,7 @@ constexpr const char* kAboutText =
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
     "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
 
-// What is no command of a menu; those stand in front of their group.
+// Keys that are not in a menu; they stand before the commands of their group.
 struct Gesture {
     const char* group;
     const char* keys;
@@ -206,7 +206,7 @@ std::span<const KeyRow> keys_and_mouse() {
         for (const Command& command : commands()) {
             const std::string keys = shortcut_text(command.shortcut);
             if (keys.empty() || *command.menu == '\0') continue;
-            // With Shift it is the other way round, in the same row.
+            // With Shift the direction is reversed, in the same row.
             if (!rows.empty() && keys == "Shift+" + std::string(rows.back().keys)) {
                 rows.back().keys += ", " + keys;
                 rows.back().what += ", " + lower_case(command.name);

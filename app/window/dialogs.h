@@ -13,14 +13,15 @@ namespace tact {
 
 void draw_dialogs(App& app);
 
-// What F1 lists, and the manual.
+// The list of keys for F1 and the manual.
 std::span<const KeyRow> keys_and_mouse();
 
-// A question or a participant comes first: another set would change what lies beneath them.
+// Whether a question or a participant comes first: opening another set would replace the data
+// behind them.
 bool is_in_the_middle(const App& app);
 
-// What was dropped on the window: tables of ratings or of accelerations go to the open set, all
-// else is opened.
+// Opens dropped files: tables of ratings or of accelerations go to the open set, other files are
+// opened.
 void drop_paths(App& app, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace tact

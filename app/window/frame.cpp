@@ -61,8 +61,7 @@ namespace {
 constexpr float kStatusHeightPx = 26.0F;
 constexpr double kStatusFadeS = 8.0;
 
-// Of everything on screen. What is read from afar, or by somebody who takes part, grows with the
-// window.
+// Scale of everything on screen. Text for a class or a participant grows with the window.
 float wanted_scale(const App& app) {
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float scale = app.ui.content_scale * app.ui.text_scale;
@@ -80,7 +79,7 @@ double status_left_s(const App& app) {
     return std::max(0.0, app.ui.status.since_s + kStatusFadeS - app.ui.time_s);
 }
 
-// A triangle with a "!", as errors are not told by their colour alone; how wide it is.
+// A triangle with a "!", because colour alone does not tell errors; returns its width.
 float draw_error_sign(const Theme& theme, ImVec2 left_middle) {
     const float half = 0.5F * ImGui::GetTextLineHeight();
     const ImVec2 at{left_middle.x + half, left_middle.y};
@@ -105,7 +104,7 @@ void draw_dismissal(Ui& ui, ImVec2 left_middle) {
     if (away) ui.status = {};
 }
 
-// The link behind what was said; how wide it is.
+// The link behind the message; returns its width.
 float draw_more(Ui& ui, ImVec2 left_middle) {
     if (ui.status.more.empty()) return 0.0F;
     const ImVec2 size = text_size(ui.theme.fonts.regular, ui.status.more);
@@ -115,7 +114,7 @@ float draw_more(Ui& ui, ImVec2 left_middle) {
     return size.x + ui.theme.gap_px;
 }
 
-// What was said, cut where there is no room for it, and what puts it away.
+// The message, cut if there is no room, and its close button.
 void draw_said(App& app, const Rect& area) {
     Ui& ui = app.ui;
     const Theme& theme = ui.theme;
@@ -162,7 +161,7 @@ void draw_status(App& app, const Rect& area) {
     ImGui::SetNextWindowPos(area.min);
     ImGui::SetNextWindowSize(area.size());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));  // it is a low one
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));  // a low window
     ImGui::Begin("status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
@@ -199,7 +198,7 @@ void run_waiting(App& app) {
     follow_another_document(app);
 }
 
-// Who holds a pattern by its name.
+// Everything that holds a pattern by name.
 void follow_renaming(App& app, const Renaming& renaming) {
     const auto each = [&renaming](auto& names) {
         for (std::string& name : names) follow(renaming, name);
@@ -228,7 +227,7 @@ void follow_renaming(App& app, const Renaming& renaming) {
 void follow_progress(App& app) {
     if (!is_computing(app)) return app.shown_map.progress.reset();
     const float share = app.shown_map.full_job.progress();
-    // A newer request begins again.
+    // A newer request restarts the job.
     const bool begun = app.shown_map.progress && share >= app.shown_map.progress->share;
     app.shown_map.progress =
         MapProgress{share, begun ? app.shown_map.progress->since_s : app.ui.time_s};
@@ -236,7 +235,7 @@ void follow_progress(App& app) {
 
 void follow_playhead(App& app) {
     const double duration_s = shown_duration_s(app.work);
-    // What sounds has a clock of its own.
+    // A device that plays has its own clock.
     if (!is_sounding(app.play))
         app.timeline.playhead = advanced(app.timeline.playhead, app.ui.frame_s, duration_s);
     if (!app.timeline.playhead.playing) return;
@@ -245,12 +244,12 @@ void follow_playhead(App& app) {
         duration_s);
 }
 
-// The mouse, once used again, ends the keyboard's way through the widgets.
+// Using the mouse again ends the keyboard mode.
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
-    // In the panes Space plays.
+    // Space plays while panes have the keyboard.
     const bool is_over = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || is_popup_open();
-    // There Space is a note.
+    // Space is a note there.
     const bool taps = app.ui.dialog == Dialog::tap_rhythm;
     if (is_over && !taps && was_pressed(pressed, key::kSpace)) press_focused(app.ui);
     for (const KeyPress& press : pressed) {
@@ -280,7 +279,7 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     }
 }
 
-// Every pane marks the same patterns: the picked ones, and those that are too close.
+// Every pane marks the same patterns: picked ones, and those that are too close.
 void follow_marks(App& app) {
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
     app.work.selection.picked = picked_names(app.shown_map, app.picking);
@@ -290,7 +289,7 @@ void follow_marks(App& app) {
     follow_stale(app.work);
 }
 
-// Input, and what has come since the last frame.
+// Input, and results since the last frame.
 void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     app.ui.frame_s = std::clamp(time_s - app.ui.time_s, 0.0, 0.1);
     app.ui.time_s = time_s;
@@ -363,7 +362,7 @@ void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
     run_waiting(app);
 }
 
-// The set of a lesson is not the person's document: it is kept with the lesson, if that is written.
+// The set of a lesson is not the person's document: the lesson's autosave keeps it.
 void keep_what_is_unsaved(App& app) {
     if (!app.lesson.aside) autosave_if_due(app.ui, app.work);
     autosave_lesson_if_due(app.ui, app.work, app.lesson);
@@ -451,10 +450,10 @@ double next_wake_s(const App& app) {
     if (app.work.autosave_pending || is_autosaving(app.work) || app.lesson.keep_pending ||
         is_autosaving(app.lesson))
         wake_s = std::min(wake_s, 0.5);
-    // Who fell asleep is seen while one looks.
+    // Whether a participant's device is asleep is checked while the person looks.
     if (app.ui.dialog == Dialog::phones) wake_s = std::min(wake_s, 1.0);
     wake_s = std::min({wake_s, study_wake_s(app.ui, app.studying), aging_wake_s(app.ui)});
-    // A little later than it fades, lest the clock's last digit asks for it twice.
+    // A little after it has faded, so that rounding of the clock does not cause a second frame.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);
     return wake_s;
 }

@@ -21,8 +21,8 @@ namespace tact {
 
 namespace {
 
-// Each of these gives a state as for a document that nobody has looked at yet. It lists what stays:
-// a member that is new is the document's, and goes with it.
+// Each of these functions returns the state for a document that was just opened. It lists the
+// members that stay; a new member belongs to the document, and is reset with it.
 ShownMap anew(const ShownMap& was) {
     ShownMap fresh;
     fresh.look.show_pairs = was.look.show_pairs;
@@ -51,7 +51,7 @@ PatternPanes anew(const PatternPanes& was) {
     return fresh;
 }
 
-// Findings of the paper are of its own sets.
+// Findings of the paper are about its own sets.
 Comparing anew(const Comparing& was) {
     Comparing fresh;
     fresh.findings = was.findings;
@@ -95,7 +95,7 @@ EffectExport anew(const EffectExport& was) {
     return fresh;
 }
 
-// The dialogs that hold something of the document.
+// Dialogs that hold data of the document.
 bool is_of_document(Dialog dialog) {
     switch (dialog) {
         case Dialog::effect_maps:
@@ -129,7 +129,7 @@ bool is_of_document(Dialog dialog) {
     return false;
 }
 
-// An assignment from a copy, not from what it is moved from: so jobs stay, and forget.
+// Assigns from a copy, not by moving: jobs keep their thread, and forget their requests.
 template <class State>
 void begin_again(State& state, const State& fresh) {
     state = fresh;
@@ -151,7 +151,8 @@ void begin_again(App& app) {
     begin_again(app.generating, GenerateState{});
 }
 
-// What is never aside. Training stays: it takes hours, and its result names the sets that it is of.
+// The parts that are never set aside. Training stays: it takes hours, and its result names its
+// sets.
 void begin_others_again(App& app) {
     Ui& ui = app.ui;
     if (is_of_document(ui.dialog)) ui.dialog = Dialog::none;
@@ -168,7 +169,7 @@ void begin_others_again(App& app) {
     app.importing.simulated.reset();
     begin_again(app.table, TableState{});
     begin_again(app.sounds, SoundsState{});
-    forget_alike(app.library);  // what was like a pattern of another document
+    forget_alike(app.library);  // like a pattern of another document
     app.play.hovered_in_map.reset();
     app.play.felt_on_hover.clear();
     if (is_study_running(app.studying)) return;
@@ -211,7 +212,7 @@ void swap_with_aside(App& app) {
     std::swap(app.pad, aside.pad);
     std::swap(app.maybes, aside.maybes);
     std::swap(app.generating, aside.generating);
-    // The lesson has turned these to its own ends, or given them back as they were.
+    // The lesson has replaced these, or has restored them.
     app.shown_map.camera = aside.shown_map.camera;
     app.shown_map.dimensions = aside.shown_map.dimensions;
     app.physiology.view.open = aside.physiology.view.open;
@@ -221,7 +222,7 @@ void swap_with_aside(App& app) {
     }
 }
 
-// True where the rooms now are those of the document, as they were left.
+// True if the rooms again are those of the document set aside, unchanged.
 bool come_and_go_with_lesson(App& app) {
     const bool is_lesson =
         app.lesson.aside && app.lesson.document_number == app.work.document_number;
@@ -244,7 +245,7 @@ void follow_another_document(App& app) {
     follow_document(hands_of(app), app.lesson);  // a lesson whose set was replaced ends first
     const std::uint64_t number = app.work.document_number;
     if (app.of_document == number) return;
-    const bool is_first = app.of_document == 0;  // the session has put its views back
+    const bool is_first = app.of_document == 0;  // the session has restored its views
     const bool knows_it = !is_first && come_and_go_with_lesson(app);
     app.of_document = number;
     if (is_first) return;

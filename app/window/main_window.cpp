@@ -34,7 +34,8 @@ WindowOptions options_of(const App& app) {
     return options;
 }
 
-// Notes for who speaks, on the first line of the terminal where there is one, else a line each.
+// Notes for the speaker, in the terminal: on its first line, or if it is not a terminal, as one
+// line each.
 void tell_speaker(const std::string& line, std::string& told) {
     if (line == told) return;
     told = line;
@@ -43,7 +44,7 @@ void tell_speaker(const std::string& line, std::string& told) {
     std::cerr << (terminal ? "\033[H\033[2J" : "") << line << std::endl;
 }
 
-// The second window, where who speaks has one.
+// The second window, if the speaker has one.
 void show_notes(App& app, FrameRequest& request) {
     const auto notes = speaker_notes(app.lesson, app.ui.time_s);
     app.lesson.shows_notes = notes && wants_notes_window(app.lesson, has_second_screen());
@@ -70,7 +71,7 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     request.wake_after_s = next_wake_s(app);
     request.rebuild_fonts = app.ui.fonts_outdated;
     request.close = app.ui.quit;
-    if (request.close) stop.stop();  // what the window is made of is taken down first
+    if (request.close) stop.stop();  // the window's objects end first
     request.full_screen = is_study_running(app.studying) || is_presenting(app.lesson);
     if (context.side_closed) app.lesson.notes_wanted = false;
     show_notes(app, request);
@@ -130,7 +131,7 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     client.after_frame = [&app] { continue_exports(app); };
     const Expected<Done> answer = run_window(options_of(app), client);
     stop.watch(nullptr);
-    // The jobs end before what they wake does.
+    // Jobs end before the window that they wake.
     release_device(app.studying);
     stop_sound(app.timeline, app.play);
     app.play.phones.reset();

@@ -27,7 +27,7 @@ namespace tact {
 
 namespace {
 
-// The signs of the bar and of the lists.
+// Signs of menu rows, the same as on buttons and lists.
 std::optional<Icon> icon_of(const Command& command) {
     constexpr auto kIcons = std::to_array<std::pair<std::string_view, Icon>>({
         {"Play or stop", Icon::play},
@@ -43,7 +43,7 @@ std::optional<Icon> icon_of(const Command& command) {
     return found == kIcons.end() ? std::nullopt : std::optional(found->second);
 }
 
-// "~/haptics": what a person calls their folder.
+// "~/haptics": a short form of the folder's path.
 std::string folder_text(const std::filesystem::path& file) {
     const std::string folder = file.parent_path().string();
     const std::string home = home_folder().string();
@@ -81,7 +81,7 @@ void draw_recent(App& app) {
     ImGui::EndMenu();
 }
 
-// The newest step first; the one that the document stands at is ticked.
+// The newest step first, with a tick at the present one.
 void draw_history(App& app) {
     const History<PatternSet>& history = app.work.document.history;
     constexpr std::size_t kMost = 24;
@@ -137,7 +137,7 @@ void draw_examples(App& app) {
     ImGui::EndMenu();
 }
 
-// The languages of the lesson, and those that it can be written in as well.
+// The languages of the lesson, and those that can be added to it.
 void draw_languages(App& app) {
     LessonState& state = app.lesson;
     const bool has_any = state.step && (state.editing || !state.lesson->languages.empty());
@@ -169,7 +169,7 @@ void draw_languages(App& app) {
             const bool is_there =
                 std::ranges::find(lesson.languages, one.code) != lesson.languages.end();
             const bool is_english = lesson.languages.empty() && one.code == std::string_view("en");
-            if (is_there || is_english) continue;  // what is not told is English
+            if (is_there || is_english) continue;  // the default is English
             if (ImGui::MenuItem(one.name)) {
                 later([code = one.code](const LessonHands& hands, LessonState& s) {
                     add_language(hands, s, code);
@@ -189,7 +189,7 @@ void draw_languages(App& app) {
 
 constexpr const char* kMaximise = "Maximise or restore";
 
-// Before these a menu has a line.
+// Groups with a line above them in the menu.
 constexpr auto kGroups = std::to_array<std::string_view>({"Save",
                                                           "Load ratings...",
                                                           "Export view...",
@@ -224,7 +224,7 @@ bool begins_group(const Command& command) {
     return std::ranges::find(kGroups, std::string_view(command.name)) != kGroups.end();
 }
 
-// What one would do with a pane as a whole.
+// Actions on a pane as a whole.
 std::span<const std::string_view> commands_of(Pane pane) {
     static constexpr auto kOfPatterns = std::to_array<std::string_view>(
         {"New pattern", "Paste", "Select all", "Generate candidates...", "Copy table"});
@@ -278,7 +278,7 @@ const Command& view_command(std::string_view name) {
     });
 }
 
-// Where there is no room for all of them, the View menu has them.
+// Without room for all of them, the View menu has them.
 void draw_workspace_tabs(App& app) {
     const Theme& theme = app.ui.theme;
     const float gap = 2.0F * theme.gap_px;
@@ -311,7 +311,7 @@ void draw_workspace_tabs(App& app) {
     }
 }
 
-// Long groups are menus within their menu, by the command that they begin with.
+// Long groups are submenus of their menu, keyed by their first command.
 const char* submenu_of(const Command& command) {
     constexpr auto kSubmenus = std::to_array<std::pair<std::string_view, const char*>>({
         {"Add a layer", "Layers"},
@@ -374,7 +374,7 @@ void draw_pane_menu(App& app, Pane pane) {
 namespace {
 
 void draw_rows(App& app, std::string_view menu) {
-    bool within = false;  // a menu in the menu ...
+    bool within = false;  // the submenu ...
     bool open = false;    // ... and whether it is open
     const auto leave = [&within, &open] {
         if (within && open) ImGui::EndMenu();

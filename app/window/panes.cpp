@@ -1,4 +1,4 @@
-// What stands in each pane, and over it.
+// Content of each pane, and the controls over it.
 
 #include <cstdio>
 #include <string>
@@ -60,7 +60,7 @@ std::string time_taken(double seconds) {
     return text;
 }
 
-// "exact, computed in 0.8 s", "preview", "computing 40 %": what the numbers on screen are.
+// State of the numbers on screen: "exact, computed in 0.8 s", "preview", "computing 40 %".
 std::string map_state_text(const App& app) {
     char text[96];
     const bool busy = is_computing(app);
@@ -87,8 +87,8 @@ std::string map_state_text(const App& app) {
     return {};
 }
 
-// "exact, computed in 5.8 s", or where there is no room for that "exact"; a preview and an earlier
-// state say so in any case.
+// From the longest form to the shortest: "exact, computed in 5.8 s", "exact"; a preview and an
+// earlier state are named in every form.
 std::vector<std::string> map_state_forms(const App& app) {
     const std::string whole = map_state_text(app);
     return {whole, whole.substr(0, whole.find(',')), whole.substr(0, whole.find_first_of(",;"))};
@@ -97,7 +97,7 @@ std::vector<std::string> map_state_forms(const App& app) {
 std::vector<std::string> space_title_right(const App& app) {
     if (!app.shown_map.transition.shown || app.shown_map.transition.to.rows() < 2)
         return map_state_forms(app);
-    // Stress of an earlier state or of a preview would be read as that of this one.
+    // Stress of an earlier state or of a preview would be taken for the present one.
     if (map_state(app.work, app.shown_map) != MapState::exact) return map_state_forms(app);
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
@@ -116,7 +116,7 @@ std::vector<std::string> together_forms(const App& app) {
     return {count + " edited together"};
 }
 
-// What the map leaves out is said over it.
+// Patterns that the map leaves out are named over it.
 std::string side_detail(const App& app) {
     return shown_side(app.work) == Side::both ? "" : shown_patterns_text(app.work);
 }
@@ -147,7 +147,7 @@ std::string current_name(const App& app) {
     return current == nullptr ? "" : current->name;
 }
 
-// States for what stands beside the map; the map's own title says that it is exact.
+// States for the panes beside the map; only the map's own title says "exact".
 std::vector<std::string> beside_map_forms(const App& app) {
     const bool is_exact = !shows_another_set(app.work, app.shown_map) &&
                           map_state(app.work, app.shown_map) == MapState::exact;
@@ -190,12 +190,12 @@ std::vector<std::string> people_forms(const App& app) {
     return {std::to_string(answers->records.size())};
 }
 
-// Whose answers are shown.
+// The people whose answers are shown.
 std::string shown_voice(const App& app) {
     const auto& answers = app.studying.answers;
     if (!answers || !answers->results) return {};
     const auto& shown = app.studying.shown;
-    // Who rated similarity, 0 to 100, is shown as what is left of 100.
+    // Ratings of similarity, 0 to 100, are shown as 100 minus the rating.
     const std::string what = "dissimilarity, ";
     if (!shown || *shown >= answers->records.size()) {
         const std::string left_out = left_out_text(answers->results->mark);
@@ -208,7 +208,7 @@ std::string shown_voice(const App& app) {
     return what + code + (counts ? "" : ", left out: " + person->excluded);
 }
 
-// Results that are not of the patterns as they were meant say so in their title.
+// The title tells if results are about patterns as a device plays them.
 PaneTitle with_origin(const App& app, PaneTitle title) {
     const std::string model = phrase_of(mark_of(app.work.document.set));
     for (const std::string& origin : {rendered_words(app.rendered), model}) {
@@ -251,13 +251,13 @@ PaneTitle title_of(const App& app, Pane pane) {
 
 void draw_bench_tabs(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
-        // Not by its word alone, which may be that of something within the tab.
+        // The word alone could be an item within the tab.
         const std::string id = std::string("tab ") + name;
         if (draw_chip(app.ui, id.c_str(), name, app.layout.bench == which))
             app.layout.bench = which;
         note_item(app.ui.rects, std::string("tab:") + name);
     };
-    // Where one selects, the others are in the View menu.
+    // In the arrangement to select, the others are in the View menu.
     const bool selects = app.layout.arrangement == Arrangement::select;
     const auto is_offered = [&](BenchTab which) {
         return !selects || which == BenchTab::subset || which == BenchTab::matrix ||
@@ -275,7 +275,7 @@ void draw_bench_tabs(App& app) {
                                       {BenchTab::library, "Library"}}) {
         if (is_offered(which)) offered.emplace_back(which, name);
     }
-    // Where one row is too narrow, two of about as many: none hangs below by itself.
+    // If one row is too narrow, two rows of about the same number: no tab stands alone below.
     const float gap_px = 2.0F * app.ui.theme.scale;
     float all_px = -gap_px;
     for (const auto& [which, name] : offered) all_px += chip_width(app.ui, name) + gap_px;
@@ -321,7 +321,7 @@ void draw_bench(App& app) {
     }
 }
 
-// Held it is felt, clicked it is taken.
+// Held, the proposal is played; clicked, it is taken.
 void take_proposal(App& app, const SpacePaneAction& done) {
     const auto found = found_variants(app.maybes);
     if (!found) return;

@@ -29,19 +29,19 @@ void leave_study(App& app) {
         act(app.ui, app.work, app.play, app.studying, {what, 0, 0.0, {}, {}});
 }
 
-// The person's own, also while a lesson shows its set in the place of it.
+// The person's own document, also while a lesson shows its set in place of it.
 const EditedDocument& own_document(const App& app) {
     return app.lesson.aside ? app.lesson.aside->document : app.work.document;
 }
 
-// Why the document could not be kept for the next start.
+// Writes the document for the next start; an Error tells why it could not.
 Expected<Done> keep_document(App& app) {
     wait_for_autosave(app.work);
     return autosave(app.work.session, own_document(app).kept());
 }
 
-// The document is the person's own again; a tour is taken up where it was, and a lesson that was
-// kept is written on at the next start.
+// Restores the person's document; the next start continues a tour where it was left, and an edited
+// lesson in the editor.
 void end_lesson(App& app) {
     if (!app.lesson.step) return;
     let_lesson_go(app.lesson);
@@ -49,14 +49,14 @@ void end_lesson(App& app) {
 }
 
 void discard_and_quit(App& app) {
-    // Else the end would try to keep it once more.
+    // Otherwise the end of the program would try to keep it once more.
     Document saved = app.work.document.kept();
     saved.set = saved.saved;
     app.work.document.open(std::move(saved));
     app.ui.quit = true;
 }
 
-// As the last session was left, or the example.
+// Restores the last session, or opens the example.
 void take_up_session(App& app) {
     Restored restored = restore(app.work.session);
     if (restored.document) {
@@ -69,7 +69,7 @@ void take_up_session(App& app) {
     if (restored.is_error) complain(app.ui, restored.remark);
 }
 
-// The lesson that was written when the last run ended.
+// Reopens the lesson that was being edited when the last run ended.
 void take_up_lesson(App& app) {
     RestoredLesson restored = restore_lesson(app.work.session);
     if (restored.is_error) return complain(app.ui, restored.remark);
@@ -79,7 +79,7 @@ void take_up_lesson(App& app) {
     say(app.ui, (before.empty() ? "" : before + " ") + restored.remark);
 }
 
-// Another lesson or set is opened at once: the one that was written heads the recent files.
+// Another lesson or set is opened at once: the edited one becomes the first of the recent files.
 void set_last_lesson_aside(App& app) {
     Session& session = app.work.session;
     const auto aside = set_lesson_aside(session, lesson_autosave(session.autosave));
@@ -87,7 +87,7 @@ void set_last_lesson_aside(App& app) {
     if (!aside->empty()) session.recovered.push_back(*aside);
 }
 
-// The paths in its place, once what was unsaved in it is safe.
+// Opens the paths instead of the session, once unsaved changes in it are safe.
 Expected<Done> open_instead(App& app, const std::vector<std::filesystem::path>& paths) {
     const Expected<std::filesystem::path> aside = set_autosave_aside(app.work.session);
     if (!aside) {
@@ -153,7 +153,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     app.lesson.language = app.work.session.lesson_language;
     app.ui.text_scale = std::clamp(static_cast<float>(app.work.session.text_scale), 0.75F, 2.0F);
     restore_layout(app);
-    app.of_document = 0;  // the views that were put back are of the document that follows
+    app.of_document = 0;  // the restored views belong to the document that follows
     restore_devices(app.work, app.play);
     if (paths.size() == 1 && is_lesson_file(paths[0])) {
         take_up_session(app);
@@ -242,13 +242,13 @@ void ask_of_lesson(App& app, const std::string& reason) {
                      {"Cancel"}}});
 }
 
-// The set of a lesson is not what is to be saved: that ends first.
+// Saving applies to the person's document, not to the lesson's set: the lesson ends first.
 void save_own(App& app) {
     if (app.lesson.aside && !leave_lesson(hands_of(app), app.lesson)) return;
     save(app.ui, app.work);
 }
 
-// Once for each person, as of the document.
+// Once for each person, as for the document.
 bool tells_of_lesson(App& app) {
     constexpr const char* kTold = "quit keeps the lesson";
     if (!unsaved_lesson(app.work, app.lesson) || app.ui.dismissed_hints.contains(kTold))
@@ -290,7 +290,7 @@ bool may_close(App& app) {
     return false;
 }
 
-// Once for each person: they come back, and who has been told needs no question.
+// Once for each person: a person who knows it is not asked again.
 bool tells_what_is_kept(App& app) {
     constexpr const char* kTold = "quit keeps what is unsaved";
     const EditedDocument& own = own_document(app);
@@ -326,7 +326,7 @@ void end_session(App& app) {
     app.work.session.document = app.work.document.path;
     keep_layout(app);
     keep_devices(app.work, app.play);
-    // Nobody is left to read a status line; the next start says what could not be kept.
+    // A status line would not be read; the next start reports the error.
     wait_for_autosave(app.work);
     (void)autosave(app.work.session, app.work.document.kept());
     (void)close_session(app.work.session);

@@ -1,5 +1,5 @@
-// Commands by the keyboard: which one a key means, and when it is for a text field or a dialog
-// instead; and the palette, every command by a few letters of its name.
+// Commands from the keyboard: the command of each key, unless the key is for a text field or a
+// dialog; and the palette, which finds every command by a few letters of its name.
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -24,7 +24,7 @@ bool matches(const Shortcut& shortcut, const KeyPress& press) {
         return shortcut.code == press.code && shortcut.shift == press.shift;
     }
     if (shortcut.sign == 0 || shortcut.sign != press.sign) return false;
-    // On many layouts + is Shift and something: signs that are no letters ignore Shift.
+    // On many layouts + needs Shift: for signs that are not letters, Shift is ignored.
     const bool letter = shortcut.sign >= 'a' && shortcut.sign <= 'z';
     return !letter || shortcut.shift == press.shift;
 }
@@ -36,25 +36,25 @@ bool belongs_to_text(const Shortcut& shortcut) {
     return kText.find(shortcut.sign) != std::u32string_view::npos;
 }
 
-// ImGui wants text for one frame longer than a field is active: the first key after Enter is not
-// its own.
+// ImGui wants text for one frame longer than a field is active: the first key after Enter is no
+// longer the field's.
 bool is_text_active() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
 
-// What is typed at a field that is locked, or whose slider is held, would have been a number.
+// A digit typed at a locked field, or while its slider is held, was meant as a number.
 bool is_meant_for_field(const App& app, const Shortcut& shortcut) {
     const bool is_digit = !shortcut.ctrl && shortcut.sign >= '0' && shortcut.sign <= '9';
     return is_digit && (!app.ui.field.locked.empty() || ImGui::IsAnyItemActive());
 }
 
-// Changes the document, or which part of it is edited.
+// Whether it changes the document, or the part of it that is edited.
 bool touches_document(const Command& command) {
     const std::string_view menu = command.menu;
     if (menu.empty()) return command.shortcut.code != key::kEscape;
     return menu == "File" || menu == "Edit";
 }
 
-// A drag or an entry in mid-air ends first, on the pattern it began on: it takes its value and its
-// undo step while the panels are drawn, and the command follows in the same frame.
+// A running drag or entry ends first, on the pattern it began with: it gets its value and its undo
+// step while the panels are drawn, and the command follows in the same frame.
 void run(App& app, const Command& command) {
     if (!ImGui::IsAnyItemActive() || !touches_document(command)) return carry_out(app, command);
     ImGui::ClearActiveID();
@@ -70,7 +70,8 @@ std::vector<const Command*> palette_matches(const App& app) {
             lower_case(std::string(command.menu) + " " + command.name + " " + command.words);
         if (all.find(wanted) != std::string::npos) found.push_back(&command);
     }
-    // What can be done stands first, the rest says why not; of both what is named so.
+    // Enabled commands come first, the rest tell why they are disabled; in both, those with a
+    // matching name come first.
     std::ranges::stable_sort(found, {}, [&](const Command* one) {
         return std::pair(!one->enabled(app),
                          lower_case(one->name).find(wanted) == std::string::npos);
@@ -111,7 +112,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
     std::string text;
     if (shortcut.ctrl) text += "Ctrl+";
     if (shortcut.shift) text += "Shift+";
-    // Hardly seen in a menu's column.
+    // The dim colour of menus would hardly be visible.
     if (shortcut.sign == '.') return text + "Period";
     if (shortcut.sign == ',') return text + "Comma";
     if (shortcut.sign != 0) {

@@ -1,4 +1,4 @@
-// The rows of View: what the window shows, and how large. Declared in app/window/commands.h.
+// The rows of View: content of the window, and its size. Declared in app/window/commands.h.
 
 #include <array>
 

@@ -30,7 +30,7 @@ std::shared_ptr<const LiveStages> stages_of(const LiveStagesRequest& request) {
     return std::make_shared<const LiveStages>(*compute_live_stages(request, {}, progress));
 }
 
-// Edits may be ahead of the jobs; stages take no time worth waiting for.
+// Edits may be ahead of the jobs; computing the stages takes negligible time.
 void bring_up_to_date(App& app) {
     const PatternSet& set = app.work.document.set;
     const auto follow = [&](std::shared_ptr<const LiveStages>& shown, std::size_t index) {
@@ -53,7 +53,7 @@ void compute_map(App& app, const PatternSet& set, int threads) {
     std::atomic<float> progress = 0.0F;
     LiveMapWork work(threads);
     if (auto map = work(request, {}, progress)) {
-        map->seconds = 0.0;  // never the same twice
+        map->seconds = 0.0;  // differs from run to run
         show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(*std::move(map)));
     }
 }
@@ -159,14 +159,14 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
     app.ui.rects = {};
     app.ui.motion = false;
     app.work.document.open({set, {}, set});
-    app.work.unsaved_revision = app.work.revision;  // nothing to keep
+    app.work.unsaved_revision = app.work.revision;  // nothing to save
     app.rendered.on = choice.rendered_by.has_value();
     app.rendered.by = choice.rendered_by.value_or(RenderedBy{});
     if (const auto& calibration = app.rendered.by.calibration) {
         app.play.calibration = std::make_shared<const Calibration>(*calibration);
     }
     app.shown_map.dimensions = choice.dimensions;
-    // As the window is at first, unless the stages are asked for.
+    // The default layout, with the stages open only on request.
     if (choice.view == PictureView::window && !choice.stage && !choice.pinned) {
         app.layout = first_layout(Arrangement::design);
     }
@@ -186,7 +186,7 @@ std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& 
 
 namespace {
 
-// Looks, and the line at the foot; nothing that is pressed, typed or open over the panes.
+// Looks, and the status line; no button, text or popup over the panes.
 void copy_looks(const Ui& ui, Ui& still) {
     still.dark = ui.dark;
     still.status = ui.status;
@@ -197,7 +197,7 @@ void copy_looks(const Ui& ui, Ui& still) {
     still.rects = {};
 }
 
-// The session's folder is left out: a picture may neither save nor lock anything.
+// The session's folder is left out: a picture must not save or lock anything.
 void copy_work(const Workspace& work, Workspace& still) {
     still.document = work.document;
     still.revision = work.revision;
@@ -209,7 +209,8 @@ void copy_work(const Workspace& work, Workspace& still) {
     still.selection.hovered_pair.reset();
     still.side = work.side;
     still.own_heights = work.own_heights;
-    // Known from what was rendered; without that it would be guessed from the patterns' numbers.
+    // The scale comes from rendered waveforms; without it, it would be estimated from the patterns'
+    // numbers.
     still.cache.reach_g = work.cache.reach_g;
     still.cache.axis_s = work.cache.axis_s;
     still.cache.reach_of = work.cache.reach_of;
@@ -218,8 +219,8 @@ void copy_work(const Workspace& work, Workspace& still) {
     still.unsaved_revision = work.revision;
 }
 
-// What the bar and the Device tab say of the chosen device; a device itself is nobody's but the
-// program's, and what stands in its place plays nothing.
+// Copies the bar's and the Device tab's words on the chosen device. A device belongs to the program
+// alone, so a silent one replaces it.
 void copy_play(const PlayState& play, PlayState& still) {
     still = play;
     still.audio = nullptr;
@@ -227,7 +228,7 @@ void copy_play(const PlayState& play, PlayState& still) {
     still.sounding.reset();
 }
 
-// The participants' files as they were read. Who is at it now has a page of its own.
+// The participants' files as they were read. A participant at work has a separate page.
 void copy_study(const StudyState& studying, StudyState& still) {
     still.is_open = studying.is_open;
     still.kind = studying.kind;
@@ -251,8 +252,8 @@ void stand_still(App& still) {
 
 }  // namespace
 
-// Whole states are copied: what a room keeps besides its jobs is in the picture, whatever is added
-// to it. Every member of App is named here, and one that is new does not compile until it is.
+// Whole states are copied, so that everything but a room's jobs is in the picture. Every member of
+// App is named here: a new one does not compile until it is.
 std::shared_ptr<StillView> still_view(const App& app) {
     auto view = std::make_shared<StillView>(make_app(), scrolled_windows());
     App& still = view->app;
@@ -279,9 +280,8 @@ std::shared_ptr<StillView> still_view(const App& app) {
     still.candidates = candidates;
     still.library = library;
     still.of_document = of_document;
-    // Dialogs lie over what is drawn; what is asked of the map is gone when the mouse is; a lesson
-    // is the person's to leave; what is aside is not shown, and what is being read is not there
-    // yet.
+    // Left out  of pictures: dialogs, which lie over the panes; proposals in the map, which depend
+    //           on the mouse; lessons; documents set aside; files being read.
     (void)std::tie(opening, steps, transform, pad, maybes, exports, generating, importing, table,
                    sounds, planning, phones, calibrating, lesson, course, palette, manual, aside);
     stand_still(still);

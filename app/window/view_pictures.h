@@ -16,33 +16,33 @@
 
 namespace tact {
 
-// A program that stands still while pictures of it are drawn.
+// A copy of the program that does not change while pictures of it are drawn.
 struct StillView {
     App app;
-    std::vector<WindowScroll> scrolled{};  // its panes
+    std::vector<WindowScroll> scrolled{};  // scroll positions of its panes
 };
 
-// What a fresh view is to show of its set; places in set.vibrations.
+// Content of a fresh view; places in set.vibrations.
 struct ViewChoice {
     PictureView view = PictureView::window;
     std::size_t pattern = 0;
     std::optional<std::size_t> pinned{};      // for comparison
-    std::optional<Stage> stage{};             // large
-    bool tilted = false;                      // the receptors
+    std::optional<Stage> stage{};             // shown large
+    bool tilted = false;                      // the receptors' maps
     bool textbook = false;                    // measured facts over the stages
     int threads = 0;                          // 0: all cores
     int dimensions = 3;                       // of the map
-    std::optional<RenderedBy> rendered_by{};  // results of what a device plays
+    std::optional<RenderedBy> rendered_by{};  // results for the patterns as a device plays them
 };
 
-// The program as it would open on the set, with what the view shows computed.
+// The program as it would open on the set, with all results that the view shows.
 std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice);
 
-// The program as it is in the current ImGui context, but still: without jobs, files, hints and what
-// the mouse does.
+// A copy of the program in the current ImGui context, without jobs, files, hints and effects of the
+// mouse.
 std::shared_ptr<StillView> still_view(const App& app);
 
-// Draws a program from one of the two above, with its playhead at the time.
+// Draws one of the two above, with its playhead at the time.
 Picture view_picture(StillView& still, PictureView view, double at_s, const PictureSize& size);
 
 }  // namespace tact

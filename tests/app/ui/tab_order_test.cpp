@@ -1,4 +1,4 @@
-// Everything that the mouse can press, the keyboard reaches.
+// The keyboard reaches everything that the mouse can press.
 
 #include "app/ui/tab_order.h"
 
@@ -12,7 +12,7 @@ using namespace tact;
 
 namespace {
 
-// The name of what has the focus: of those with its rectangle, the one noted first.
+// The item with the focus: the first noted one with its rectangle.
 std::string focused(const Program& program) {
     const auto& focus = program.at("focus");
     for (const auto& [name, place] : program.places) {
@@ -46,7 +46,7 @@ TEST_CASE("tab: from the first control it goes through every pane, comes around,
     const std::vector<std::string> there = round_trip(program, false);
     REQUIRE_FALSE(there.empty());
     CHECK(there.front() == "transport:play");
-    // Of every kind, in every pane.
+    // Items of every kind, in every pane.
     for (const char* name :
          {"speed:1/10", "button:new", "search", "row:p1", "hint:editor", "entry:amplitude_g",
           "link:add carrier", "radio:Tremolo", "entry:duration_s", "stage:spectrum", "radio:2-D",
@@ -57,7 +57,7 @@ TEST_CASE("tab: from the first control it goes through every pane, comes around,
     REQUIRE(back.size() == there.size());
     std::ranges::rotate(back, back.end() - 1);
     std::ranges::reverse(back);
-    // From the first one back is the last one.
+    // From the first one, back is the last one.
     CHECK(std::ranges::is_permutation(back, there));
     const auto place = [](const std::vector<std::string>& all, const char* name) {
         return std::ranges::find(all, name) - all.begin();
@@ -113,7 +113,7 @@ TEST_CASE("tab: Space presses what has the focus in a dialog, and plays in the p
     const std::size_t carriers = program.app.generating.draft.carriers.size();
     program.press(U' ');
     CHECK(program.app.generating.draft.carriers.size() == carriers + 1);
-    // In a field of text it is a letter.
+    // In a text field it is a letter.
     while (focused_or_none(program) != "generate:rhythm") program.press_key(key::kTab);
     program.press(U' ');
     CHECK(program.app.ui.dialog == Dialog::generate);

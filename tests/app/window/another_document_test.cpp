@@ -1,5 +1,5 @@
-// What is shown belongs to the document that is named: nothing that was found, chosen or typed for
-// one is shown once another has taken its place, even where both have patterns of the same names.
+// All results belong to the named document: no result, selection or text of one document is shown
+// after another has replaced it, even if both have patterns with the same names.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ using namespace tact;
 
 namespace {
 
-using Shown = std::map<std::string, std::string>;  // what is noted, by the view that it is in
+using Shown = std::map<std::string, std::string>;  // noted items, by the view they are in
 
 PatternSet weaker_patterns(double duration_s, std::size_t count = 6) {
     PatternSet set = short_patterns(count);
@@ -70,7 +70,7 @@ std::vector<View> views() {
     return all;
 }
 
-// Everything that stands in the window, view by view and arrangement by arrangement.
+// All items of the window, view by view and arrangement by arrangement.
 Shown everything(Program& program) {
     Shown shown;
     for (const Arrangement arrangement :
@@ -91,7 +91,7 @@ void wait_for_waves(Program& program) {
     wait_until(program, [&] { return !program.app.work.cache.behind; });
 }
 
-// Everything of it is used, as far as a person can.
+// Uses everything that a person can use.
 void work_on(Program& program) {
     App& app = program.app;
     program.compute_map();
@@ -152,7 +152,7 @@ Shown after(bool has_worked, const PatternSet& set,
 void check_alike(const Shown& with, const Shown& without) {
     CHECK_FALSE(without.empty());
     for (const auto& [name, value] : with) {
-        // How long it took is another number each time.
+        // The time it took differs from run to run.
         if (value.find("computed in") != std::string::npos) continue;
         const auto found = without.find(name);
         CHECK_MESSAGE(found != without.end(), name << " is left of the document before: " << value);
@@ -166,7 +166,8 @@ void check_alike(const Shown& with, const Shown& without) {
 
 TEST_CASE("another document: without a map of it, nothing of the one before is on screen" *
           doctest::test_suite("long")) {
-    // It shares names with the first, and is so long that even a preview has to be asked for.
+    // A set that shares names with the first, and is so long that even a preview has to be
+    // requested.
     const PatternSet set = weaker_patterns(60.0, 50);
     REQUIRE(needs_asking(set));
     REQUIRE_FALSE(preview_grain(set));
@@ -201,7 +202,7 @@ TEST_CASE("another document: what is asked for is of its number, and an earlier 
     program.compute_map();
     const auto before = app.shown_map.transition.shown;
     CHECK(before->request.document == app.work.document_number);
-    open(program, short_patterns(4));  // equal to the first, and yet another one
+    open(program, short_patterns(4));  // equal to the first, but another document
     CHECK(app.work.document_number != before->request.document);
     CHECK(app.shown_map.transition.shown != before);
     program.wait_for_exact_map();
@@ -246,11 +247,11 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     leave_lesson(hands_of(app), app.lesson);
     program.settle();
     CHECK(app.work.document_number == document);
-    CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // so that it is not begun again
+    CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // so that it does not start again
     CHECK(app.shown_map.full_job.busy());
     CHECK(map_state(app.work, app.shown_map) != MapState::too_large);
     CHECK(app.timeline.range == TimeRange{0.0, 0.5});
-    // One that is new is none that was open before: its number is of no lesson either.
+    // A new document has a number that no earlier document or lesson had.
     open(program, short_patterns(2));
     CHECK(app.work.document_number > document + 1);
     stop_jobs(app);

@@ -1,5 +1,4 @@
-// Every dialog, at every size of text: its buttons are in sight, and all the rest can be scrolled
-// to.
+// Every dialog, at every size of text: its buttons are visible, and the rest can be scrolled to.
 
 #include <imgui_internal.h>
 
@@ -22,13 +21,13 @@ struct Screen {
     float scale;
 };
 
-// Nothing lies over the panes in a scene that is none of a dialog.
+// In scenes without a dialog, nothing lies over the panes.
 const ImGuiWindow* dialog_on_screen() {
     const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
     return popups.empty() ? nullptr : popups.front().Window;
 }
 
-// What ends a dialog, by how its name begins.
+// Items that end a dialog, by the beginning of their name.
 bool is_end(std::string_view name) {
     for (const char* end :
          {"button:choose", "button:cancel", "button:close", "button:back", "button:add candidates",
@@ -38,7 +37,7 @@ bool is_end(std::string_view name) {
     return false;
 }
 
-// Widget places are noted in whole pixels.
+// Places of items are noted in whole pixels.
 bool is_within(const Place& place, const ImRect& area) {
     return place.min.x >= area.Min.x - 1.0F && place.min.y >= area.Min.y - 1.0F &&
            place.max.x <= area.Max.x + 1.0F && place.max.y <= area.Max.y + 1.0F;

@@ -1,4 +1,4 @@
-// Every view, tab and dialog with two patterns, with some, and with as many as a set may have.
+// Every view, tab and dialog with two patterns, with some, and with the largest set.
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ using namespace tact;
 
 namespace {
 
-// A map as a run would leave it, without the run: the exact one of 1,000 patterns takes minutes.
+// A map as if computed: the exact one of 1,000 patterns takes minutes.
 std::shared_ptr<const LiveMap> made_map(const App& app) {
     LiveMap map;
     map.request = {app.work.revision,
@@ -37,7 +37,7 @@ std::shared_ptr<const LiveMap> made_map(const App& app) {
         one->size = n;
     }
     for (std::size_t k = 0; k < pairs; ++k) {
-        // All of 0 to 1, in no order of the pairs.
+        // Values from 0 to 1, in no order of the pairs.
         const double value = std::fmod(0.6180339887498949 * static_cast<double>(k + 1), 1.0);
         map.prediction.pm.condensed.push_back(value);
         map.prediction.nc.condensed.push_back(1.0 - value);
@@ -66,7 +66,7 @@ struct Large : Program {
         REQUIRE(map_state(app.work, app.shown_map) == MapState::exact);
     }
 
-    // Draws it, and says whether what was drawn is as little as a screen can show.
+    // Draws it, and tells whether the drawing is nearly empty.
     void look(const std::string& view) {
         CAPTURE(view);
         settle();
@@ -150,7 +150,7 @@ struct Large : Program {
     }
 };
 
-// Of all pairs, how many the view says are too close.
+// The share of all pairs that the view calls too close.
 double share_too_close(Large& program) {
     const TooClosePairs& pairs = too_close_pairs(program.app.shown_map, program.app.picking);
     return static_cast<double>(pairs.count) /
@@ -180,7 +180,7 @@ TEST_CASE("every view: the same share of the pairs is too close in a set of any 
         program.app.picking.view = SubsetView::confusable;
         program.app.picking.too_close = TooClose::share;
         program.settle();
-        // Values are spread evenly: the share asked for, to within a pair or two.
+        // Values are spread evenly: the share is the requested one, to within a pair or two.
         CHECK(std::abs(share_too_close(program) - program.app.picking.share) < 1e-4);
         CHECK(program.app.picking.pairs.pairs.size() == 200);
     }
@@ -191,7 +191,7 @@ TEST_CASE("every view: a cell of the matrix is the pair that the map joins, and 
     for (const bool reordered : {false, true}) {
         CAPTURE(reordered);
         Large program(6);
-        // The map keeps its rows when the list is put in another order.
+        // The map keeps its rows when the list is reordered.
         if (reordered) move_vibration(program.app.ui, program.app.work, 5, 0);
         program.settle();
         const Place cells = program.at("view:Matrix");

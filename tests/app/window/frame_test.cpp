@@ -56,7 +56,7 @@ TEST_CASE("window: arrow keys nudge the field touched last, Shift five times as 
     const double start_hz = program.pattern(0).modulation.frequency_hz;
     program.press_key(key::kRight);
     const double step_hz = program.pattern(0).modulation.frequency_hz - start_hz;
-    // 0.1 s patterns have bins of 10 Hz: the least step that leaks nothing.
+    // 0.1 s patterns have bins of 10 Hz: the smallest step without leakage.
     CHECK(step_hz == 10.0);
     program.press_key(key::kLeft);
     CHECK(program.pattern(0).modulation.frequency_hz == start_hz);
@@ -140,7 +140,7 @@ TEST_CASE("window: no set, one pattern, hundreds of patterns all have something 
         program.press('a', true);
         program.press('3', true);
         program.press('1', true);
-        program.press('3');  // nothing is picked
+        program.press('3');  // no pattern is picked
     }
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("design: all numbers of a pattern are in sight at every size of text")
             CHECK(program.at(name).max.y <= pane.max.y - program.app.ui.theme.padding_px);
             CHECK(program.at(name).max.x <= pane.max.x);
         }
-        // Whoever wants more of the map takes it by the bar, and by the keys.
+        // The map can be enlarged with its bar, and with keys.
         const ImVec2 bar = program.at("splitter:band").middle();
         program.drag(bar, bar + ImVec2{0.0F, 60.0F}, 4);
         CHECK(program.at("pane:Editor").min.y > pane.min.y + 50.0F);
@@ -227,7 +227,8 @@ TEST_CASE("design: no number moves when the map comes and the closest pattern is
     for (const ImVec2 size : {ImVec2{1280.0F, 720.0F}, ImVec2{1600.0F, 1000.0F}}) {
         CAPTURE(size.x);
         PatternSet set = short_patterns(4);
-        set.vibrations[1].source = set.vibrations[0].source;  // too close, which is said as well
+        // too close, which the text tells as well
+        set.vibrations[1].source = set.vibrations[0].source;
         Program program(set);
         program.resize(size, 1.0F);
         program.app.layout = first_layout(Arrangement::design);
@@ -258,7 +259,7 @@ TEST_CASE("window: a key maximises the pane in use, and puts it back") {
     program.click("title:Editor");
     program.press_key(key::kF1 + 5);
     CHECK(program.app.layout.maximised == Pane::editor);
-    program.press_key(key::kF1 + 6);  // there is no other pane to take from
+    program.press_key(key::kF1 + 6);  // no other pane has room to give
     program.press_key(key::kF1 + 5);
     CHECK_FALSE(program.app.layout.maximised);
     CHECK(program.app.in_use.wider == 0);

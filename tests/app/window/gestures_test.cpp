@@ -10,7 +10,7 @@ using namespace tact;
 
 namespace {
 
-// Presses on the slider and moves, and does not let go.
+// Presses on the slider and moves, without releasing it.
 void hold_slider(Program& program, const std::string& name) {
     const Place bar = program.at(name);
     const float y = bar.middle().y;
@@ -67,7 +67,7 @@ TEST_CASE("gestures: Ctrl+D in the middle of a number finishes it first, on the 
     program.press('d', true);
     REQUIRE(program.app.work.document.set.vibrations.size() == 3);
     CHECK(program.pattern(0).amplitude_g == 2.5);
-    CHECK(program.pattern(1).amplitude_g == 2.5);  // the copy of it
+    CHECK(program.pattern(1).amplitude_g == 2.5);  // the test's copy
     program.press('z', true);
     CHECK(program.app.work.document.set.vibrations.size() == 2);
     CHECK(program.pattern(0).amplitude_g == 2.5);
@@ -131,7 +131,7 @@ TEST_CASE(
     "gestures: a line at the foot waits for somebody to read it, then for the frame it fades in") {
     Program program(short_patterns(2));
     const auto wake_after_s = [&program] {
-        program.app.work.autosave_pending = false;  // asks for frames of its own
+        program.app.work.autosave_pending = false;  // requests frames
         return next_wake_s(program.app);
     };
     CHECK(std::isinf(wake_after_s()));
@@ -175,7 +175,7 @@ TEST_CASE("gestures: calibrating is found in the palette and in the Play menu") 
     program.click("menu:Play");
     CHECK(program.shows("menu:Calibrate..."));
     program.click("menu:Calibrate...");
-    // An actuator is measured through a sound output, which is asked for where none is chosen.
+    // An actuator is measured through a sound output, which the program asks for if none is chosen.
     CHECK((program.app.ui.dialog == Dialog::calibrate || program.app.ui.dialog == Dialog::devices));
 }
 
@@ -186,13 +186,13 @@ TEST_CASE("gestures: the palette says why a command cannot be done, below those 
     program.settle();
     CHECK(program.at("palette:Undo").value == "nothing to undo");
     program.press_key(key::kEnter);
-    CHECK(program.app.palette.open);  // nothing was done
+    CHECK(program.app.palette.open);  // nothing was undone
     program.press_key(key::kEscape);
     program.press('p', true);
     program.window.type("re");  // redo, rename, report ...
     program.settle();
     CHECK(program.shows("palette:Rename"));
-    CHECK_FALSE(program.shows("palette:Redo"));  // twelve that can be done come first
+    CHECK_FALSE(program.shows("palette:Redo"));  // twelve enabled commands come first
     program.window.type("do");
     program.settle();
     CHECK(program.at("palette:Redo").value == "nothing to redo");

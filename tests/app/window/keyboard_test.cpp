@@ -1,5 +1,4 @@
-// Everything that the mouse can press is reached by Tab, or has keys of its own; and Tab goes as
-// one reads.
+// Tab or a key reaches everything that the mouse can press; and Tab follows reading order.
 
 #include <imgui_internal.h>
 
@@ -24,7 +23,7 @@ using namespace tact;
 
 namespace {
 
-// What is no stop, by how its name begins, and what does the same.
+// Items that are not stops, by the beginning of their name, and the key or item that does the same.
 constexpr auto kOtherwise = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"menu:", "Ctrl+P finds every command of the menus"},
     {"workspace:", "Ctrl+1 to Ctrl+4, F5"},
@@ -58,7 +57,7 @@ std::string listed(const std::set<std::string>& names) {
     return all;
 }
 
-// The names at whose middle the mouse would press one and the same thing, of each such thing.
+// For each item that the mouse can press: the names with their middle on it.
 std::map<ImGuiID, std::set<std::string>> pressable(Program& program) {
     const std::map<std::string, Place> places = program.places;
     const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
@@ -85,7 +84,7 @@ struct Stop {
     Place place;
 };
 
-// What Tab comes by, once around; a stop without a frame around it is not seen.
+// Stops of Tab, once around; a stop without a visible frame is left out.
 std::vector<Stop> round_trip(Program& program, std::vector<std::string>& faults) {
     std::vector<Stop> stops;
     std::set<ImGuiID> seen;
@@ -113,7 +112,7 @@ bool follows(const Place& a, const Place& b) {
     return b.min.y > a.min.y || b.min.x >= a.max.x;
 }
 
-// What works has a Cancel, which goes when it is done.
+// Running work has a Cancel button, which disappears at its end.
 void wait_for_rest(Program& program) {
     const auto works = [](const auto& place) { return place.first.starts_with("progress:"); };
     const auto until = end_of_patience();
@@ -160,15 +159,15 @@ bool is_of(const Scene& scene, std::initializer_list<std::string_view> beginning
     });
 }
 
-// High enough that nothing scrolls while Tab goes through it: places stay where they are.
+// High enough that Tab never scrolls: places stay the same.
 struct HighWindow : SceneWindow {
     HighWindow() { resize({1600.0F, 2600.0F}, 1.0F); }
 
-    // `alone`: one pane, where the others are as in other scenes.
+    // `alone`: a pane that fills the window, the others being covered by other scenes.
     void check(std::initializer_list<std::string_view> beginnings,
                std::optional<Pane> alone = std::nullopt) {
         for (const Scene& scene : scenes()) {
-            // Of the palette letters and arrows are the way, of a question its mark.
+            // In the palette, letters and arrows choose; in a question, the mark does.
             const bool has_own_way =
                 scene.name == "dialog, palette" || scene.name == "dialog, question";
             if (!is_of(scene, beginnings) || has_own_way) continue;

@@ -94,7 +94,7 @@ TEST_CASE("legible: titles, names, sliders and entries keep apart and inside the
           doctest::test_suite("long")) {
     Program program(long_names());
     program.compute_map();
-    program.app.shown_map.cancelled = true;    // the bar has most to say then
+    program.app.shown_map.cancelled = true;    // the bar has its longest text then
     program.app.timeline.range = {0.0, 0.05};  // and here
     for (const ImVec2 size : {ImVec2{1280.0F, 800.0F}, ImVec2{1600.0F, 1000.0F}}) {
         for (const float scale : {0.75F, 1.0F, 1.5F, 2.0F}) {

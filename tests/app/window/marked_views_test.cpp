@@ -1,5 +1,5 @@
-// What is false about a set's model and about who rated it stands in every picture of the window
-// and its panes, and in all that is copied as a table.
+// Marks on a set's model and on its raters appear in every picture of the window and its panes, and
+// in every copied table.
 #include <doctest/doctest.h>
 
 #include "app/candidates/candidate_rows.h"
@@ -21,7 +21,7 @@ PatternSet set_of_nobody() {
     return set;
 }
 
-// Two simulated ones who count, one who is left out, and a rehearsal.
+// Two simulated participants who count, one who is left out, and a rehearsal.
 std::string lines_of_nobody() {
     std::string lines = "participant,a,b,rating,synthetic,excluded,rehearsal\n";
     for (const char* who : {"S1,1,0,0", "S2,1,0,0", "S3,1,1,0", "S4,1,0,1"}) {

@@ -1,4 +1,4 @@
-// What the menus say is so: the history goes to the step that was chosen, every key is listed.
+// Menus tell the truth: the history goes to the chosen step, every key is listed.
 
 #include <algorithm>
 #include <cctype>
@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "File > Open..." as it is written in a sentence: "File > Open".
+// "File > Open..." as a sentence has it: "File > Open".
 std::string without_dots(std::string path) {
     if (path.ends_with("...")) path.resize(path.size() - 3);
     return path;
 }
 
-// Every item, and every menu within a menu.
+// Every item, and every submenu.
 std::set<std::string> menu_places() {
     // These are lists that are made while the program runs.
     std::set<std::string> places{"File > Open recent", "File > Example sets", "Edit > History",
@@ -39,7 +39,7 @@ std::set<std::string> menu_places() {
     return places;
 }
 
-// Where a text names something in a menu, and there is no such thing: the text from there on.
+// If a text names a menu item that does not exist: the text from there on.
 std::vector<std::string> wrong_places(const std::string& text) {
     static const std::set<std::string> places = menu_places();
     static const std::regex named("\\b(File|Edit|View|Play|Study|Lesson|Help) > ");
@@ -57,7 +57,7 @@ std::vector<std::string> wrong_places(const std::string& text) {
     return wrong;
 }
 
-// On one line, as it is read: of a page, or of literals that follow each other in a source file.
+// On one line, as a reader sees it: a page, or consecutive literals of a source file.
 std::string as_read(const std::string& bytes) {
     static const std::regex joint("\"\\s*\\+?\\s*\"");
     static const std::regex space("\\s+");
@@ -137,7 +137,7 @@ TEST_CASE("menus: the list of keys needs no scroll bar in a small window, and is
     program.type("lasso");
     CHECK(program.shows("keys:Map"));
     CHECK_FALSE(program.shows("keys:File"));
-    program.press_key(key::kEnter);  // is the search's own
+    program.press_key(key::kEnter);  // an item of the search itself
     CHECK(program.app.ui.dialog == Dialog::keys);
     program.press_key(key::kEscape);
     CHECK(program.app.ui.dialog == Dialog::none);

@@ -1,4 +1,4 @@
-// One number of several patterns: shown as mixed where they differ, and moved together.
+// One number of several patterns: shown as mixed if they differ, and moved together.
 
 #include "tests/support/typed_numbers.h"
 
@@ -110,7 +110,7 @@ TEST_CASE("mixed numbers: a drag keeps the proportions, through its lowest point
     program.settle();
     const double to_g = program.pattern(0).amplitude_g;
     CHECK(to_g > 2.0);
-    // To the nearest hundredth, which sliders keep to.
+    // Rounded to the nearest hundredth, the step of sliders.
     CHECK(program.pattern(1).amplitude_g == doctest::Approx(2.0 * to_g).epsilon(0.005));
     CHECK(program.pattern(2).amplitude_g == doctest::Approx(0.5 * to_g).epsilon(0.005));
     program.press('z', true);

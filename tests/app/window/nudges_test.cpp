@@ -1,4 +1,4 @@
-// Numbers of the window stepped and nudged by arrows.
+// Numbers of the window, stepped and nudged with arrows.
 #include <functional>
 
 #include "tests/support/typed_numbers.h"
@@ -46,7 +46,7 @@ TEST_CASE("numbers: a nudge goes on from a typed value, beyond the slider too") 
     enter(program, "entry:carrier_1_hz", "700");
     program.press_key(key::kLeft);
     CHECK(program.pattern(0).carriers[0].frequency_hz == 699.0);
-    // Off the grid it goes to the next multiple on its way, and never further than a step.
+    // Off the grid it goes to the next multiple, at most one step away.
     enter(program, "entry:modulation_hz", "2.25");
     program.press_key(key::kRight);
     CHECK(program.pattern(0).modulation.frequency_hz == 3.0);

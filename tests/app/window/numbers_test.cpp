@@ -23,7 +23,8 @@ std::string undo_label(const Program& program) {
     return label == nullptr ? "" : *label;
 }
 
-// Types into what is there of these and can be clicked, and leaves it by Enter; how many.
+// Types into those that are present and can be clicked, and leaves them by Enter; returns their
+// number.
 std::size_t try_all(Program& program, const std::vector<std::string>& entries,
                     const std::string& text) {
     std::size_t tried = 0;
@@ -33,7 +34,7 @@ std::size_t try_all(Program& program, const std::vector<std::string>& entries,
         CAPTURE(text);
         const std::string before = program.at(entry).value;
         const PatternSet set = program.app.work.document.set;
-        // At its left: some have buttons within at their right.
+        // At its left: some have buttons at their right.
         program.window.click({program.at(entry).min.x + 8.0F, program.at(entry).middle().y});
         program.settle();
         if (program.app.ui.field.typing.entry == 0) continue;  // scrolled away, or disabled
@@ -88,7 +89,7 @@ TEST_CASE("numbers: what is looked at and left keeps the digits that are not sho
 
 TEST_CASE("numbers: a click selects all of it, and typing replaces it") {
     Program program(odd_numbers(1));
-    program.app.layout.left_split = 0.2F;  // times are in sight as well
+    program.app.layout.left_split = 0.2F;  // times are visible as well
     program.settle();
     enter(program, "entry:amplitude_g", "2");
     CHECK(program.pattern(0).amplitude_g == 2.0);
@@ -147,7 +148,7 @@ TEST_CASE("numbers: Tab takes the number and goes to the next one, never into a 
 TEST_CASE("numbers: Tab from a number that was only clicked goes on from number to number") {
     Program program(odd_numbers(1));
     program.click("entry:amplitude_g");
-    // Between carrier and modulation are two links, and a field of text before the attack.
+    // Between carrier and modulation are two links, and a text field before the attack.
     for (int k = 0; k < 3; ++k) program.press_key(key::kTab);
     program.type("12");
     program.press_key(key::kTab);
@@ -178,7 +179,7 @@ TEST_CASE("numbers: a double click on the label brings the default back, as one 
     CHECK(program.pattern(0).modulation.frequency_hz == normal.modulation.frequency_hz);
     program.press('z', true);
     CHECK(program.pattern(0).modulation.frequency_hz == 2.5);
-    program.click("field label:amplitude_g");  // once is no double click
+    program.click("field label:amplitude_g");  // one click is not a double click
     CHECK(program.pattern(0).amplitude_g == normal.amplitude_g);
 }
 
@@ -317,7 +318,7 @@ TEST_CASE("numbers: digits typed at a field, locked or not, do not change the la
     CHECK(program.app.layout.left == left);
     CHECK(program.app.layout.right == right);
     CHECK_FALSE(program.app.studying.is_open);
-    // Nor while the slider of one that is not locked is held.
+    // The same while the slider of an unlocked number is held.
     program.app.work.document.edit().vibrations[0].locked = false;
     program.settle();
     program.window.move(program.at("slider:amplitude_g").middle());

@@ -1,5 +1,5 @@
-// Every pane of every workspace, at every size of text: whatever is in it is in sight or can be
-// scrolled to, and what scrolls has room for a row at least.
+// Every pane of every workspace, at every size of text: its content is visible or can be scrolled
+// to, and a scrolling part has room for at least one row.
 
 #include <imgui_internal.h>
 
@@ -25,7 +25,7 @@ bool is_of_panes(const Scene& scene) {
     return !scene.is_costly;
 }
 
-// Of the windows on screen, each within what it is a part of.
+// Windows on screen, clipped to their parents.
 std::vector<std::string> faults_on_screen() {
     std::vector<std::string> faults;
     const ImRect screen({}, ImGui::GetIO().DisplaySize);
@@ -63,7 +63,7 @@ TEST_CASE("panes: at any size of text nothing in a pane is out of reach" *
     }
 }
 
-// Two of them would be none.
+// Two primary buttons would defeat their purpose.
 TEST_CASE("panes: each has one primary button at most, and a dialog over them one" *
           doctest::test_suite("long")) {
     SceneWindow window;
@@ -95,7 +95,7 @@ TEST_CASE("panes: each has one primary button at most, and a dialog over them on
     CHECK(primaries > 20);
 }
 
-// The level of all that is felt, what stops it, and what chooses where it goes.
+// The level, the stop button and the choice of device.
 TEST_CASE("panes: the bar keeps its level, its device and Play at any size of text") {
     FeltProgram program;
     for (const ImVec2 size : {ImVec2{1600.0F, 1000.0F}, ImVec2{1280.0F, 720.0F}}) {

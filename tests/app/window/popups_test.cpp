@@ -1,4 +1,4 @@
-// Where a popup opens: beside what was pressed, and not over what it changes.
+// Popups open beside their button, and do not cover the item they change.
 
 #include "tests/support/program.h"
 

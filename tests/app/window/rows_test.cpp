@@ -1,5 +1,5 @@
-// What is done in a row of a list while the list is drawn; run with the checks of the library on,
-// an index past the end aborts.
+// Actions on a row of a list while the list is drawn; with the library's checks on, an index past
+// the end aborts.
 
 #include "app/subset/separation_follow.h"
 #include "app/window/frame.h"
@@ -96,7 +96,7 @@ TEST_CASE("rows: while a row is dragged a line shows where it would come") {
         program.window.move(program.at(to).middle());
         program.settle();
         const float y = program.at("drop line").middle().y;
-        program.window.move(program.at(from).middle());  // back: nothing is moved
+        program.window.move(program.at(from).middle());  // back: nothing moves
         program.window.button(false);
         program.settle();
         return y;

@@ -1,5 +1,5 @@
-// Pictures of the window and of its panes say what the window says: the same results, marks,
-// device, selection and places that are scrolled to.
+// Pictures of the window and of its panes agree with the window: the same results, marks, device,
+// selection and scroll positions.
 
 #include <imgui_internal.h>
 
@@ -22,13 +22,13 @@ using namespace tact;
 
 namespace {
 
-// How far work is, and what can be asked of it, is known by the job, which a picture is without.
+// Progress, and buttons for it, come from the job, which a picture does not have.
 bool tells_of_work(const std::string& name) {
     return name == "training" || name == "a map of an earlier state" ||
            name == "compare, pairs with people";
 }
 
-// What lies over the panes, the participant's and the class's pages are in no picture.
+// Popups, and the pages of a participant and a class, are in no picture.
 bool is_in_pictures(const std::string& name) {
     for (const char* over :
          {"dialog, ", "menu ", "popup ", "tooltip ", "participant", "lesson", "present"}) {
@@ -53,8 +53,8 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
     ImGui::GetStyle().AntiAliasedLines = false;
     ImGui::GetStyle().AntiAliasedLinesUseTex = false;
     ImGui::GetStyle().AntiAliasedFill = false;
-    // A picture waits for the stages that it shows, and says nothing of a map under way, nor leaves
-    // it room.
+    // A picture waits for the stages that it shows, and leaves no message and no room for a running
+    // map.
     const auto is_awaited = [](const std::string& text) {
         return text.find("on their way") != text.npos || text.starts_with("computing");
     };
@@ -66,7 +66,7 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         texts = drawn_texts(window);
     }
-    window.settle();  // what has come since the last of these
+    window.settle();  // since the last of these
     return drawn_texts(window);
 }
 

@@ -1,6 +1,6 @@
-// How many actions the commonest tasks take: clicks, drags, key chords, and fields that are typed
-// into. Every task is done to its end, which is checked. Where a designer counted an earlier state
-// (47, 24, 24, 6, 7 and 9 for those named first), it must be fewer; otherwise no more than it was.
+// The number of actions of common tasks: clicks, drags, key chords, and typed fields. Every task is
+// completed, and its result checked. Where a designer counted an earlier state (47, 24, 24, 6, 7
+// and 9 for those named first), the number must be smaller; otherwise not larger than before.
 
 #include <doctest/doctest.h>
 
@@ -62,7 +62,7 @@ struct Counted : Program {
         ++actions;
         press_key(code);
     }
-    // Where the cursor is, instead of what stands there.
+    // Puts the cursor there without replacing the text.
     void types(const std::string& text) {
         ++actions;
         press('a', true);
@@ -108,7 +108,7 @@ struct Counted : Program {
 TEST_CASE("tasks: five patterns from nothing, named, each with numbers of its own" *
           doctest::test_suite("long")) {
     Counted program(0);
-    program.resize({1600.0F, 1400.0F}, 1.0F);  // all fields are in sight, whenever the card comes
+    program.resize({1600.0F, 1400.0F}, 1.0F);  // all fields are visible, whenever the card appears
     for (int k = 1; k <= 5; ++k) {
         program.chord('n');
         program.keys(key::kF1 + 1);
@@ -157,10 +157,10 @@ TEST_CASE("tasks: candidates, the most distinct of them with one kept and one le
     program.fills("generate:amplitude", "0.6, 1.3");
     program.fills("generate:carrier 1 steps", "3");
     program.fills("generate:modulation", "0, 11");
-    // The count of the entries before is the same.
+    // The same number of entries as before.
     program.wait_until(
         [&] { return bool(current_plan(program.app.work, program.app.generating)); });
-    program.settle();  // what it says moves the buttons
+    program.settle();  // its message moves the buttons
     CHECK(program.at("generate:count").value == "12 patterns");
     program.clicks("button:add candidates");
     program.clicks("workspace:Select");
@@ -259,7 +259,7 @@ TEST_CASE("tasks: saved, left, and taken up again as it was, after an accident t
         CHECK(written->set == saved);
         left = edit(app);
         first.chord('q');
-        first.keys(key::kEnter);  // said once: what is unsaved is kept
+        first.keys(key::kEnter);  // told once: unsaved changes are kept
         REQUIRE(app.ui.quit);
         end_session(app);
         actions += first.actions;
@@ -275,7 +275,7 @@ TEST_CASE("tasks: saved, left, and taken up again as it was, after an accident t
         second.wait_until([&] { return is_autosaving(app.work); });
         wait_for_autosave(app.work);
         actions += second.actions;
-    }  // killed: nothing ends the session
+    }  // killed: the session does not end
     Counted third(0);
     REQUIRE(start_session(third.app, {}));
     third.settle();
@@ -384,7 +384,7 @@ TEST_CASE("tasks: a rhythm from the list, patterns like one, two compared stage 
 
 namespace {
 
-// What is drawn by hand, in the arrangement for it.
+// Drawing by hand, in the arrangement for it.
 struct Drawn : Counted {
     Drawn() : Counted(0) {
         resize({1600.0F, 1000.0F}, 1.0F);
@@ -392,7 +392,7 @@ struct Drawn : Counted {
         settle();
         chord('n');
     }
-    // By shares of the pattern's length and of the lane's height.
+    // Positions as shares of the pattern's length and of the lane's height.
     ImVec2 in_lane(double x, double y) const {
         const Place& lane = at("strip:amplitude");
         return {lane.min.x + static_cast<float>(x / 1.06) * (lane.max.x - lane.min.x),
@@ -429,7 +429,7 @@ TEST_CASE("tasks: a heartbeat of two notes of unequal strength, drawn") {
     const ImVec2 top{second.middle().x, second.min.y};
     program.drags_in_lane(top, {top.x, second.max.y - 5.0F / 9.0F * (second.max.y - top.y)});
     CHECK(program.pattern(0).rhythm.text == "x=--5=----------");
-    CHECK(program.actions == 5);  // 6 at most were asked for
+    CHECK(program.actions == 5);  // at most 6 were required
 }
 
 TEST_CASE("tasks: a bar copied four times") {
@@ -441,7 +441,7 @@ TEST_CASE("tasks: a bar copied four times") {
     }
     REQUIRE(program.pattern(0).rhythm.text == "x=--x=----------");
     program.actions = 0;
-    // From the ground behind the notes back to the start.
+    // From the empty place behind the notes back to the start.
     program.drags_in_lane_with_shift(program.in_lane(0.5, 0.3), program.in_lane(0.0, 0.3));
     program.letter('r');
     CHECK(program.pattern(0).rhythm.text == "x=--x=--x=--x=--x=--x=--x=--x=--");

@@ -1,4 +1,4 @@
-// Whatever is opened, at whatever size: no text is written over another one, none leaves its pane.
+// For every file and size of the window: no text overlaps another one, and none leaves its pane.
 
 #include "tests/support/drawn_texts.h"
 #include "tests/support/scenes.h"
@@ -14,7 +14,7 @@ struct Screen {
     float scale;
 };
 
-// The drawing of shapes that can be read back from their triangles.
+// A drawing whose shapes can be read back from its triangles.
 void draw_exactly() {
     ImGuiStyle& style = ImGui::GetStyle();
     style.AntiAliasedLines = false;
@@ -22,7 +22,7 @@ void draw_exactly() {
     style.AntiAliasedFill = false;
 }
 
-// A slider that is there at all can be aimed at.
+// Every visible slider is large enough to aim at.
 void check_sliders(const SceneWindow& window) {
     constexpr float kLeastPx = 80.0F;
     for (const auto& [name, place] : window.places) {
@@ -61,7 +61,7 @@ TEST_CASE("text: whatever is open, at any size, none is written over another or 
     }
 }
 
-// Every glyph is read back from its triangles; what has none is drawn as U+FFFD.
+// Every glyph is read back from its triangles; a missing one is drawn as U+FFFD.
 TEST_CASE("text: a name that would steer what shows it is drawn by the numbers of its characters" *
           doctest::test_suite("long")) {
     const std::string sign = "\u202e##\u009b";
