@@ -26,7 +26,7 @@ float scale_room_px(const Theme& theme, const MatrixScene& scene) {
     return std::max(numbers, flat) + 5.0F * theme.gap_px;
 }
 
-// What a cell must have for every number; none where there are too many cells for numbers anyway.
+// The cell size that fits every number; zero if there are too many cells for numbers.
 ImVec2 widest_value_px(const Theme& theme, const MatrixScene& scene) {
     constexpr std::size_t kMostWithValues = 60;
     if (scene.labels.size() > kMostWithValues) return {0.0F, 0.0F};
@@ -40,10 +40,11 @@ ImVec2 widest_value_px(const Theme& theme, const MatrixScene& scene) {
             font_or_current(theme.fonts.small).FontSize + theme.scale};
 }
 
-// A side is whole pixels where it is some; two objects need no poster, and a cell no strip.
+// A side of a few pixels or more is a whole number of them; cells of a few objects are limited in
+// size, and never narrow strips.
 ImVec2 cell_size(const Theme& theme, ImVec2 room, std::size_t n) {
     const bool few = n <= kMostWithAllValues;
-    const float wide = few ? 2.8F : 1.0F;  // by its height
+    const float wide = few ? 2.8F : 1.0F;  // relative to its height
     const float high = few ? 1.4F : 1.0F;
     const ImVec2 most{96.0F * theme.scale, 64.0F * theme.scale};
     const auto objects = static_cast<float>(std::max<std::size_t>(n, 1));
@@ -96,8 +97,8 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     const float right = scale_room_px(theme, scene);
     const float top = std::min(widest, area.height() * 0.25F) + theme.gap_px;
     const ImVec2 value_px = widest_value_px(theme, scene);
-    // Names that stand upright leave less height to the cells than those that lie, which are told
-    // whole or not at all.
+    // Upright names leave less height to the cells than level ones, which are shown whole or not at
+    // all.
     const float level_top = std::min(top, text_px + theme.gap_px);
     const auto sized = [&](bool with_scale) {
         const float width = area.width() - left - (with_scale ? right : 0.0F);
@@ -108,7 +109,8 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
             layout.cell_px = cell_size(theme, {width, area.height() - top}, n);
         }
         const ImVec2 bare = cell_size(theme, {width, area.height()}, n);
-        // In a low pane every row's name is worth more than names of columns, which are the same.
+        // In a low pane, a name for every row is worth more than names of columns, which are the
+        // same.
         const bool names_rows = layout.cell_px.y < text_px * 1.1F && bare.y >= text_px * 1.1F;
         layout.column_labels = layout.cell_px.x >= text_px * 1.1F && !names_rows;
         if (!layout.column_labels) {
@@ -121,7 +123,7 @@ MatrixLayout matrix_layout(const Theme& theme, const Rect& area, const MatrixSce
     };
     bool with_scale = area.width() > left + right + area.height() * 0.4F;
     MatrixLayout layout = sized(with_scale);
-    // Numbers say what the scale does.
+    // Numbers make the scale unnecessary.
     if (with_scale && !layout.has_values && sized(false).has_values) {
         with_scale = false;
         layout = sized(false);

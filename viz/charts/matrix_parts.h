@@ -1,4 +1,4 @@
-// What drawing a matrix and placing it have in common. Private to the matrix view.
+// Helpers shared by drawing a matrix and its layout. Private to the matrix view.
 #pragma once
 
 #include <string>
@@ -7,20 +7,19 @@
 
 namespace tact {
 
-// The darkest value.
+// The value with the darkest colour.
 double largest_of(const MatrixScene& scene);
 
-// Ranks that are all the same say nothing about any pair; a value of zero does.
+// Whether all values are equal and not zero: such ranks say nothing about any pair.
 bool is_flat(const MatrixScene& scene);
 
-// A value as people read it: what is next to nothing beside the largest is rounding, and as a
-// number of fourteen zeros wider than its cell.
+// A value as text; a value negligible beside the largest is a rounding error, and printed as 0.
 std::string value_text(double value, double largest);
 
-// More patterns have numbers only in the rows and columns of the selected ones.
+// With more patterns, only the rows and columns of the selected ones have numbers.
 inline constexpr std::size_t kMostWithAllValues = 10;
 
-// In its cell: of many, which are small, two digits.
+// The text of a cell: two digits if there are many patterns, whose cells are small.
 std::string cell_text(const MatrixScene& scene, double value, double largest);
 
 }  // namespace tact

@@ -22,7 +22,7 @@ double value_of(const MatrixScene& scene, std::size_t i, std::size_t j) {
     return scene.condensed[pair_index(scene.labels.size(), std::min(i, j), std::max(i, j))];
 }
 
-// Objects [first, last) that one drawn row stands for.
+// Objects [first, last) in one drawn row.
 std::pair<std::size_t, std::size_t> block(std::size_t row, std::size_t shown, std::size_t n) {
     return {row * n / shown, (row + 1) * n / shown};
 }
@@ -46,7 +46,7 @@ double block_mean(const MatrixScene& scene, std::pair<std::size_t, std::size_t> 
     return known > 0 ? sum / known : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Bright where alike; the same quiet tone where all are equal.
+// The colour of a value; one quiet tone if all are equal.
 struct Shades {
     const Theme& theme;
     double largest = 1.0;
@@ -89,7 +89,7 @@ bool is_selected(const MatrixScene& scene, std::size_t i) {
     return std::ranges::binary_search(scene.selected, i);
 }
 
-// Many patterns show the numbers of the selected ones: nobody reads a hundred.
+// With many patterns only the selected ones have numbers: a hundred are too many to read.
 void draw_values(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                  const MatrixScene& scene, const Shades& shades) {
     if (!layout.has_values) return;
@@ -117,7 +117,7 @@ ImU32 label_colour(const Theme& theme, const MatrixScene& scene, std::optional<P
     return is_selected(scene, i) ? theme.text : theme.dim_text;
 }
 
-// Every label_step-th name; the selected and the pointed-at ones always, in place of neighbours.
+// Every label_step-th name; the selected and the pointed-at ones always, replacing neighbours.
 void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const MatrixLayout& layout,
                 const MatrixScene& scene, std::optional<Pair> pointed) {
     const ImFont* font = theme.fonts.small;
@@ -125,7 +125,7 @@ void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const Ma
     // The cells begin on a whole pixel, which may take a part of one from the names.
     const float room = layout.cells.min.x - area.min.x - theme.gap_px + 1.0F;
     const auto draw_row = [&](std::size_t i) {
-        // Short names need little room; of a long one too little would be left to read.
+        // Short names need little room; too short a piece of a long one would be illegible.
         const std::string& whole = scene.labels[i];
         if (room < 2.0F * text_px && text_size(font, whole).x > room) return;
         const std::string name = shortened(font, whole, room);
@@ -200,7 +200,7 @@ void draw_scale(ImDrawList& list, const Theme& theme, const MatrixLayout& layout
     draw_text(list, font, {left, bar.max.y - text_px * 2.1F}, theme.dim_text, "alike");
 }
 
-// "0 alike", the colours, "far apart 61.8 PM": in one line, without words where it is short.
+// "0 alike", the colours, "far apart 61.8 PM": in one line, without words if it is short.
 void draw_scale_below(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                       const MatrixScene& scene, const Shades& shades) {
     const Rect& line = layout.scale_below;
@@ -251,7 +251,7 @@ void draw_band(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                  theme.hairline_px);
 }
 
-// Neighbours share one frame: of many that are selected the values stay to be seen.
+// Neighbours share one frame, so that the values of many selected objects stay visible.
 void draw_selected(ImDrawList& list, const Theme& theme, const MatrixLayout& layout,
                    const MatrixScene& scene) {
     const auto& all = scene.selected;
@@ -276,7 +276,7 @@ void draw_cell_frame(ImDrawList& list, const Theme& theme, const MatrixLayout& l
     }
 }
 
-// What the mouse points at and whether it pressed there.
+// The pair under the mouse, and whether it was pressed.
 MatrixAction read_mouse(const char* id, const Rect& area, const MatrixLayout& layout,
                         std::size_t n) {
     ImGui::SetCursorScreenPos(area.min);

@@ -10,7 +10,7 @@ namespace tact {
 
 namespace {
 
-// Below the title, with room for the marks at its edges.
+// The plot's area below the title, with room for marks at its edges.
 Rect curve_area(const Theme& theme, const Rect& area) {
     const float title = text_size(theme.fonts.small, "L").y + 2.0F * theme.scale;
     const float room = theme.mark_px;
@@ -26,7 +26,7 @@ void draw_title(ImDrawList& list, const Theme& theme, const Rect& area, const Pr
               scene.detail);
 }
 
-// The curve breaks where a value has no best.
+// The curve has a gap at a value without a best.
 void draw_curve(ImDrawList& list, const Theme& theme, const Rect& area, const ProfileScene& scene) {
     std::optional<ImVec2> last;
     for (std::size_t k = 0; k < scene.best.size(); ++k) {

@@ -49,7 +49,7 @@ void draw_receptor_curves(const Theme& theme, const Rect& area, const ReceptorCu
         draw_over_frequency(
             list, theme, plot, receptor,
             [&curve](double frequency_hz) { return at(curve, frequency_hz); }, theme.receptor[k]);
-        // A mark on each knot: what the tables hold, and what is drawn between.
+        // A mark on each knot: tables hold the knots, the rest is interpolated.
         for (const double frequency_hz : curve.frequency_hz) {
             if (!scene.frequency_hz.contains(frequency_hz)) continue;
             draw_receptor_mark(

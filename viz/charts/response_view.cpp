@@ -11,9 +11,9 @@ namespace {
 
 constexpr float kMarkPx = 3.0F;
 constexpr float kKnotReachPx = 12.0F;
-constexpr double kRoom = 1.4;  // above the largest and below the smallest, as a factor
+constexpr double kRoom = 1.4;  // factor above the largest and below the smallest value
 
-// Around everything that is drawn.
+// The range of all drawn points, with some room.
 Axis spanned(const ResponseScene& scene, double ResponseMark::*value, double room) {
     Axis axis{INFINITY, 0.0, Scale::logarithmic};
     for (const auto& marks : {scene.table, scene.refused}) {

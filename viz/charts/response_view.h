@@ -1,6 +1,6 @@
-// What an actuator makes of full scale: g over frequency, both logarithmic.
+// The response of an actuator to full scale: g over frequency, both logarithmic.
 //
-// Input     the table, frequencies rising, and tones that were too distorted or too faint for it
+// Input     the table by ascending frequency, and tones too distorted or too faint for it
 // Output    the point of the table under the mouse
 // Left out  phase.
 #pragma once
@@ -16,12 +16,12 @@ namespace tact {
 
 struct ResponseMark {
     double frequency_hz = 0.0;
-    double g = 0.0;  // per full scale; 0 and less are not drawn
+    double g = 0.0;  // per full scale; values up to 0 are not drawn
 };
 
 struct ResponseScene {
     std::span<const ResponseMark> table{};
-    std::span<const ResponseMark> refused{};  // rings in the colour of warnings
+    std::span<const ResponseMark> refused{};  // rings in the warning colour
 };
 
 struct ResponseAction {

@@ -12,7 +12,7 @@ namespace tact {
 namespace {
 
 constexpr float kPointPx = 3.0F;
-constexpr float kPointReachPx = 8.0F;  // of the mouse
+constexpr float kPointReachPx = 8.0F;  // distance from the mouse
 
 bool is_drawn(const ScatterScene& scene, std::size_t k) {
     return std::isfinite(scene.x[k]) && std::isfinite(scene.y[k]);
@@ -33,8 +33,8 @@ bool is_before(const FitPoint& a, const FitPoint& b) {
     return a.x != b.x ? a.x < b.x : a.fitted < b.fitted;
 }
 
-// The least and the last point of each slice of x: of a monotone fit these hold all others between
-// them. One pass instead of a sort.
+// The least and the last point of each slice of x: the others of a monotone fit lie between them.
+// One pass instead of a sort.
 std::vector<FitPoint> sliced(std::span<const double> x, std::span<const double> fitted,
                              const Range& range) {
     struct Slice {
@@ -61,13 +61,13 @@ std::vector<FitPoint> sliced(std::span<const double> x, std::span<const double> 
     return fit;
 }
 
-// From the least to the most of the values, with 4 % of air; 0 stays where values begin near it.
+// The range of the values with 4 % of room; starts at 0 if they begin near it.
 Axis axis_of(const std::optional<Range>& range) {
     if (!range) return {};
     double low = range->low;
     const double high = range->high;
     if (low >= 0.0 && low < 0.3 * high) low = 0.0;
-    // Values that differ in their last digits alone have no ticks between them.
+    // Values that differ only in their last digits have no ticks between them.
     const double largest = std::max(std::abs(low), std::abs(high));
     const bool spread = high - low > 1e-6 * largest;
     const double air = spread ? 0.04 * (high - low) : std::max(0.5 * largest, 0.5);
@@ -78,7 +78,7 @@ ScatterSummary known_summary(const ScatterScene& scene) {
     return scene.summary != nullptr ? *scene.summary : summary_of(scene.x, scene.y, scene.fitted);
 }
 
-// The title of x has a line of its own: ticks keep theirs.
+// The title of x has a separate line: ticks keep theirs.
 Plot plot_of(const Theme& theme, const Rect& area, const ScatterScene& scene,
              const ScatterSummary& summary) {
     const float text_px = font_or_current(theme.fonts.small).FontSize;
@@ -93,7 +93,7 @@ ImVec2 at(const Plot& plot, double x, double y) {
     return {to_pixel(plot.x, x), to_pixel(plot.y, y)};
 }
 
-// Of each pixel column the first and the last point, and the step between neighbours.
+// The first and the last point in each pixel column, and the step between neighbours.
 std::vector<ImVec2> fit_line(const Plot& plot, std::span<const FitPoint> fit) {
     std::vector<ImVec2> line;
     const auto step_to = [&line](ImVec2 next) {
@@ -113,7 +113,7 @@ std::vector<ImVec2> fit_line(const Plot& plot, std::span<const FitPoint> fit) {
     return line;
 }
 
-// Each step a bar on whole pixels: the joints of a polyline are wedges where steps are narrow.
+// Each step is a bar on whole pixels: the joints of a polyline are wedges if steps are narrow.
 void draw_fit(ImDrawList& list, std::span<const ImVec2> corners, ImU32 colour, float width_px) {
     const float width = whole_px(width_px);
     const auto on_pixels = [width](ImVec2 corner) {
@@ -128,7 +128,7 @@ void draw_fit(ImDrawList& list, std::span<const ImVec2> corners, ImU32 colour, f
     }
 }
 
-// The nearest point in the mouse's reach.
+// The nearest point within reach of the mouse.
 std::optional<std::size_t> nearest(const Theme& theme, const Plot& plot, const ScatterScene& scene,
                                    std::size_t stride) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -173,7 +173,7 @@ void draw_titles(ImDrawList& list, const Theme& theme, const Rect& area, const P
     std::string corner{scene.corner};
     if (stride > 1) corner += (corner.empty() ? "" : ", ") + std::string("not all pairs drawn");
     const ImVec2 room = text_size(font, corner);
-    // Above the lowest line of the grid, where that is near the foot: on it nothing is read well.
+    // Above the lowest grid line if that is near the bottom: text on a line is hard to read.
     float foot = plot.area.max.y;
     const std::vector<double> ticks = round_ticks(plot.y.low, plot.y.high);
     const float line = ticks.empty() ? foot : to_pixel(plot.y, ticks.front());
@@ -207,7 +207,7 @@ std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
 
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index) {
-    // Asked for many points of one scene: what is known of it is not copied for each.
+    // Many points are queried for one scene, so its summary is not copied for each.
     const ScatterSummary own =
         scene.summary == nullptr ? summary_of(scene.x, scene.y, scene.fitted) : ScatterSummary{};
     const ScatterSummary& summary = scene.summary != nullptr ? *scene.summary : own;

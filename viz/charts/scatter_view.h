@@ -1,11 +1,11 @@
-// Two numbers of every pair as points, with a monotone fit where there is one: predictions against
+// Two numbers of every pair as points, with a monotone fit if there is one: predictions against
 // ratings, or a Shepard diagram.
 //
 // Source    Shepard 1962; the fit is Kruskal's, drawn as the steps it is.
 // Input     x and y of every pair, NaN: not drawn; disparities in the same order
-// Output    the pair under the mouse and the pair clicked
-// Valid     any number; above kMostScatterPoints an even choice of them is drawn, and said so. The
-//           fit is drawn of all of them, as first and last point of each pixel column.
+// Output    the pair under the mouse and the clicked pair
+// Valid     any number; above kMostScatterPoints an even choice of them is drawn, with a remark.
+//           The fit is drawn from all of them, as first and last point of each pixel column.
 // Left out  zooming, several series.
 #pragma once
 
@@ -32,12 +32,12 @@ struct FitPoint {
     bool operator==(const FitPoint&) const = default;
 };
 
-// What a drawing has to look at every pair for: 10,000 patterns have 5e7, too many for one frame.
-// A caller with so many keeps this beside its fit.
+// Results that need a pass over all pairs: 10,000 patterns have 5e7, too many for one frame.
+// A caller with many pairs keeps this beside its fit.
 struct ScatterSummary {
-    std::optional<Range> x{};     // none: no finite value
-    std::optional<Range> y{};     // of the values and the fit
-    std::vector<FitPoint> fit{};  // in order of x, then of the fit: all, or the ends of fine slices
+    std::optional<Range> x{};     // nullopt: no finite value
+    std::optional<Range> y{};     // range of the values and the fit
+    std::vector<FitPoint> fit{};  // ordered by x, then by the fit: all, or the ends of fine slices
 };
 
 ScatterSummary summary_of(std::span<const double> x, std::span<const double> y,
@@ -46,8 +46,8 @@ ScatterSummary summary_of(std::span<const double> x, std::span<const double> y,
 struct ScatterScene {
     std::span<const double> x{};
     std::span<const double> y{};
-    std::span<const double> fitted{};         // monotone in x; empty: none
-    const ScatterSummary* summary = nullptr;  // of these; null: made anew in each frame
+    std::span<const double> fitted{};         // monotone in x; empty: no fit
+    const ScatterSummary* summary = nullptr;  // summary of these; null: computed in each frame
     std::string_view x_title{};               // below the axis
     std::string_view y_title{};               // above the axis
     std::string_view corner{};                // in the lower right corner
@@ -64,11 +64,11 @@ struct ScatterAction {
 ScatterAction draw_scatter(const char* id, const Theme& theme, const Rect& area,
                            const ScatterScene& scene);
 
-// Where a point is on the screen: for tests of what is drawn.
+// The place of a point on the screen: for tests of the drawing.
 ImVec2 scatter_point(const Theme& theme, const Rect& area, const ScatterScene& scene,
                      std::size_t index);
 
-// The corners of the fit's steps on the screen, at most four a pixel column: for tests as well.
+// The corners of the fit's steps on the screen, at most four per pixel column: also for tests.
 std::vector<ImVec2> scatter_fit_line(const Theme& theme, const Rect& area,
                                      const ScatterScene& scene);
 

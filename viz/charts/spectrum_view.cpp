@@ -18,7 +18,7 @@ namespace {
 
 constexpr PlotLabels kLabels{.x_unit = "Hz", .y_unit = "dB re 1 µm"};
 
-// Every threshold and every component that comes near one is in view.
+// The range shows every threshold, and every component that comes near one.
 Axis level_axis(const SpectrumScene& scene) {
     Axis axis{.low = 1e9, .high = -1e9};
     for (const Curve& threshold : *scene.thresholds) {
@@ -58,7 +58,7 @@ void draw_bar(ImDrawList& list, const Theme& theme, const Plot& plot, const Spec
     bar(2.5F * theme.scale, felt_from, level, hovered ? theme.accent : scene.colour);
 }
 
-// Marks where the strongest components cross a type's threshold: the types that hear them.
+// Marks where the strongest components cross a type's threshold: the types that feel them.
 void draw_crossings(ImDrawList& list, const Theme& theme, const Plot& plot,
                     const SpectrumScene& scene) {
     double strongest = -1e9;
@@ -75,8 +75,8 @@ void draw_crossings(ImDrawList& list, const Theme& theme, const Plot& plot,
     }
 }
 
-// Names at the right ends of the curves, with the type's mark; of those that hear nothing the mark
-// is faint, and the name no more than dim: it is read.
+// Names at the right ends of the curves, with the type's mark; for types that feel nothing the mark
+// is faint, and the name dim but readable.
 void draw_names(ImDrawList& list, const Theme& theme, const Plot& plot, const SpectrumScene& scene,
                 const PerReceptor<bool>& hears) {
     const float text_px = font_or_current(theme.fonts.small).FontSize;
@@ -107,7 +107,7 @@ float names_width(const Theme& theme) {
     return widest + 1.5F * theme.gap_px + 2.5F * theme.mark_px;
 }
 
-// The component nearest to the mouse, preferring the louder among those within a few pixels.
+// The component nearest to the mouse, preferring the louder of those within a few pixels.
 std::optional<std::size_t> nearest(const Theme& theme, const Plot& plot,
                                    std::span<const Component> components, float x_px) {
     std::optional<std::size_t> best;

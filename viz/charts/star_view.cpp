@@ -11,7 +11,7 @@ namespace {
 
 struct StarFrame {
     ImVec2 middle;
-    float radius = 0.0F;  // of a 1
+    float radius = 0.0F;  // length of a 1
 
     ImVec2 at(ImVec2 place) const { return middle + place * radius; }
 };
@@ -22,7 +22,7 @@ std::vector<ImVec2> placed(const StarFrame& frame, std::span<const double> numbe
     return points;
 }
 
-// From the middle: a star with one short ray is not convex.
+// Triangles from the centre: a star with one short ray is not convex.
 void fill_star(ImDrawList& canvas, const StarFrame& frame, const std::vector<ImVec2>& points,
                ImU32 colour) {
     for (std::size_t k = 0; k < points.size(); ++k) {

@@ -1,4 +1,4 @@
-// A star plot: a ray a number, as long as that is, joined to an area; the first points up, the
+// A star plot: one ray per number, of that length, joined to an area; the first points up, the
 // others follow clockwise.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace tact {
 // The end of a ray of length 1, from the middle.
 ImVec2 star_ray(std::size_t ray, std::size_t rays);
 
-// Corners of the area, in rays: of one number it is a line, of two a triangle with the middle.
+// Corners of the area, in units of rays: a line for one number, for two a triangle with the centre.
 std::vector<ImVec2> star_outline(std::span<const double> numbers);
 
-// Of numbers from 0 to 1, and those they are compared with as a thin line; in the largest square
-// in the middle of `area`.
+// Draws numbers from 0 to 1 as an area, and the compared numbers as a thin line, in the largest
+// square at the centre of `area`.
 void draw_star(ImDrawList& canvas, const Theme& theme, const Rect& area,
                std::span<const double> numbers, std::span<const double> compared_with);
 

@@ -74,7 +74,7 @@ void draw_tick_of_peak(ImDrawList& list, const Theme& theme, const Plot& plot) {
 
 void draw_measured(ImDrawList& list, const Theme& theme, const Plot& plot,
                    const SpectrumScene& scene) {
-    constexpr float kLeastPx = 140.0F;  // of a plot in which bars at the foot hide no curve
+    constexpr float kLeastPx = 140.0F;  // share of a plot at whose bottom bars hide no curve
     const float bar_px = 3.0F * theme.scale;
     float bottom = plot.area.max.y - bar_px;
     for (const MeasuredBand& band : scene.bands) {
@@ -99,7 +99,7 @@ void draw_measured(ImDrawList& list, const Theme& theme, const Plot& plot,
     }
 }
 
-// Which one is held outlives the frame: 0 none, else its place and one.
+// The held one, kept between frames: 0 none, otherwise its index plus one.
 void take_curve(const char* id, const Theme& theme, const Plot& plot, const SpectrumScene& scene,
                 SpectrumAction& action) {
     int& held = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID(id), 0);

@@ -1,12 +1,12 @@
-// Thresholds of receptor types in a spectrum: whole in a type's band, dashed beyond it, a ghost
-// where they were, and taken by the mouse. Private to the spectrum.
+// Thresholds of receptor types in a spectrum: solid in a type's band, dashed outside, with a ghost
+// of the previous ones; the mouse moves them. Private to the spectrum.
 #pragma once
 
 #include "viz/charts/spectrum_view.h"
 
 namespace tact {
 
-// Of a type that was removed: beyond any vibration.
+// The threshold of a removed type: above any vibration.
 inline constexpr double kOutOfReachDb = 119.0;
 
 double threshold_db(const Curve& threshold, double frequency_hz);
@@ -14,18 +14,19 @@ double threshold_db(const Curve& threshold, double frequency_hz);
 void draw_threshold(ImDrawList& list, const Theme& theme, const Plot& plot, Receptor receptor,
                     const Curve& threshold, ImU32 colour);
 
-// Curves as they were before they were changed.
+// The curves before they were changed.
 void draw_ghosts(ImDrawList& list, const Theme& theme, const Plot& plot,
                  const SpectrumScene& scene);
 
-// Where Pacinian corpuscles are most sensitive, between round ticks: in a wide plot it is read.
+// The most sensitive frequency of Pacinian corpuscles, between round ticks: labelled in a wide
+// plot.
 void draw_tick_of_peak(ImDrawList& list, const Theme& theme, const Plot& plot);
 
-// What was measured: points of least displacements that are felt, and bars at the foot.
+// Measured facts: points of the smallest displacements that are felt, and bars at the bottom.
 void draw_measured(ImDrawList& list, const Theme& theme, const Plot& plot,
                    const SpectrumScene& scene);
 
-// After the plot's button.
+// Call after the plot's button.
 void take_curve(const char* id, const Theme& theme, const Plot& plot, const SpectrumScene& scene,
                 SpectrumAction& action);
 

@@ -13,7 +13,7 @@ namespace {
 
 Plot plot_of(const Theme& theme, const Rect& area, const WaveScene& scene,
              const PlotLabels& labels) {
-    // 5 % of air, so that peaks do not touch the neighbour.
+    // 5 % of room, so that peaks do not touch the neighbour.
     const double reach = 1.05 * (scene.largest > 0.0 ? scene.largest : largest_value(scene.traces));
     const Axis time{.low = scene.start_s, .high = scene.end_s};
     const Axis value{.low = scene.signed_values ? -reach : 0.0, .high = reach};
@@ -36,7 +36,7 @@ void draw_value_at(ImDrawList& list, const Theme& theme, const Plot& plot, const
     draw_readout(list, theme, plot.area, mouse_px, lines);
 }
 
-// The sample of the last trace that is heard at a time.
+// The sample of the last trace at a time.
 std::optional<std::size_t> sample_at(const WaveScene& scene, double time_s) {
     if (scene.traces.empty()) return std::nullopt;
     const WaveTrace& trace = scene.traces.back();

@@ -26,7 +26,7 @@ ImVec2 fingertip_at(const SkinView& view, double turn_rad, double size) {
 
 }  // namespace
 
-// Tilted to 30 degrees above the skin; the probe moves down, so that heights have room.
+// Tilted to 30 degrees above the skin; the probe moves down to make room for heights.
 SkinView skin_view(const Rect& square, double half_extent_mm, float tilted) {
     const float t = std::clamp(tilted, 0.0F, 1.0F);
     const float pitch_rad = std::lerp(std::numbers::pi_v<float> / 2.0F, 0.52F, t);
@@ -58,7 +58,7 @@ bool is_on_fingertip(double x_mm, double y_mm) {
 
 ImU32 skin_colour(const Theme& theme) { return mixed(theme.pane, theme.field, 0.9F); }
 
-// A disc of skin, lighter in the middle, whose edge fades.
+// A disc of skin, lighter in the middle, with a soft edge.
 void draw_fingertip(ImDrawList& list, const Theme& theme, const SkinView& view) {
     constexpr unsigned kSegments = 72;
     const ImU32 skin = skin_colour(theme);

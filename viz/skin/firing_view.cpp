@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kWindowS = static_cast<double>(kWindowSamples) / kModelRateHz;
 
-// Every second window has a ground of its own: where one ends, the energy is looked at.
+// Every second window has a background of its own: at its end the energy is compared.
 void draw_windows(ImDrawList& list, const Theme& theme, const Plot& plot) {
     const auto first = static_cast<int>(std::floor(plot.x.low / kWindowS));
     const auto last = static_cast<int>(std::ceil(plot.x.high / kWindowS));
@@ -63,7 +63,7 @@ double largest_of(std::span<const double> values, const FiringScene& scene) {
     return largest > 0.0 ? largest : 1.0;
 }
 
-// Rows of these parts of the height, each below its own title.
+// Shares of the height for the rows, each below its own title.
 template <std::size_t N>
 std::array<Rect, N> rows_in(const Theme& theme, const Rect& area, const std::array<float, N>& parts,
                             const std::array<std::string, N>& titles) {
@@ -97,7 +97,8 @@ std::vector<double> energy_since_spike(std::span<const double> perceived, double
     for (std::size_t n = 0; n < perceived.size(); ++n) {
         energy += perceived[n] * perceived[n];
         const bool ends_window = (n + 1) % kWindowSamples == 0 || n + 1 == perceived.size();
-        // As spikes are counted: at the end of a window, a part in 1e9 keeping whole numbers whole.
+        // Counted as spikes are: at the end of a window, with 1e-9 added so that whole numbers stay
+        // whole.
         if (ends_window) fired = std::floor(fires * fractions[n / kWindowSamples] + 1e-9);
         since[n] = std::max(fires * (energy / whole) - fired, 0.0);
     }
@@ -113,7 +114,7 @@ std::pair<double, double> telling_time_s(std::span<const int> spikes) {
     if (first == spikes.size()) return {0.0, std::min(kLeastS, whole_s)};
     std::size_t last = first;
     for (int seen = 0; last < spikes.size() && seen < kSpikes; ++last) seen += spikes[last];
-    // A window before it fires: energy is seen to gather.
+    // Starts one window before the first spike, so that the energy is seen to grow.
     const double from_s =
         std::max(std::floor(static_cast<double>(first) * kStepS / kWindowS) - 1.0, 0.0) * kWindowS;
     const double to_s = std::ceil(static_cast<double>(last) * kStepS / kWindowS) * kWindowS;

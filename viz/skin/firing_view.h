@@ -1,6 +1,6 @@
-// How one receptor comes to fire: the waveform that it perceives, the energy since its last spike
-// against the threshold, windows of 10 ms in which that is looked at, and its spikes, one above the
-// other on one time axis.
+// How one receptor comes to fire, on one time axis: the perceived waveform, the energy since its
+// last spike against the threshold, the windows of 10 ms at whose ends the two are compared, and
+// the spikes.
 //
 // Source    Lim & Park 2023, section 4.2 and Figure 4
 // Input     views into the stages of one channel (model/physiology/neural_coding.h)
@@ -19,9 +19,9 @@ namespace tact {
 
 struct FiringScene {
     Receptor receptor = Receptor::pacinian;
-    std::span<const double> perceived{};  // a value a sample at 10 kHz
-    std::span<const int> spikes{};        // counts a step of 5 ms
-    double fires = 0.0;                   // spikes owed over the whole signal, not rounded
+    std::span<const double> perceived{};  // one value per sample at 10 kHz
+    std::span<const int> spikes{};        // one count per step of 5 ms
+    double fires = 0.0;                   // total spikes of the signal, not rounded
     double start_s = 0.0;
     double end_s = 1.0;
 };
@@ -30,7 +30,7 @@ struct FiringScene {
 // waveform: it falls by whole numbers at the end of each window.
 std::vector<double> energy_since_spike(std::span<const double> perceived, double fires);
 
-// From when to when a receptor is seen to fire: about its first dozen spikes, in whole windows.
+// The time range that shows a receptor firing: about its first dozen spikes, in whole windows.
 std::pair<double, double> telling_time_s(std::span<const int> spikes);
 
 void draw_firing(const Theme& theme, const Rect& area, const FiringScene& scene);

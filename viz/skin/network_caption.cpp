@@ -11,7 +11,7 @@
 namespace tact {
 namespace {
 
-constexpr float kCaptionLine = 1.15F;  // by the size of its type
+constexpr float kCaptionLine = 1.15F;  // relative to its font's size
 
 std::string centre_text(const NetworkScene& scene, std::size_t k) {
     const double centre = scene.layers[k].centre();

@@ -5,14 +5,14 @@
 
 namespace tact {
 
-// Colour of a cell: viridis over the root of its share of the cap, so that a single spike shows
-// beside a saturated layer.
+// Colour of a cell: viridis over the root of its share of the cap, so that a single spike is
+// visible beside a saturated layer.
 ImU32 activity_colour(double spikes, double cap);
 
-// What any caption needs, whatever the centres hold.
+// The size that every caption needs, whatever the values at the centres.
 float caption_width_px(const Theme& theme, const NetworkScene& scene);
 
-// A layer's name, and what its centre holds: in the middle beneath a map, or flush left beside it.
+// A layer's name, and the value at its centre: centred beneath a map, or flush left beside it.
 void draw_layer_caption(ImDrawList& list, const Theme& theme, const Rect& caption, bool beside,
                         const NetworkScene& scene, std::size_t k);
 

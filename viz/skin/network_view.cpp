@@ -13,10 +13,11 @@
 namespace tact {
 namespace {
 
-constexpr float kDotCellPx = 5.0F;    // cells this large carry a dot at the cap, smaller an outline
-constexpr float kSeamCellPx = 10.0F;  // cells this large are told apart
+constexpr float kDotCellPx = 5.0F;    // cells of this size have a dot at the cap, smaller ones an
+                                      // outline
+constexpr float kSeamCellPx = 10.0F;  // cells of this size can be told apart
 
-// Between cells: darker than any of them, so that the outlines stand out in either theme.
+// Between cells: darker than any of them, so that the outlines are visible in either theme.
 ImU32 seam_colour() { return mixed(viridis(0.0), IM_COL32_BLACK, 0.55F); }
 
 ImU32 over_colours(float opacity) { return faded(IM_COL32_WHITE, opacity); }
@@ -49,7 +50,7 @@ void draw_cells(ImDrawList& list, const Theme& theme, const NetworkLayout& layou
     const auto colour_at = [&](int column, int row) {
         return activity_colour(layer.at(column, row), scene.cap);
     };
-    // Cells without activity are one ground: a silent network looks the same at any cell size.
+    // Cells without activity are one rectangle: a silent network looks the same at any cell size.
     if (told_apart) add_rect(list, layout.maps[k], seam_colour());
     for (int row = -layer.half_width; row <= layer.half_width; ++row) {
         for (int column = -layer.half_width; column <= layer.half_width;) {
@@ -90,7 +91,7 @@ void draw_border(ImDrawList& list, const NetworkLayout& layout, const NetworkSce
     }
 }
 
-// A saturated cell says less than its colour: how much more came in is lost.
+// A saturated cell has lost activity above the cap, so it is marked.
 void draw_cap_marks(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
                     const NetworkScene& scene, std::size_t k) {
     const RelayLayer& layer = scene.layers[k];
@@ -115,7 +116,7 @@ void draw_cap_marks(ImDrawList& list, const Theme& theme, const NetworkLayout& l
 // White on a dark edge reads on every colour of the map.
 void draw_cone(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
                const NetworkScene& scene, std::size_t k) {
-    if (k + 1 >= scene.layers.size()) return;  // the centre alone: its ring says so
+    if (k + 1 >= scene.layers.size()) return;  // only the centre: its ring is enough
     const int half = scene.layers[k].half_width;
     const auto inside = [&](int column, int row) {
         return std::max(std::abs(column), std::abs(row)) <= half &&
@@ -129,19 +130,19 @@ void draw_cone(ImDrawList& list, const Theme& theme, const NetworkLayout& layout
 void draw_centre_ring(ImDrawList& list, const Theme& theme, const NetworkLayout& layout,
                       const NetworkScene& scene, std::size_t k) {
     const Rect cell = cell_rect(layout, scene, {k, 0, 0});
-    // Around the cell where there are others around it: beyond its map are words.
+    // Around the cell if it has neighbours on all sides: beyond its map are words.
     const float inside = 0.5F * (layout.maps[k].width() - 1.5F * theme.scale);
     const float radius = std::max(std::min(0.72F * layout.cell_px, inside), 3.0F * theme.scale);
     list.AddCircle(cell.centre(), radius, faded(IM_COL32_BLACK, 0.6F), 0, 3.0F * theme.scale);
     list.AddCircle(cell.centre(), radius, over_colours(1.0F), 0, 1.5F * theme.scale);
 }
 
-// From one map, past its caption, to the next in its row: activity goes from left to right.
+// From one map, past its caption, to the next in its row: the direction of activity.
 void draw_arrow(ImDrawList& list, const Theme& theme, const NetworkLayout& layout, std::size_t to) {
     const Rect& before = layout.maps[to - 1];
     const Rect& after = layout.maps[to];
     const float y = after.centre().y;
-    // Beside words arrows share their columns with those of other networks, whatever the maps'
+    // Beside words, arrows share their columns with those of other networks, whatever the maps'
     // sizes.
     const float from_px = layout.beside ? layout.captions[to - 1].max.x : before.max.x;
     const float room = layout.beside ? layout.between_px : after.min.x - from_px;
@@ -185,15 +186,15 @@ int largest_half_width(const NetworkScene& scene) {
 // A grid of places for maps, and the cell size that fits there.
 struct Slots {
     std::size_t columns = 1;
-    ImVec2 size{0, 0};        // of one place, with its caption
-    float between_px = 0.0F;  // of neighbours
-    ImVec2 caption{0, 0};     // 0 where words do not fit
-    bool beside = false;      // the caption is
+    ImVec2 size{0, 0};        // size of one place, with its caption
+    float between_px = 0.0F;  // gap between neighbours
+    ImVec2 caption{0, 0};     // 0 if words do not fit
+    bool beside = false;      // the caption is beside the map
     float room_px = 0.0F;     // side of the square for a map, whatever its cells
     float cell_px = 0.0F;
 };
 
-// Whole pixels where that costs little.
+// Rounded to whole pixels, unless cells are small.
 float cell_size(const Theme& theme, float room_px, int cells) {
     const float cell_px = std::min(room_px / static_cast<float>(cells), 32.0F * theme.scale);
     return cell_px >= 4.0F ? std::floor(cell_px) : std::max(0.0F, cell_px);
@@ -217,8 +218,8 @@ Slots slots_for(const Theme& theme, const Rect& area, std::size_t count, std::si
     return slots;
 }
 
-// In a low and wide area maps are as high as it is, and words stand beside them; arrows have some
-// of what is left. Columns depend on the area alone: networks below each other share them.
+// In a low and wide area, maps are as high as the area, with words beside them; arrows get some of
+// the rest. Columns depend on the area alone, so that networks below each other share them.
 Slots slots_beside(const Theme& theme, const Rect& area, const NetworkScene& scene, int cells) {
     const float gap = 0.75F * theme.gap_px;
     const float least_between = 3.0F * theme.gap_px;
@@ -240,7 +241,7 @@ Slots slots_beside(const Theme& theme, const Rect& area, const NetworkScene& sce
     return slots;
 }
 
-// Larger maps, unless that costs the words.
+// Prefers larger maps, unless words would not fit.
 bool is_better(const Slots& a, const Slots& b) {
     const auto worth = [](const Slots& slots) {
         return slots.room_px * (slots.caption.x > 0.0F ? 1.25F : 1.0F);
@@ -296,7 +297,7 @@ NetworkLayout network_layout(const Theme& theme, const Rect& area, const Network
         const ImVec2 corner = maps.min + ImVec2{column * (best.size.x + best.between_px),
                                                 row * (best.size.y + 0.75F * theme.gap_px)};
         const float own = best.cell_px * static_cast<float>(2 * scene.layers[k].half_width + 1);
-        // Beside its words a map is next to them, whatever its size.
+        // Words stand next to their map, whatever its size.
         const float left = best.beside ? best.room_px - own : 0.5F * (best.size.x - own);
         const ImVec2 first{std::round(corner.x + left), std::round(corner.y + middle - own / 2.0F)};
         layout.maps.push_back(rect_at(first, {own, own}));

@@ -29,10 +29,10 @@ std::size_t receptor_row_of(const RasterWindow& window, std::size_t row);
 // rows x columns sums, row by row.
 std::vector<int> binned(const RasterChannel& channel, const RasterWindow& window);
 
-// Whether nothing but pale steps are in the column.
+// Whether the column has only pale steps.
 bool is_pale(const RasterChannel& channel, const RasterWindow& window, std::size_t column);
 
-// Over all receptors.
+// Totals over all receptors.
 struct RasterTotals {
     std::vector<int> per_step;
     int largest_count = 0;  // of one receptor in one step

@@ -9,9 +9,9 @@
 namespace tact {
 namespace {
 
-constexpr float kTickStepPx = 16.0F;  // steps this wide show each spike
-constexpr float kGapStepPx = 5.0F;    // steps this wide are told apart
-constexpr float kPale = 0.35F;        // of the colour
+constexpr float kTickStepPx = 16.0F;  // steps of this width show each spike
+constexpr float kGapStepPx = 5.0F;    // steps of this width can be told apart
+constexpr float kPale = 0.35F;        // opacity of the colour
 
 float step_px(const Plot& plot) {
     return static_cast<float>(kStepS / (plot.x.high - plot.x.low)) * plot.area.width();
@@ -26,7 +26,7 @@ void add_rect(ImDrawList& list, float left, float top, float right, float bottom
     list.PrimRect({left, top}, {right, bottom}, colour);
 }
 
-// Where columns begin on the screen, and the last one ends.
+// Left edges of columns on the screen, and the right edge of the last one.
 std::vector<float> column_edges(const Plot& plot, const RasterWindow& window) {
     std::vector<float> edges;
     for (std::size_t c = 0; c <= window.columns; ++c) {
@@ -40,7 +40,7 @@ struct Run {
     std::size_t end = 0;
 };
 
-// One row of cells, each as strong as its receptors' mean count. `runs` is room to work in.
+// One row of cells, each as strong as its receptors' mean count. `runs` is scratch memory.
 void draw_shaded_row(const RasterInk& ink, std::span<const float> edges, std::span<const int> shade,
                      ImVec2 top_bottom, std::vector<Run>& runs) {
     const bool told_apart = step_px(ink.plot) >= kGapStepPx * ink.theme.scale;
@@ -59,7 +59,7 @@ void draw_shaded_row(const RasterInk& ink, std::span<const float> edges, std::sp
     }
 }
 
-// One row of single spikes, spread over their step as the model spreads them.
+// One row of single spikes, spread over their step as by the model.
 void draw_ticked_row(const RasterInk& ink, const RasterWindow& window, std::span<const int> counts,
                      std::span<const char> pale, ImVec2 top_bottom) {
     const auto [top, bottom] = top_bottom;
@@ -83,8 +83,8 @@ void draw_ticked_row(const RasterInk& ink, const RasterWindow& window, std::span
     }
 }
 
-// From the sums of a row's blocks to what it is drawn from: counts where single spikes show, shades
-// otherwise. Roots make a lone spike among many silent neighbours visible.
+// From the sums of a row's blocks to its drawing: counts if single spikes show, shades otherwise.
+// Roots make a lone spike among many silent neighbours visible.
 void to_strengths(std::span<int> sums, std::span<const int> cells, std::span<const char> pale,
                   int largest, bool ticks) {
     for (std::size_t c = 0; c < sums.size(); ++c) {
@@ -116,7 +116,7 @@ RasterWindow window_of(const Plot& plot, const RasterChannel& channel) {
     RasterWindow window;
     if (channel.spike_count.empty()) return window;
     const auto steps = static_cast<double>(channel.spike_count.front().size());
-    // A range that ends on a step's edge, but for rounding, does not show the next one.
+    // A range that ends on a step's edge, but for rounding, does not show the next step.
     window.first =
         static_cast<std::size_t>(std::clamp(std::floor(plot.x.low / kStepS + 1e-6), 0.0, steps));
     window.last =

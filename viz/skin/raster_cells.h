@@ -12,12 +12,12 @@ namespace tact {
 
 inline constexpr int kShades = 16;
 
-// What to draw with, and where.
+// The canvas, its plot, and colours.
 struct RasterInk {
     ImDrawList& list;
     const Theme& theme;
     const Plot& plot;
-    ImU32 full;  // of the most spikes
+    ImU32 full;  // colour of the most spikes
     ImU32 pale;  // the same, in pale steps
     // By strength, 0: none; then the pale ones.
     std::array<ImU32, 2 * kShades + 1> shades{};
@@ -25,11 +25,11 @@ struct RasterInk {
 
 RasterInk raster_ink(ImDrawList& list, const Theme& theme, const Plot& plot, ImU32 full);
 
-// The visible steps of a channel; no columns if there are none.
+// The visible steps of a channel; without columns if no step is visible.
 RasterWindow window_of(const Plot& plot, const RasterChannel& channel);
 
 // The window's receptors within `place`: cells as strong as their mean count, strongest at
-// `largest` spikes a step; single spikes, as the model spreads them, where steps are wide enough.
+// `largest` spikes a step; if steps are wide enough, single spikes, spread as by the model.
 void draw_rows(const RasterInk& ink, const Rect& place, const RasterChannel& channel,
                RasterWindow window, int largest);
 

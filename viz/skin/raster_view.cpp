@@ -19,7 +19,7 @@ std::size_t row_of(const RasterChannel& channel, std::size_t receptor) {
     return static_cast<std::size_t>(found - channel.order.begin());
 }
 
-// One receptor's row across the view, its spikes in the text's colour.
+// One receptor's row across the view, with its spikes in the text's colour.
 void draw_standing_row(ImDrawList& list, const Theme& theme, const RasterLayout& layout,
                        const RasterScene& scene, const RasterSpot& spot, ImU32 frame) {
     if (spot.channel >= scene.channels.size()) return;
@@ -54,12 +54,12 @@ void draw_channel(ImDrawList& list, const Theme& theme, const RasterLayout& layo
     draw_rate(ink, band.rate, window, all);
 }
 
-// Three digits in all: 315 800 is 316k.
+// Three digits: 315 800 is 316k.
 std::string short_number(double value) {
     return value >= 1000.0 ? significant(value / 1000.0) + "k" : significant(value);
 }
 
-// Left of the time axis: the type, how many rows, and what the rate's trace reaches.
+// Left of the time axis: the type, its number of rows, and the top of the rate's trace.
 void draw_names(ImDrawList& list, const Theme& theme, const Rect& area, const RasterLayout& layout,
                 const RasterScene& scene, std::span<const RasterTotals> all) {
     const ImFont* font = theme.fonts.small;
@@ -109,13 +109,13 @@ void draw_silent_words(ImDrawList& list, const Theme& theme, const RasterLayout&
     }
 }
 
-// How much height a channel asks for: more for more rows, and some for its name.
+// Weight of a channel's height: more for more rows, and some for its name.
 float weight_of(std::size_t rows) {
     return rows > 0 ? 3.0F + std::sqrt(static_cast<float>(rows)) : 0.0F;
 }
 
-// The height, shared out by weight to channels of so many rows; at most `most_px` a row, and at
-// least `least_px` each, as high as its name, where that leaves any to share.
+// Shares the height by weight among channels with these numbers of rows; a row gets at most
+// `most_px`, and a channel at least `least_px`, the height of its name, if there is enough.
 std::vector<float> shared_out(std::span<const std::size_t> rows, float height, float most_px,
                               float least_px) {
     const auto firing = static_cast<float>(rows.size() - std::ranges::count(rows, 0U));
@@ -182,7 +182,7 @@ RasterLayout raster_layout(const Theme& theme, const Rect& area, const RasterSce
     const float text_px = font_or_current(theme.fonts.small).FontSize;
     const float gap = 0.75F * theme.gap_px;
     float free = layout.plot.area.height() + gap;
-    // What never fires leaves those that do the most of a low area.
+    // Types that never fire leave their share of a low area to the others.
     const float silent_px = std::min(
         text_px, 0.4F * free / static_cast<float>(std::max<std::size_t>(1, scene.channels.size())));
     std::vector<std::size_t> rows;

@@ -12,11 +12,11 @@
 namespace tact {
 namespace {
 
-constexpr float kFaintest = 0.30F;  // of the type's colour, at a value of 0
+constexpr float kFaintest = 0.30F;  // opacity of the type's colour, at a value of 0
 
 enum class Flush { middle, left };
 
-// Where so many pixels begin in a line.
+// The left edge of a text of this width, centred in a line.
 float left_of(const Rect& line, float width_px, Flush flush) {
     return flush == Flush::left ? line.min.x : line.centre().x - width_px / 2.0F;
 }
@@ -25,7 +25,7 @@ bool is_activated(const ReceptorScene& scene) {
     return scene.grid != nullptr && scene.activation.radius_mm > 0.0;
 }
 
-// The type's mark and name, and how many receptors are activated.
+// The type's mark and name, and the number of activated receptors.
 void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const ReceptorScene& scene,
                Flush flush) {
     const ImFont* font = theme.fonts.regular;
@@ -40,7 +40,7 @@ void draw_name(ImDrawList& list, const Theme& theme, const Rect& line, const Rec
     }
     if (text_size(font, name + count).x > room) count.clear();
     name = shortened(font, name, room);
-    if (name == "\u2026") name.clear();  // the mark tells who it is
+    if (name == "\u2026") name.clear();  // the mark identifies it
     const float name_px = text_size(font, name).x;
     const float width = mark_px + name_px + text_size(font, count).x;
     const float left = left_of(line, width, flush);
@@ -74,7 +74,7 @@ void draw_legend(ImDrawList& list, const Theme& theme, const Rect& line, const R
 
 bool has_legend(const ReceptorScene& scene) { return scene.legend && is_activated(scene); }
 
-// "centre fires 345 in 1 s, 11.5 a cycle"; of a type that only leaks, that it does.
+// "centre fires 345 in 1 s, 11.5 a cycle"; for a type that only leaks, a remark on that.
 std::string counted_text(const ReceptorScene& scene, const char* fires) {
     const std::string count =
         std::to_string(*scene.centre_spikes) + " in " + tick_text(scene.duration_s) + " s";
@@ -83,7 +83,7 @@ std::string counted_text(const ReceptorScene& scene, const char* fires) {
     return fires + count + (scene.times_a_cycle > 0.0 ? ", " + times : "");
 }
 
-// What receptor_state_text() says at most, a line each.
+// All lines of receptor_state_text().
 std::vector<std::string> state_lines(const ReceptorScene& scene) {
     if (!is_activated(scene) || scene.silent || !scene.centre_spikes) {
         return {receptor_state_text(scene, nullptr, 1e6F)};
@@ -93,7 +93,7 @@ std::vector<std::string> state_lines(const ReceptorScene& scene) {
             "as far as " + significant(scene.activation.radius_mm, 2) + " mm"};
 }
 
-// The longest of 1, 2, 5 and 10 mm that is no longer than so many pixels; 0: none.
+// The longest of 1, 2, 5 and 10 mm that fits into this number of pixels; 0: none.
 double bar_length_mm(float px_per_mm, float most_px) {
     double length_mm = 0.0;
     for (const double candidate_mm : {1.0, 2.0, 5.0, 10.0}) {
@@ -143,7 +143,7 @@ ImU32 value_colour(const Theme& theme, Receptor receptor, double value) {
                  kFaintest + (1.0F - kFaintest) * static_cast<float>(value));
 }
 
-// The text's colour, which stands out most in either theme, with a touch of its own.
+// The text's colour, which is most visible in either theme, with a touch of the type's.
 ImU32 firing_colour(const Theme& theme, Receptor receptor) {
     return mixed(theme.receptor[index_of(receptor)], theme.text, theme.is_dark ? 0.9F : 0.75F);
 }

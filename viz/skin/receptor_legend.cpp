@@ -11,7 +11,7 @@
 namespace tact {
 namespace {
 
-// A stripe of each type: they have one scale.
+// A stripe for each type: they have one scale.
 void draw_ramps(ImDrawList& list, const Theme& theme, const Rect& bar) {
     const float stripe_px = bar.height() / static_cast<float>(kReceptorCount);
     for (const Receptor type : kReceptors) {
@@ -20,14 +20,14 @@ void draw_ramps(ImDrawList& list, const Theme& theme, const Rect& bar) {
     }
 }
 
-// A sign and its words, if they fit; where the next one begins.
+// A sign and its words, if they fit; returns the place of the next sign.
 template <class DrawSign>
 float draw_entry(ImDrawList& list, const Theme& theme, const Rect& line, float left, float sign_px,
                  const std::string& words, DrawSign draw_sign) {
     const ImFont* font = theme.fonts.small;
     const float gap = 0.6F * theme.gap_px;
     const float right = left + sign_px + gap + text_size(font, words).x;
-    if (right > line.max.x) return line.max.x;  // nor do those behind it
+    if (right > line.max.x) return line.max.x;  // the signs after it do not fit either
     draw_sign(ImVec2{left + sign_px / 2.0F, line.min.y + 0.55F * font_or_current(font).FontSize});
     draw_text(list, font, {left + sign_px + gap, line.min.y}, theme.dim_text, words);
     return right + 2.0F * theme.gap_px;

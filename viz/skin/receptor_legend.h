@@ -1,4 +1,4 @@
-// What colours, halos and rings stand for in maps of receptors, on one line for all of them.
+// The meaning of colours, halos and rings in maps of receptors, in one line for all maps.
 #pragma once
 
 #include "viz/drawing/theme.h"
@@ -6,8 +6,8 @@
 
 namespace tact {
 
-// The ramp of all four types, from 0 to the rate of the strongest colour, and then as much of the
-// rest as the line has room for.
+// The colour scale of all four types, from 0 to the rate of the strongest colour, and as much of
+// the rest as fits.
 void draw_receptor_legend(ImDrawList& list, const Theme& theme, const Rect& line,
                           double largest_hz);
 

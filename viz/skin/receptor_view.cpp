@@ -34,7 +34,7 @@ float mark_radius_px(const Theme& theme, const ReceptorLayout& layout, const Rec
 struct Mark {
     ImVec2 at;
     float radius;
-    float foot_y;  // of its place on the skin
+    float foot_y;  // diameter relative to the spacing on the skin
     double value;
     float flash;
     bool beyond;  // the finger's edge
@@ -58,7 +58,7 @@ std::vector<Mark> marks_of(const Theme& theme, const ReceptorLayout& layout,
     return marks;
 }
 
-// The probe, the hot zone around it, and how far any receptor of the type responds.
+// The probe, the hot zone around it, and the largest radius of a responding receptor.
 void draw_zones(ImDrawList& list, const Theme& theme, const ReceptorLayout& layout,
                 const ReceptorScene& scene) {
     const ImU32 dim = faded(theme.dim_text, 0.5F);
@@ -70,7 +70,7 @@ void draw_zones(ImDrawList& list, const Theme& theme, const ReceptorLayout& layo
                      faded(hue_of(theme, scene), 0.75F), theme.trace_px);
 }
 
-// The value as a surface over the skin: it stays in the hot zone and falls beyond.
+// The value as a surface over the skin: constant in the hot zone, falling beyond.
 void draw_surface(ImDrawList& list, const Theme& theme, const ReceptorLayout& layout,
                   const ReceptorScene& scene) {
     constexpr int kRings = 7;
@@ -123,7 +123,7 @@ void draw_ringed(ImDrawList& list, const Theme& theme, const ReceptorScene& scen
     draw_mark(list, theme, scene, mark);
 }
 
-// The selected one and the one pointed at, over all others.
+// The selected one and the one under the mouse, over all others.
 void draw_asked_for(ImDrawList& list, const Theme& theme, const ReceptorScene& scene,
                     std::span<const Mark> marks, std::optional<std::size_t> pointed) {
     if (pointed && *pointed < marks.size() && pointed != scene.selected) {
@@ -134,7 +134,7 @@ void draw_asked_for(ImDrawList& list, const Theme& theme, const ReceptorScene& s
     }
 }
 
-// Resting marks first, then a glow under those that fire, then these: nothing hides a spike.
+// Resting marks first, then a glow under firing ones, then their marks: nothing hides a spike.
 void draw_marks(ImDrawList& list, const Theme& theme, const ReceptorScene& scene,
                 std::span<const Mark> marks) {
     std::vector<std::size_t> order(marks.size());
@@ -155,7 +155,7 @@ void draw_marks(ImDrawList& list, const Theme& theme, const ReceptorScene& scene
     }
 }
 
-// The mark under the mouse: the nearest one within reach.
+// The nearest mark within reach of the mouse.
 std::optional<std::size_t> nearest(const Theme& theme, std::span<const Mark> marks, ImVec2 mouse) {
     std::optional<std::size_t> best;
     float least = 1e9F;
@@ -225,11 +225,11 @@ double common_width_mm(const PerReceptor<Activation>& activation) {
     return reach_mm(activation, kFingertipWidthMm);
 }
 
-// Words stand where they leave the map the more room: beneath it, or in a low and wide area beside
+// Words stand where they leave more room to the map: beneath it, or in a low and wide area beside
 // it.
 ReceptorLayout receptor_layout(const Theme& theme, const Rect& area, const ReceptorScene& scene) {
     ReceptorLayout layout;
-    // The name stands at any size: colours alone tell nobody which type it is.
+    // The name is shown at any size: colours alone do not identify the type.
     const float lines = area.height() >= 150.0F * theme.scale  ? 3.2F
                         : area.height() >= 90.0F * theme.scale ? 2.2F
                                                                : 1.2F;
@@ -271,7 +271,7 @@ ReceptorAction draw_receptors(const char* id, const Theme& theme, const Rect& ar
         scene.grid != nullptr ? marks_of(theme, layout, scene) : std::vector<Mark>{};
     const ReceptorAction action = read_mouse(id, theme, area, layout.map, marks);
 
-    // Receptors beyond the map are left out; the caption beneath is not theirs.
+    // Receptors beyond the map are left out, so that they do not cover the caption.
     list.PushClipRect(layout.map.min, layout.map.max, true);
     draw_fingertip(list, theme, layout.skin);
     draw_zones(list, theme, layout, scene);

@@ -69,7 +69,7 @@ TEST_CASE("matrix: a thousand patterns cost no more cells than the bound") {
     const Example e = example(1000);
     int vertices = 0;
     picture(scene_of(e), std::nullopt, nullptr, nullptr, &vertices);
-    // Four a cell, and a few thousand for names and scale.
+    // Four vertices per cell, and a few thousand for names and scale.
     CHECK(vertices <= static_cast<int>(4 * kMostCells * kMostCells) + 10'000);
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("matrix: the mouse over a cell names its row and its column") {
         MatrixAction action;
         picture(scene_of(e), mouse, &action);
         REQUIRE(action.hovered.has_value());
-        // The mouse moves by whole pixels: that many rows is what it can tell apart.
+        // The mouse moves by whole pixels, which limits the rows it can tell apart.
         const auto within = [](float px) {
             return static_cast<std::size_t>(std::ceil(1.0F / px)) - 1;
         };
@@ -190,7 +190,7 @@ TEST_CASE("matrix: where all pairs are equal none is bright, except that nothing
     CHECK(first_pair() == dark_theme(1.0F).hover);
     std::fill(e.condensed.begin(), e.condensed.end(), 0.0);
     CHECK(first_pair() == closeness_colour(0.0));
-    // A single pair is equal to itself, which says nothing.
+    // The value of a single pair says nothing about its size.
     e = example(2);
     CHECK(first_pair() == closeness_colour(1.0));
 }
@@ -223,7 +223,7 @@ TEST_CASE("matrix: of many patterns only the selected ones have numbers, in squa
     MatrixLayout layout;
     const auto inks = [&](std::size_t row) {
         const Image image = picture(scene, std::nullopt, nullptr, &layout);
-        // Without the cells of the selected column, and without the frame around the row.
+        // Outside the cells of the selected column, and outside the frame around the row.
         const float top = layout.cells.min.y + static_cast<float>(row) * layout.cell_px.y;
         const Rect cells{{layout.cells.min.x + layout.cell_px.x + 3.0F, top + 3.0F},
                          {layout.cells.max.x - 3.0F, top + layout.cell_px.y - 3.0F}};

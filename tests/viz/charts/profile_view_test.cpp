@@ -1,4 +1,4 @@
-// Profiles of an objective: where their points stand, and what is read off them.
+// Profiles of an objective: places of their points, and values read off them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct ProfileWindow {
             ImGui::End();
         });
     }
-    // Fonts are there in frames only.
+    // Fonts exist only within frames.
     ImVec2 point(std::size_t k) {
         ImVec2 at;
         window.frame([&] { at = profile_point(theme, area, scene, k); });
@@ -58,7 +58,7 @@ TEST_CASE("profile: better values stand higher, values go from left to right, al
         CHECK(profile.area.contains(profile.point(k)));
         if (k > 0) CHECK(profile.point(k - 1).x < profile.point(k).x);
     }
-    CHECK(profile.point(4).y == profile.point(0).y);  // without an order: at the foot
+    CHECK(profile.point(4).y == profile.point(0).y);  // without an order: at the bottom
 }
 
 TEST_CASE("profile: one range for several, so that a flat one is drawn flat") {

@@ -29,7 +29,7 @@ ScatterScene scene_of(const std::vector<double>& x, const std::vector<double>& y
     return scene;
 }
 
-// What one frame says with the mouse at a place, pressed and let go there.
+// The action of one frame with the mouse at a place, pressed and released there.
 ScatterAction clicked(const ScatterScene& scene, ImVec2 at) {
     HeadlessWindow window;
     const Theme theme = dark_theme(1.0F);
@@ -49,7 +49,7 @@ ScatterAction clicked(const ScatterScene& scene, ImVec2 at) {
     return seen;
 }
 
-// Where a point is, in a frame with fonts.
+// The place of a point, in a frame with fonts.
 ImVec2 place(const ScatterScene& scene, std::size_t index) {
     HeadlessWindow window;
     const Theme theme = dark_theme(1.0F);
@@ -58,7 +58,7 @@ ImVec2 place(const ScatterScene& scene, std::size_t index) {
     return at;
 }
 
-// Pairs in no order, with a fit of steps: `level` pairs share each.
+// Pairs in no order, with a stepped fit: `level` pairs share each step.
 struct Pairs {
     std::vector<double> x;
     std::vector<double> y;
@@ -90,7 +90,7 @@ DrawnFit fit_of(const Pairs& pairs) {
     HeadlessWindow window;
     const Theme theme = dark_theme(1.0F);
     const ScatterScene scene = pairs.scene();
-    ScatterScene on_fit = scene;  // points where the fit is, on the same axes
+    ScatterScene on_fit = scene;  // points at the fit, on the same axes
     const ScatterSummary summary = summary_of(pairs.x, pairs.y, pairs.fitted);
     on_fit.y = pairs.fitted;
     on_fit.summary = &summary;
@@ -106,7 +106,8 @@ DrawnFit fit_of(const Pairs& pairs) {
     return result;
 }
 
-// How far the drawn line is from the fit at a pair, at most over the pixel column around it.
+// The distance of the drawn line from the fit at a pair: the largest within the pixel column around
+// it.
 float farthest_px(const DrawnFit& fit) {
     float farthest = 0.0F;
     std::size_t k = 0;
@@ -123,7 +124,7 @@ float farthest_px(const DrawnFit& fit) {
     return farthest;
 }
 
-// Of one frame with a view of these pairs.
+// The corners in one frame with a view of these pairs.
 struct Cost {
     int vertices = 0;
     int most_in_a_command = 0;
@@ -257,7 +258,7 @@ TEST_CASE("scatter: the fit has no spurs where pairs are tied or steps are narro
     CHECK(beside == 0);
 }
 
-// 2, 260 and 1,000 patterns; from 260 on one polyline of all pairs outgrew its indices.
+// 2, 260 and 1,000 patterns; from 260 on, one polyline of all pairs overflowed its indices.
 TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number of pairs" *
           doctest::test_suite("long")) {
     for (const std::size_t count : {1UL, 2UL, 5UL, 66UL, 33'670UL, 499'500UL}) {
@@ -271,7 +272,7 @@ TEST_CASE("scatter: the fit is drawn where it is, from end to end, of any number
             for (std::size_t k = 1; k < fit.line.size(); ++k) {
                 CHECK(fit.line[k].x >= fit.line[k - 1].x);
                 CHECK(fit.line[k].y <= fit.line[k - 1].y);
-                // Steps: level or upright.
+                // Steps: horizontal or vertical.
                 const bool is_step =
                     fit.line[k].x == fit.line[k - 1].x || fit.line[k].y == fit.line[k - 1].y;
                 CHECK(is_step);

@@ -58,7 +58,7 @@ TEST_CASE("spectrum: all four thresholds are drawn even for silence") {
     const Image image = picture({}, kInk);
     const Theme theme = dark_theme(1.0F);
     for (const ImU32 receptor : theme.receptor) {
-        // Dimmed to 45 %: looked for between the two colours.
+        // Dimmed to 45 %: searched for between the two colours.
         int found = 0;
         for (const float strength : {0.35F, 0.45F, 0.55F}) {
             const auto blend = [&](unsigned shift) {

@@ -101,7 +101,7 @@ TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane"
                                                      scene.time_axis = scene.value_axis = false;
                                                      draw_wave("wave", theme, area, scene);
                                                  });
-                // Lower than any bar, and between the two kinds: upright sides have no slope.
+                // Lower than any bar, and between the two kinds: vertical sides have no slope.
                 for (const auto& [top, bottom] : {std::pair{80, 105}, {40, 65}, {18, 31}}) {
                     int slanted = 0;
                     for (int x = 10; x < static_cast<int>(area.max.x); ++x) {
@@ -111,7 +111,7 @@ TEST_CASE("wave: a bar is a rectangle at any size of text and width of the pane"
                     }
                     CHECK_MESSAGE(slanted == 0, "scale ", scale, ", ", width, " px");
                 }
-                // Bars stand in this row, fainter than their edge; beside the plot is none.
+                // Bars cross this row, fainter than their edge; beside the plot there is no bar.
                 const Rect row{{10, 30}, {area.max.x, 31}};
                 const int free = count_pixels(image, row, pixel(image, 5, 30));
                 CHECK(static_cast<float>(free) < 0.9F * width);

@@ -1,4 +1,4 @@
-// The picture of how a receptor fires: what it shows is what the model counts.
+// The picture of a receptor's firing shows the model's numbers.
 #include "viz/skin/firing_view.h"
 
 #include <doctest/doctest.h>
@@ -43,7 +43,7 @@ TEST_CASE("firing: energy gathers, and falls by one for each spike that the mode
                 const std::size_t window = n / kWindowSamples;
                 const int fired = ends ? counts[2 * window] + counts[2 * window + 1] : 0;
                 CHECK(since[n] == doctest::Approx(since[n - 1] + gained - fired).epsilon(1e-6));
-                // What is left when a window has ended is no spike yet.
+                // The rest at the end of a window is not a spike yet.
                 if (ends) CHECK(since[n] < 1.0 + 1e-6);
             }
         }

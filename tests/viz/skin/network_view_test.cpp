@@ -79,7 +79,7 @@ TEST_CASE("network view: a cell has the colour of its value") {
     e.layers[0].cell(2, -2) = 3.0;
     const NetworkScene scene = e.scene();
     const Drawn d = drawn(scene);
-    // Off the middle, where a dot would be.
+    // Away from the middle of the cell, where a dot would be.
     const ImVec2 off{0.25F * d.layout.cell_px, 0.25F * d.layout.cell_px};
     const auto seen = [&](int column, int row) {
         return colour_at(d.image, middle_of(d.layout, scene, {0, column, row}) + off);
@@ -100,10 +100,10 @@ TEST_CASE("network view: cells at the cap are marked, large ones and small ones"
     for (const int half : {2, 30}) {
         Example full(half, 50.0, 1, 0);
         Example less(half, 49.5, 1, 0);
-        // In the light theme nothing else there is dark but the seams between large cells.
+        // In the light theme only the seams between large cells are as dark.
         const Drawn at_cap = drawn(full.scene(), {.dark = false});
         const Drawn below = drawn(less.scene(), {.dark = false});
-        // Above the outlined diamond: what differs is the mark (and the colour, by a little).
+        // Above the outlined diamond: the mark differs (and the colour, by a little).
         const auto dark = [&](const Drawn& d) {
             Rect top = d.layout.maps[0];
             top.max.y = top.min.y + 0.15F * top.height();
@@ -114,7 +114,7 @@ TEST_CASE("network view: cells at the cap are marked, large ones and small ones"
     }
 }
 
-// On a light ground, gaps that let it through would hide the white outline.
+// On a light background, gaps would hide the white outline.
 TEST_CASE("network view: seams between cells are darker than any cell, in either theme") {
     const Example e(2, 50.0);
     for (const bool is_dark : {true, false}) {
@@ -148,7 +148,7 @@ TEST_CASE("network view: in a low and wide area words stand beside maps that hav
     CHECK_FALSE(drawn(e.scene()).layout.beside);
 }
 
-// A cell moves one place per layer: of five layers the first has four to go, the last none.
+// A cell moves one place per layer: of five layers the first has four moves left, the last none.
 TEST_CASE("network view: the ring around the centre stays in its map, of one cell, too") {
     const Example e(0, 0.0);
     const Drawn d = drawn(e.scene(), {}, {{10, 10}, {1210, 210}});
@@ -235,7 +235,7 @@ TEST_CASE("network view: a step without spikes says so under its dark maps") {
           0.7F * last.width() * last.height());
     const Theme theme = dark_theme(1.0F);
     CHECK(count_pixels(d.image, d.layout.legend, theme.dim_text, 40) > 30);
-    // No colour scale where there is nothing to read with it.
+    // No colour scale if there is no value to read with it.
     CHECK(count_pixels(d.image, d.layout.legend, activity_colour(50.0, 50.0), 30) == 0);
     const Drawn active = drawn(Example(2, 1.0).scene());
     CHECK(count_pixels(active.image, active.layout.legend, activity_colour(50.0, 50.0), 30) > 5);
@@ -290,7 +290,7 @@ TEST_CASE("network view: cost is bounded by the cells") {
     const Example e(17, 3.0, 4, 4);
     std::size_t cells = 0;
     for (const RelayLayer& layer : e.layers) cells += layer.cells.size();
-    // A quad a cell and at most one mark; words, outlines and rings are some thousands.
+    // One quad and at most one mark per cell; words, outlines and rings take a few thousand.
     CHECK(drawn(e.scene()).vertices <= static_cast<int>(8 * cells) + 6'000);
 }
 

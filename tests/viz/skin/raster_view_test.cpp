@@ -20,7 +20,7 @@ using Counts = std::vector<std::vector<int>>;
 
 const Rect kArea{{10, 10}, {590, 290}};
 
-// Receptor r fires one spike in step s where (s + r) is a multiple of `every`; 0: never.
+// Receptor r fires one spike in step s if (s + r) is a multiple of `every`; 0: never.
 Counts counts_of(std::size_t receptors, std::size_t steps, std::size_t every) {
     Counts result(receptors, std::vector<int>(steps, 0));
     for (std::size_t r = 0; r < receptors; ++r) {
@@ -163,7 +163,7 @@ TEST_CASE("raster: more spikes are stronger, none leave the ground") {
         drawn({.channels = channels, .end_s = 0.01, .rates = false}, {}, {{10, 10}, {120, 100}});
     const Theme theme = dark_theme(1.0F);
     const Rect rows = d.layout.bands[0].rows;
-    // The first row's spikes, four and one; of the second row nothing.
+    // The first row has four spikes, then one; the second row has none.
     const float middle = rows.centre().x;
     const float y = rows.min.y + 0.25F * rows.height();
     const ImU32 pane = theme.pane;
@@ -223,7 +223,7 @@ TEST_CASE("raster: the mouse over a row names its receptor and the time, in any 
         const Drawn d = drawn(scene, {.scale = scale, .mouse_px = mouse}, area);
         REQUIRE(d.action.hovered.has_value());
         CHECK(d.action.hovered->channel == 1);
-        // The mouse moves by whole pixels: that many rows is what it can tell apart.
+        // The mouse moves by whole pixels, which limits the rows it can tell apart.
         const double rows = std::ceil(1.0 / static_cast<double>(band.row_px));
         CHECK(std::abs(static_cast<double>(d.action.hovered->receptor) - 69.0) <= rows);
         REQUIRE(d.action.hovered_s.has_value());
@@ -243,7 +243,7 @@ TEST_CASE("raster: pressing scrubs, and a click also names the row") {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({700, 400});
         ImGui::Begin("pane", nullptr, ImGuiWindowFlags_NoDecoration);
-        // Cells of 641 rows need more vertices than a draw command without offsets holds.
+        // Cells of 641 rows need more vertices than a draw command without offsets can address.
         ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         const RasterAction now = draw_raster("raster", theme, kArea, scene);
         layout = raster_layout(theme, kArea, scene);

@@ -29,7 +29,7 @@ struct Example {
     Example(Receptor type, double radius_mm) : receptor(type) {
         activation.radius_mm = radius_mm;
         if (radius_mm <= 0.0) activation = {};
-        // The slope that makes the rate zero at the radius.
+        // The slope for which the rate is zero at the radius.
         if (radius_mm > kHotZoneMm) {
             activation.slope_sum = activation.rate_hz / (2.0 * std::log10(radius_mm / kHotZoneMm));
         }
@@ -207,7 +207,7 @@ TEST_CASE("receptor view: stale receptors step back") {
 
 TEST_CASE("receptor view: marks, words and stems stay inside the area, however narrow" *
           doctest::test_suite("long")) {
-    const Example e(Receptor::pacinian, 18.0);  // farther than the map reaches
+    const Example e(Receptor::pacinian, 18.0);  // farther than the map's edge
     for (const float scale : {1.0F, 2.0F}) {
         for (const float tilted : {0.0F, 1.0F}) {
             for (const ImVec2 size : {ImVec2{40, 200}, {90, 100}, {160, 60}, {220, 260}}) {
@@ -329,8 +329,8 @@ TEST_CASE("receptor view: an area without room draws nothing and does not fail")
     }
 }
 
-// The model may share impulses so that a receptor fires several times its rate by Eq. 2: what is
-// said first is what a student counts in the raster.
+// The model may share impulses so that a receptor fires several times its rate by Eq. 2: the text
+// first tells the number that a student counts in the raster.
 TEST_CASE("receptor view: the number in the caption is the number of spikes in the raster") {
     std::vector<double> fractions(100);
     for (std::size_t i = 0; i < fractions.size(); ++i) {
