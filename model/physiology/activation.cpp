@@ -16,7 +16,7 @@ bool is_peak(const std::vector<double>& amplitude, std::size_t k) {
     return amplitude[k] >= amplitude[k - 1] && amplitude[k] > above;
 }
 
-// With how far the receptors are that fire, if any do.
+// Also sets the distance of the farthest firing receptor.
 Activation with_radius(Activation summed) {
     if (summed.rate_hz <= 0.0 || summed.slope_sum <= 0.0) return {};
     summed.radius_mm = std::min(

@@ -13,13 +13,13 @@ namespace tact {
 
 namespace {
 
-// Values of the widest register, so that no sum has a remainder.
+// Padding to the widest register, so that no sum has a remainder.
 constexpr std::size_t kRegisterValues = 32;
 
-// Fewer sums at a time than this would be slower than counting bits.
+// With fewer sums at a time, this would be slower than counting bits.
 constexpr std::size_t kFewestSummed = 2 * kRegisterValues;
 
-// One body, compiled anew for each instruction set it is inlined into.
+// One body, compiled for each instruction set that it is inlined into.
 [[gnu::always_inline]] inline std::int64_t summed_products(std::span<const std::int16_t> a,
                                                            std::span<const std::int16_t> b,
                                                            std::size_t summed) {
@@ -64,7 +64,7 @@ std::optional<WeightUnits> weight_units(const PerReceptor<double>& channel_weigh
     std::int64_t divisor = 0;
     for (const std::int64_t weight : whole) divisor = std::gcd(divisor, weight);
     units.unit = std::max<std::int64_t>(divisor, 1);
-    std::int64_t largest = 0;  // of a sample, in absolute value
+    std::int64_t largest = 0;  // units of a sample, in absolute value
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         const std::int64_t count = whole[c] / units.unit;
         largest += std::abs(count);

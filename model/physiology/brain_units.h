@@ -21,36 +21,36 @@
 
 namespace tact {
 
-// How many units each channel weighs.
+// The weight of each channel in units.
 struct WeightUnits {
-    std::int64_t unit = 1;  // in the weights' own units, see nc_matrix.h
+    std::int64_t unit = 1;  // in units of the weights, see nc_matrix.h
     PerReceptor<std::int16_t> weight{};
-    std::size_t summed = 0;  // products whose sum fits into 32 bits, however large
+    std::size_t summed = 0;  // number of products whose sum always fits into 32 bits
 };
 
-// None where they have no unit that makes them small enough.
+// Nullopt if no unit makes the weights small enough.
 std::optional<WeightUnits> weight_units(const PerReceptor<double>& channel_weight);
 
 struct BrainUnits {
     std::size_t samples = 0;
-    std::vector<std::int16_t> values;  // up to the last spike, filled up to whole registers
-    std::int64_t square = 0;           // the sum of their squares
+    std::vector<std::int16_t> values;  // up to the last spike, zero-padded to whole registers
+    std::int64_t square = 0;           // sum of their squares
 };
 
 BrainUnits brain_units(const NeuralCode& code, const WeightUnits& units);
 
-// Their NC. Both of one length.
+// Their NC. Both have one length.
 double nc_dissimilarity(const BrainUnits& a, const BrainUnits& b, const WeightUnits& units);
 
-// a.b of whole registers, the longer one as far as the other, for one instruction set; `summed`
-// products at a time fit into 32 bits.
+// a.b over whole registers, as far as the shorter one reaches, for one instruction set; sums of
+// `summed` products fit into 32 bits.
 struct ProductSummer {
     const char* name;
     std::int64_t (*sum)(std::span<const std::int16_t> a, std::span<const std::int16_t> b,
                         std::size_t summed);
 };
 
-// Those this processor can run, the fastest first. The first is in use.
+// Versions that this processor can run, the fastest first, which is in use.
 std::span<const ProductSummer> product_summers();
 
 }  // namespace tact

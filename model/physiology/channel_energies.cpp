@@ -17,11 +17,11 @@ static_assert(kReceptorCount == kLanes, "a lane for each channel");
 
 struct FourSections {
     FourLanes b0, b1, b2, a1, a2;
-    FourLanes first{}, second{};  // state
+    FourLanes first{}, second{};  // state of the filter
 };
 
-// A filter with fewer sections ends with some that hand on their input. They may turn -0 into 0,
-// which no square tells apart.
+// A filter with fewer sections is padded with sections that pass their input. They may turn -0 into
+// 0, which no square tells apart.
 std::vector<FourSections> side_by_side(const NeuralCodingParams& params) {
     constexpr Section kPassing{1.0, 0.0, 0.0, 0.0, 0.0};
     PerReceptor<std::vector<Section>> filters;
@@ -50,7 +50,7 @@ struct Filtered {
     FourLanes peak{};
 };
 
-// One body, compiled anew for each instruction set it is inlined into; `Sections` 0: any number.
+// One body, compiled for each instruction set that it is inlined into; `Sections` 0: any number.
 template <std::size_t Sections>
 [[gnu::always_inline]] inline void filter_all(std::span<const double> input_g,
                                               std::span<FourSections> sections,
@@ -74,8 +74,8 @@ template <std::size_t Sections>
     }
 }
 
-// The sum of squares up to the end of each window, of what is perceived: normalised, and by change
-// where a channel adapts.
+// The sum of squares up to the end of each window of the perceived waveform: normalised, and
+// differentiated if a channel adapts.
 [[gnu::always_inline]] inline void sum_windows(const FourValues* samples, std::size_t count,
                                                const FourLanes& peak, const FourChoices& adapts,
                                                std::span<FourValues> energies) {
@@ -96,7 +96,7 @@ template <std::size_t Sections>
     }
 }
 
-constexpr std::size_t kUsualSections = 5;  // of the default orders
+constexpr std::size_t kUsualSections = 5;  // for the default orders
 
 [[gnu::always_inline]] inline PerReceptor<std::vector<double>> energy_fractions_of(
     std::span<const double> input_g, double input_energy, const NeuralCodingParams& params) {

@@ -1,9 +1,9 @@
-// What the receptors' spikes are counted from: the energy that each channel perceives, by windows.
+// The energy that each channel perceives, by windows, from which the receptors' spikes are counted.
 //
-// The four channels filter one signal by as many sections, side by side in a register.
+// The four channels filter one signal by the same number of sections, side by side in a register.
 //
 // Input     the vibration at 10 kHz, mean removed
-// Output    C_j of each channel (spike_train.h): all zero where it is silent
+// Output    C_j of each channel (spike_train.h): all zero if it is silent
 // Left out  the filtered and the perceived waveform themselves: neural_coding_stages() has them.
 // Exact     the bits of the channels one by one, on any instruction set.
 #pragma once
@@ -24,7 +24,7 @@ PerReceptor<std::vector<double>> channel_energy_fractions(std::span<const double
                                                           double input_energy,
                                                           const NeuralCodingParams& params);
 
-// The same by one of the instruction sets this processor has, the fastest first.
+// The same with one of the processor's instruction sets, the fastest first.
 struct ChannelRunner {
     const char* name;
     PerReceptor<std::vector<double>> (*run)(std::span<const double> input_g, double input_energy,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBusiestS = 0.1;
 constexpr double kLeastCycles = 4.0;
-constexpr double kStrong = 0.5;  // of the strongest component of the band
+constexpr double kStrong = 0.5;  // relative to the strongest component of the band
 
 bool is_in_band(const Component& component, Receptor receptor) {
     return component.frequency_hz >= traits(receptor).low_hz &&
@@ -41,7 +41,7 @@ bool only_leaks(const NeuralCodingStages& stages, const NeuralCodingParams& para
     if (!(strongest_g > 0.0) || stages.channel[index_of(receptor)].silent) return false;
     const std::vector<Section> sections = channel_sections(receptor, params);
     const double least_g = kLeakShare * strongest_g;
-    // A filter amplifies nothing: what is weaker need not be looked at.
+    // A filter never amplifies, so weaker components can be skipped.
     return std::ranges::none_of(stages.components, [&](const Component& component) {
         return component.amplitude_g > least_g &&
                component.amplitude_g * gain(sections, component.frequency_hz, kModelRateHz) >

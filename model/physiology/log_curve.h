@@ -1,4 +1,4 @@
-// A curve over frequency with its logarithms taken, for one that is looked up often.
+// A curve over frequency with precomputed logarithms, for frequent lookups.
 //
 // Exact     the bits of at() of the curve itself (mechanoreceptor.h).
 #pragma once
@@ -11,7 +11,7 @@ namespace tact {
 
 struct LogCurve {
     Curve curve;
-    std::vector<double> log10_hz;  // of its knots
+    std::vector<double> log10_hz;  // logarithms of its knots
 };
 
 struct LogFrequency {

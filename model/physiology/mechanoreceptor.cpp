@@ -40,7 +40,7 @@ std::optional<double> number_in(const std::string& cell) {
     return value;
 }
 
-// Adds one line of a table to the curve of its receptor; what is wrong with it, or empty.
+// Adds one line of a table to the curve of its receptor; returns the error, or an empty text.
 std::string add_knot(const std::vector<std::string>& header, const std::string& line,
                      const TableTraits& table, PerReceptor<Curve>& curves) {
     const std::vector<std::string> cells = cells_of(line);
@@ -104,7 +104,7 @@ Expected<PerReceptor<Curve>> parse_curves(const std::string& csv, const TableTra
     return curves;
 }
 
-// `log10_hz` gives that of a knot.
+// `log10_hz` returns the logarithm of a knot.
 template <class Log10Hz>
 double between_knots(const Curve& curve, const LogFrequency& frequency, const Log10Hz& log10_hz) {
     const auto& knots = curve.frequency_hz;

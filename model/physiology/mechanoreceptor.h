@@ -1,7 +1,7 @@
 // The four mechanoreceptor types of glabrous skin: where they respond, how strongly, how far.
 //
-// Source    Lim & Park 2023, section 4.1, Eqs. 1-3; densities Johansson & Vallbo 1979; hot zone
-//           and probe Johnson 1974. Slopes and thresholds: assets/physiology, with their sources.
+// Source    Lim & Park 2023, section 4.1, Eqs. 1-3; densities Johansson & Vallbo 1979; hot zone and
+//           probe Johnson 1974. Slopes and thresholds: assets/physiology, with their sources.
 // Input     the amplitude spectrum of the vibration at the skin under the probe
 // Output    mean firing rate at the centre, its fall with distance, radius of activation
 // Valid     1-500 Hz, 0.5 mm probe on the fingertip
@@ -31,7 +31,7 @@ using PerReceptor = std::array<Value, kReceptorCount>;
 
 constexpr std::size_t index_of(Receptor receptor) { return static_cast<std::size_t>(receptor); }
 
-// What the field calls a type and the paper's constants of it.
+// Names of a type in the field, and the paper's constants for it.
 struct ReceptorTraits {
     const char* name;      // Meissner
     const char* afferent;  // FA1
@@ -50,7 +50,7 @@ double grid_interval_mm(Receptor receptor);
 // A curve over frequency, linear in log10 f between knots and constant beyond the outermost ones.
 struct Curve {
     std::vector<double> frequency_hz;  // ascending, > 0
-    std::vector<double> value;         // as many
+    std::vector<double> value;         // one per frequency
 
     bool operator==(const Curve&) const = default;
 };
@@ -67,12 +67,12 @@ struct PhysiologyTables {
 // The tables compiled in from assets/physiology.
 const PhysiologyTables& default_tables();
 
-// What a table holds, and the numbers that can be meant: a table in other units is refused.
+// The unit of a table and its possible values: a table in another unit is refused.
 struct TableTraits {
     const char* name;
     const char* column;
     Range values;
-    const char* expected;  // words for them
+    const char* expected;  // words for the unit
 };
 inline constexpr TableTraits kSlopeTable{"slope table",
                                          "slope_imp_per_s_per_log10um",
@@ -84,7 +84,8 @@ inline constexpr TableTraits kThresholdTable{
     {-4.0, 6.0},
     "log10 of um peak from -4 to 6 (beyond them it looks like dB, which are 20 times that)"};
 
-// Our thresholds moved onto what the Android Open Source Project says is felt, compiled in, too.
+// Our thresholds shifted to the perceptible amplitudes of the Android Open Source Project, also
+// compiled in.
 const PerReceptor<Curve>& aosp_thresholds();
 
 // One table in the layout of assets/physiology, from the text of its file. An Error names the

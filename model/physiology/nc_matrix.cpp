@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t kMasks = 1U << kReceptorCount;
 constexpr std::size_t kWordBits = 64;
-// Rows are filled up to the widest register, so that no counter has a remainder.
+// Rows are zero-padded to the widest register, so that no counter has a remainder.
 constexpr std::size_t kRegisterWords = 8;
 
-// One body, compiled anew for each instruction set it is inlined into; std::popcount would not be.
+// One body, compiled for each instruction set that it is inlined into; std::popcount would not be.
 // All 16 counts at once, as a register of words then serves four of them.
 [[gnu::always_inline]] inline SpikeForm counted(const std::uint64_t* a, const std::uint64_t* b,
                                                 std::size_t words) {
@@ -79,7 +79,7 @@ std::int64_t weight_units(double weight) {
 
 SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
     assert(a.central_spikes.size() == b.central_spikes.size() && "patterns were not padded");
-    // A sample of both is one of 16 x 16 cases.
+    // A sample of both patterns is one of 16 x 16 cases.
     std::array<std::array<std::int64_t, kMasks>, kMasks> cases{};
     for (std::size_t n = 0; n < a.central_spikes.size(); ++n) {
         ++cases[a.central_spikes[n]][b.central_spikes[n]];

@@ -28,10 +28,10 @@ using SpikeForm = std::array<PerReceptor<std::int64_t>, kReceptorCount>;
 // Sample by sample.
 SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b);
 
-// The central spikes of one pattern, one bit a sample.
+// The central spikes of one pattern, one bit per sample.
 struct PackedSpikes {
     std::size_t samples = 0;
-    std::size_t words = 0;            // of a channel, filled up with zeros
+    std::size_t words = 0;            // words per channel, zero-padded
     std::vector<std::uint64_t> bits;  // channel by channel
     SpikeForm coincidences{};         // |a_c & a_d|
 };
@@ -41,12 +41,12 @@ PackedSpikes packed_spikes(const NeuralCode& code);
 SpikeForm spike_form(const PackedSpikes& a, const PackedSpikes& b);
 
 // sqrt(sum_cd w_c w_d F_cd / N). Weights, within +-kLargestWeight, count to twelve decimals: their
-// products are then whole numbers, and 0.1 + 0.2 cancels 0.3 as it should. In doubles about 1e-17
-// would be left, and 3e-9 after the root: enough to rank pairs that are equal.
+// products are then whole numbers, and 0.1 + 0.2 cancels 0.3 as it should. Doubles would leave
+// about 1e-17, and 3e-9 after the root: enough to order pairs that are equal.
 double nc_dissimilarity(const SpikeForm& form, std::size_t samples,
                         const PerReceptor<double>& channel_weight);
 
-// The same of two packed patterns.
+// The same for two packed patterns.
 double nc_dissimilarity(const PackedSpikes& a, const PackedSpikes& b,
                         const PerReceptor<double>& channel_weight);
 
@@ -55,20 +55,20 @@ inline constexpr double kLargestWeight = 1000.0;
 // The weights in units of their last decimal.
 PerReceptor<std::int64_t> whole_weights(const PerReceptor<double>& channel_weight);
 
-// sqrt(unit^2 sum / samples), the unit one of those; 0 of no samples.
+// sqrt(unit^2 sum / samples), with one of those units; 0 without samples.
 double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples);
 
 // A weight as a whole number of 1 / kWeightUnits.
 inline constexpr double kWeightUnits = 1e12;
 std::int64_t weight_units(double weight);
 
-// |a_c & b_d| of two blocks of kReceptorCount rows of words, for one instruction set.
+// |a_c & b_d| for two blocks of kReceptorCount rows of words, for one instruction set.
 struct CoincidenceCounter {
     const char* name;
     SpikeForm (*count)(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
 };
 
-// Those this processor can run, the fastest first. The first is in use.
+// Versions that this processor can run, the fastest first, which is in use.
 std::span<const CoincidenceCounter> coincidence_counters();
 
 }  // namespace tact

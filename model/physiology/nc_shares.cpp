@@ -4,7 +4,7 @@ namespace tact {
 
 ChannelShares nc_shares(const SpikeForm& form, const PerReceptor<double>& channel_weight) {
     ChannelShares shares{};
-    // The distance itself tells zero from rounding.
+    // The distance itself tells zero from a rounding error.
     if (nc_dissimilarity(form, 1, channel_weight) == 0.0) return shares;
     double sum = 0.0;
     for (std::size_t c = 0; c < kReceptorCount; ++c) {

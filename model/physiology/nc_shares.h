@@ -1,10 +1,9 @@
-// What each channel, and each two channels together, have in the NC of a pair.
+// The share of each channel, and of each two channels together, in the NC of a pair.
+// N NC^2 = sum_c w_c^2 F_cc + sum_{c<d} 2 w_c w_d F_cd          (model/physiology/nc_matrix.h)
 //
-//     N NC^2 = sum_c w_c^2 F_cc + sum_{c<d} 2 w_c w_d F_cd          (model/physiology/nc_matrix.h)
-//
-// Output    the terms as shares of their sum, 1 in all: [c][c] of a channel alone, [c][d], c < d,
-//           of two. A term of two is negative where they make up for each other. Zeros where the
-//           two brain waveforms are the same.
+// Output    the terms relative to their sum, 1 in total: [c][c] of a channel alone, [c][d], c < d,
+//           of two. A term of two is negative if they cancel each other. Zeros if the two brain
+//           waveforms are equal.
 #pragma once
 
 #include "model/physiology/nc_matrix.h"

@@ -36,7 +36,7 @@ std::vector<double> perceived_waveform(const std::vector<double>& filtered_g, bo
     return perceived;
 }
 
-// What a step brings to the square of `half_width` around the centre.
+// The spikes of a step in the square of `half_width` around the centre.
 RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::size_t step) {
     RelayLayer layer = empty_layer(half_width);
     for (std::size_t k = 0; k < channel.grid.receptors.size(); ++k) {
@@ -47,9 +47,9 @@ RelayLayer spikes_of_step(const ChannelStages& channel, int half_width, std::siz
     return layer;
 }
 
-// What of a step's spikes arrives at the centre.
+// The activity that a step's spikes cause at the centre.
 double relayed_centre(const RelayLayer& spikes, const NeuralCodingParams& params) {
-    // Networks hand on nothing of nothing.
+    // Without spikes, the networks are silent.
     if (std::ranges::all_of(spikes.cells, [](double count) { return count == 0.0; })) return 0.0;
     const std::vector<RelayLayer> layers = relay(spikes, params, true);
     return layers.empty() ? spikes.centre() : layers.back().centre();
@@ -58,7 +58,7 @@ double relayed_centre(const RelayLayer& spikes, const NeuralCodingParams& params
 // Whole for the default kernels; a researcher's kernel may leave fractions.
 int central_count(double centre) { return static_cast<int>(std::floor(centre + 1e-9)); }
 
-// How far the coding of all channels is, told step by step.
+// Progress of the coding of all channels, step by step.
 class Watched {
   public:
     Watched(const CodingOptions& options, std::size_t steps)
@@ -78,7 +78,8 @@ class Watched {
     std::size_t done_ = 0;
 };
 
-// Counts of the central neuron per step, all layers kept or those of the cone that can reach it.
+// Counts of the central neuron per step, with all layers kept, or with those of the cone that can
+// reach it.
 std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
                                const NeuralCodingParams& params, KeepLayers keep,
                                Watched& watched) {
@@ -98,11 +99,11 @@ std::vector<int> relay_channel(ChannelStages& channel, std::size_t steps,
     return central;
 }
 
-// The same from a grid of the cone alone. Receptors that owe the same impulses spike alike, and
-// steps with the same spikes are relayed once: most patterns have few of either.
+// The same from a grid of the cone alone. Receptors with equal impulses spike alike, and steps with
+// the same spikes are relayed once: most patterns have few different ones of either.
 std::vector<int> relay_cone(const ReceptorGrid& grid, std::span<const double> fractions,
                             std::size_t steps, const NeuralCodingParams& params, Watched& watched) {
-    std::vector<double> kinds;  // by what they owe
+    std::vector<double> kinds;  // by their number of impulses
     std::vector<std::size_t> kind_of;
     std::vector<std::vector<int>> spikes_of;
     for (const GridReceptor& receptor : grid.receptors) {
@@ -178,7 +179,7 @@ void mark_central_spikes(NeuralCode& code, Receptor receptor) {
     }
 }
 
-// Value of the brain waveform for every pattern of channels that fire.
+// The value of the brain waveform for every combination of firing channels.
 std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight) {
     std::array<double, 16> levels{};
     for (std::size_t mask = 0; mask < levels.size(); ++mask) {

@@ -24,7 +24,7 @@
 
 namespace tact {
 
-// What the comparison of patterns needs, and no more.
+// The data needed to compare patterns, and no more.
 struct NeuralCode {
     PerReceptor<Activation> activation;
     PerReceptor<std::size_t> activated{};         // receptors, N
@@ -33,14 +33,15 @@ struct NeuralCode {
     std::vector<std::uint8_t> central_spikes;
 };
 
-// Everything one channel goes through, for looking at.
+// All stages of one channel, for inspection.
 struct ChannelStages {
     ReceptorGrid grid;
     std::vector<double> perceived;                // normalised; differentiated for FA1, FA2
     std::vector<double> filtered_g;               // before normalisation
-    bool silent = false;                          // next to no energy in the channel's band
+    bool silent = false;                          // nearly no energy in the channel's band
     std::vector<std::vector<int>> spike_count;    // receptor (as in grid), 5 ms step
-    std::vector<std::vector<RelayLayer>> layers;  // step, layer; layer 0 are the spikes. Or empty
+    std::vector<std::vector<RelayLayer>> layers;  // step, layer; layer 0 are the spikes; may be
+                                                  // empty
 };
 
 struct NeuralCodingStages {
@@ -50,9 +51,9 @@ struct NeuralCodingStages {
 };
 
 struct CodingOptions {
-    // Once it is asked for, the coding ends within a step, and what it returns is of no use.
+    // After a request to stop, coding ends within a step, and its result must not be used.
     std::stop_token stop = {};
-    // Share of the steps that are through, 0..1: after each of a channel.
+    // Share of the finished steps, 0..1: called after each step of a channel.
     std::function<void(double)> progress = {};
 };
 
@@ -60,10 +61,10 @@ struct CodingOptions {
 NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
                        const CodingOptions& options = {});
 
-// Which of the relay networks' layers are kept.
+// The layers of the relay networks to keep.
 enum class KeepLayers {
     all,  // of every step; memory grows with the grids: tens of MB for strong tones
-    none  // relay_layers() gives those of a step
+    none  // relay_layers() computes those of a step
 };
 
 // The same numbers with every stage kept.
@@ -71,8 +72,8 @@ NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCo
                                         KeepLayers keep = KeepLayers::all,
                                         const CodingOptions& options = {});
 
-// The layers of one step, the spikes first: 1 + L_E + L_I of them. `step` is below the count of
-// steps. The same as are kept.
+// The layers of one step, the spikes first: 1 + L_E + L_I of them, equal to the kept ones. `step`
+// is below the count of steps.
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
                                      const NeuralCodingParams& params);
 

@@ -9,31 +9,31 @@
 
 namespace tact {
 
-// Which spectral components drive the receptors.
+// The spectral components that drive the receptors.
 enum class Components {
     all,   // every DFT bin above threshold: the paper
     peaks  // [ours] local maxima only; immune to leakage of frequencies between bins
 };
 
-// What a component below threshold does to the mean rate.
+// Effect of a component below threshold on the mean rate.
 enum class Subthreshold {
     ignored,    // [ours] it adds nothing
     subtracted  // Eq. 2 read literally: it takes impulses away
 };
 
-// How the population's impulses are shared out.
+// How the population's impulses are divided.
 enum class FireSharing {
     total,  // the paper's sentence: N f0 T, in the ratio of the rates
     own     // every receptor at its own rate
 };
 
-// Where the n spikes of a 10 ms window fall.
+// Distribution of the n spikes of a 10 ms window.
 enum class WindowSplit {
     halves,  // [ours] ceil(n/2) in the first 5 ms, the rest in the second
     first    // all in the first
 };
 
-// Amplitude at the skin that Eq. 2 takes the logarithm of.
+// The amplitude at the skin in the logarithm of Eq. 2.
 enum class SkinInput {
     displacement,  // [ours] um, from acceleration by 1/(2 pi f)^2, as thresholds are in um
     acceleration   // the number of g taken as um
@@ -47,7 +47,7 @@ struct CrossKernel {
     bool operator==(const CrossKernel&) const = default;
 };
 
-// What a researcher may choose. Panels clamp to these; files outside them are refused.
+// Ranges of a researcher's choices. Panels clamp to these; files outside them are refused.
 namespace limits {
 inline constexpr Range kLayers{0, 16};  // the paper trains 0 to 4
 inline constexpr Range kFilterOrder{1, 20};
@@ -65,11 +65,12 @@ struct NeuralCodingParams {
     bool remove_mean = true;  // [ours] 1/f^2 turns 1 mg of drift at 1 Hz into 248 um
     SkinInput skin_input = SkinInput::displacement;
     Components components = Components::all;
-    double peak_fraction = 0.03;  // [ours] of the largest amplitude, for Components::peaks
+    double peak_fraction = 0.03;  // [ours] relative to the largest amplitude, for Components::peaks
     Subthreshold subthreshold = Subthreshold::ignored;
     int band_pass_order_per_edge = 5;       // [ours] order 10 in total
     int low_pass_order = 10;                // [ours]
-    double silent_energy_fraction = 1e-12;  // [ours] of the input's energy: below, silence
+    double silent_energy_fraction = 1e-12;  // [ours] relative to the input's energy: below, the
+                                            // channel is silent
     FireSharing share = FireSharing::total;
     WindowSplit split = WindowSplit::halves;
     CrossKernel excitatory{1.0, 1.0};   // Eq. 5

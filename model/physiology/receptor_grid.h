@@ -1,10 +1,10 @@
-// Where the activated receptors of one type sit, and how many impulses each owes.
+// Places of the activated receptors of one type, and the number of impulses of each.
 //
 // Source    Lim & Park 2023, section 4.1 (Eq. 4) and 4.2 (sharing of impulses).
 // Output    receptors on a square grid around the probe, row by row
 // Valid     radii up to kFingertipMm: a few thousand receptors at most
 // Left out  the irregularity of real receptor mosaics, the outline of the finger within that
-// radius.
+//           radius.
 #pragma once
 
 #include <limits>
@@ -32,11 +32,11 @@ struct ReceptorGrid {
     double y_mm(const GridReceptor& receptor) const { return receptor.row * interval_mm; }
 };
 
-// Nothing is out of reach.
+// No limit.
 inline constexpr int kWholeGrid = std::numeric_limits<int>::max();
 
-// The receptors within r_max. Listed are those within L1 distance `reach` of the centre, in grid
-// steps; the numbers of all others still count in N and in the sharing.
+// The receptors within r_max. Only those within L1 distance `reach` of the centre, in grid steps,
+// are listed; all others still count in N and in the sharing.
 ReceptorGrid receptor_grid(const Activation& activation, Receptor type, double duration_s,
                            FireSharing share, int reach = kWholeGrid);
 

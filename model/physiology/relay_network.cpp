@@ -28,7 +28,7 @@ RelayLayer framed(const RelayLayer& layer, int half_width) {
 // Convolution with a cross (its own mirror image), clipped to 0..cap.
 RelayLayer next_layer(const RelayLayer& input, const CrossKernel& kernel, double cap,
                       int half_width) {
-    // A border around the output: no cell at its edge is a special case.
+    // A border around the output makes cells at its edge ordinary ones.
     const RelayLayer wide = framed(input, half_width + 1);
     const std::ptrdiff_t stride = 2 * half_width + 3;
     RelayLayer output = empty_layer(half_width);

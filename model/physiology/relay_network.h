@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// A square of (2 half_width + 1)^2 cells around the centre, row by row; beyond it lie zeros.
+// A square of (2 half_width + 1)^2 cells around the centre, row by row; zero outside.
 struct RelayLayer {
     int half_width = 0;
     std::vector<double> cells{0.0};
@@ -26,10 +26,10 @@ struct RelayLayer {
 RelayLayer empty_layer(int half_width);
 
 // L_E excitatory layers, each one cell wider than the last, then L_I inhibitory ones of the same
-// size; cells are kept within 0..cap. The result has L_E + L_I layers.
+// size; cells are clipped to 0..cap. The result has L_E + L_I layers.
 //
-// With `cone_only` only the cells that can still reach the centre are computed: what remains is
-// the same to the bit, as a cell moves one place per layer and no more.
+// With `cone_only` only the cells that can still reach the centre are computed. Their values are
+// the same to the bit, because activity moves one cell per layer.
 std::vector<RelayLayer> relay(const RelayLayer& spikes, const NeuralCodingParams& params,
                               bool cone_only);
 

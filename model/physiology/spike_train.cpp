@@ -7,8 +7,8 @@ namespace tact {
 
 namespace {
 
-// Of one receptor, far beyond what any has and what relays tell apart; so that sums of them are
-// whole numbers.
+// Limit of one receptor's spikes, far above real numbers and the relays' resolution; it keeps their
+// sums whole.
 constexpr double kMostInWindow = 1e6;
 
 }  // namespace

@@ -1,8 +1,9 @@
 // Spikes of a receptor from the energy of the vibration it perceives.
 //
-// A receptor fires each time the energy since its last spike reaches E_thr = energy / fires, looked
-// at every 10 ms, the rest carried over. With C_j the share of the energy up to the end of window j
-// that is floor(fires C_j) spikes so far; a part in 1e9 keeps whole numbers whole.
+// A receptor fires each time the energy since its last spike reaches E_thr = energy / fires,
+// compared every 10 ms, with the rest carried over. With C_j the share of the energy up to the end
+// of window j that is floor(fires C_j) spikes so far; 1e-9 is added so that whole numbers stay
+// whole.
 //
 // Source    Lim & Park 2023, section 4.2; window length: Gescheider et al. 2003.
 // Input     perceived waveform, one value per sample at 10 kHz
@@ -36,8 +37,8 @@ std::vector<int> spike_counts(std::span<const double> energy_fractions, double f
                               WindowSplit split);
 
 // Sample offsets, within its step, of n evenly spread unit spikes: floor(k 50 / n), k = 0..n-1. A
-// neuron fires once a sample at most: more than 50, which only a network without any layer lets
-// through, are one in every sample.
+// neuron fires at most once a sample: a network without any layer may have more than 50, which
+// gives one in every sample.
 std::vector<std::size_t> spread_spikes(int count);
 
 }  // namespace tact

@@ -11,18 +11,18 @@ namespace tact {
 
 namespace {
 
-constexpr double kAtOnce = 2.0;  // times what is noticed
+constexpr double kAtOnce = 2.0;  // times the noticeable difference
 
 std::string digits(double value, int count) { return significant_digits(value, count); }
 
-// Of its one carrier; none: it has several, or its frequency is drawn.
+// Frequency of the only carrier; nullopt: it has several, or its frequency is a curve.
 std::optional<double> frequency_hz(const Pattern& pattern) {
     if (pattern.carriers.size() != 1) return std::nullopt;
     const auto hz = value_of(pattern, PatternParameter::carrier);
     return hz && *hz > 0.0 ? hz : std::nullopt;
 }
 
-// How the difference stands to what is noticed, both in the fact's unit.
+// The difference against the noticeable one, both in the fact's unit.
 std::string verdict(double difference, const TextbookFact& fact) {
     if (difference < *fact.low) return "most people do not notice that";
     if (difference <= *fact.high) return "about what people just notice";
@@ -35,7 +35,7 @@ std::string said(const std::string& what, const std::string& how, const Textbook
            source_text(fact) + ").";
 }
 
-// In % of the lower one.
+// Difference in % of the lower one.
 double apart_percent(double a, double b) { return 100.0 * (std::max(a, b) / std::min(a, b) - 1.0); }
 
 std::string of_frequency(double a_hz, double b_hz) {

@@ -40,8 +40,8 @@ double lowest_db(const PhysiologyTables& tables, double hz) {
     return 20.0 * lowest;
 }
 
-// Where the lowest of some curves is lowest, which is at a knot; of a flat stretch, its middle on a
-// log scale.
+// The frequency at which the lowest of some curves has its minimum, always a knot; for a flat
+// stretch, its middle on a log scale.
 double lowest_at_hz(std::span<const Curve> curves) {
     double least = std::numeric_limits<double>::infinity();
     double from = 0.0;
@@ -83,7 +83,7 @@ void add_cycles(const BesideInput& input, const TextbookFact& fact, Facts& facts
     }
 }
 
-// Of what was measured with single tones: a type's strong components lie within an octave.
+// For facts measured with single tones: a type's strong components lie within an octave.
 void add_highest_rate(const BesideInput& input, const TextbookFact& fact, Facts& facts) {
     const Receptor receptor = *fact.receptor;
     const auto band = strong_band_hz(input.stages, receptor);
@@ -100,7 +100,7 @@ void add_of_firing(const BesideInput& input, const TextbookFact& fact, Facts& fa
     if (fact.id == "impulses a cycle") return add_cycles(input, fact, facts);
     if (fact.id.starts_with("highest rate")) return add_highest_rate(input, fact, facts);
     if (!fact.receptor || !fires(input, *fact.receptor)) return;
-    // The model's rate stays as it is for as long as the vibration does.
+    // The model's rate is constant while the vibration is.
     if (fact.id.starts_with("adaptation")) {
         facts.push_back({&fact, fact.receptor, {}, {}, 0.0, true});
     }
@@ -170,7 +170,7 @@ void add_of_brain(const BesideInput& input, const TextbookFact& fact, Facts& fac
         // Each type has a network of its own, up to the weighted sum.
         facts.push_back({&fact, {}, {}, {}, 0.0, true});
     } else if (fact.id == "phase locking") {
-        // Within a step, spikes are spread evenly: what is faster than two steps is not in them.
+        // Spikes are spread evenly within a step, so periods below two steps are not in them.
         const double model = 0.5 / kStepS;
         facts.push_back({&fact, {}, {}, {}, model, model < *fact.low});
     } else {

@@ -1,10 +1,10 @@
-// Measured facts beside what the model makes of one pattern, stage by stage, and where it parts
-// from them.
+// Measured facts beside the model's results for one pattern, stage by stage, and the model's
+// deviations from them.
 //
-// Source    the facts' own (textbook.h); what counts as parting is ours, and stands with each limit
-// Input     a vibration, its stages, the tables that the model takes
-// Output    facts that say something of this pattern, in the order of the textbook; the model's
-//           number in the fact's unit
+// Source    the facts' own (textbook.h); the limits of a deviation are ours, and marked
+// Input     a vibration, its stages, the model's tables
+// Output    facts that apply to this pattern, in the order of the textbook; the model's number in
+//           the fact's unit
 // Left out  facts from memory: no stage shows them
 #pragma once
 
@@ -19,18 +19,18 @@
 
 namespace tact {
 
-// A measured rate is exceeded by more than this share of it, a threshold missed by more than so
-// many dB, a density by more than this share. [ours]
+// Limits of a deviation: a rate above the measured one by this share of it, a threshold off by this
+// many dB, a density off by this share. [ours]
 inline constexpr double kRateSlack = 0.1;
 inline constexpr double kThresholdSlackDb = 6.0;
 inline constexpr double kDensitySlack = 0.1;
 
 struct BesideFact {
     const TextbookFact* fact = nullptr;  // never null
-    std::optional<Receptor> receptor{};  // whose number the model's is
-    std::optional<double> at_hz{};       // where a fact goes over frequency ...
-    std::optional<double> measured{};    // ... what it is there
-    std::optional<double> model{};       // none: the fact speaks for itself
+    std::optional<Receptor> receptor{};  // the type behind the model's number
+    std::optional<double> at_hz{};       // for a fact that depends on frequency ...
+    std::optional<double> measured{};    // ... its value there
+    std::optional<double> model{};       // nullopt: the fact stands by itself
     bool parts = false;
 };
 
@@ -44,11 +44,11 @@ struct BesideInput {
 // `stage` by its key: "spikes".
 std::vector<BesideFact> beside_the_model(std::string_view stage, const BesideInput& input);
 
-// Those that part from what was measured.
+// Facts from which the model deviates.
 std::vector<BesideFact> where_the_model_parts(std::string_view stage, const BesideInput& input);
 
 // Facts of one kind, source and unit in one line: "density: Meissner 178, Merkel 134 fibres/cm2
-// (..., monkey); here 140, 70". Those that part come first.
+// (..., monkey); here 140, 70". Deviations come first.
 struct BesideLine {
     std::string text;
     bool parts = false;

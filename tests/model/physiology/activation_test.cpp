@@ -61,7 +61,7 @@ TEST_CASE("activation: the rate rises with amplitude and falls with distance to 
         CHECK(rate_at_hz(a, 0.0) == a.rate_hz);
         CHECK(rate_at_hz(a, kHotZoneMm) == a.rate_hz);
         CHECK(rate_at_hz(a, (kHotZoneMm + a.radius_mm) / 2.0) < a.rate_hz);
-        if (a.radius_mm == kFingertipMm) continue;  // there the skin ends before the rate does
+        if (a.radius_mm == kFingertipMm) continue;  // there the skin ends before the rate is zero
         CHECK(rate_at_hz(a, a.radius_mm) <= 1e-9);
         CHECK(rate_at_hz(a, 2.0 * a.radius_mm) == 0.0);
     }
@@ -94,7 +94,7 @@ TEST_CASE("activation: band edges are inside for every duration that has a bin t
 }
 
 TEST_CASE("activation: no receptor is sought beyond the fingertip, however strong the vibration") {
-    // All of them are allowed in a set file; unbounded, the second reaches 4 m.
+    // A set file may have all of them; without the limit, the second reaches 4 m.
     for (const auto& [amplitude_g, frequency_hz] :
          {std::pair{1.0, 1.0}, std::pair{500.0, 2.0}, std::pair{1e6, 1.0}, std::pair{1e6, 250.0}}) {
         for (const Receptor receptor : kReceptors) {
@@ -106,7 +106,7 @@ TEST_CASE("activation: no receptor is sought beyond the fingertip, however stron
     }
     const Activation strong = of_tone(500.0, 2.0, Receptor::meissner);
     CHECK(strong.radius_mm == kFingertipMm);
-    CHECK(rate_at_hz(strong, kFingertipMm) > 0.0);  // the rate at the centre is not touched
+    CHECK(rate_at_hz(strong, kFingertipMm) > 0.0);  // the rate at the centre is unchanged
     CHECK(strong.rate_hz > of_tone(50.0, 2.0, Receptor::meissner).rate_hz);
 }
 

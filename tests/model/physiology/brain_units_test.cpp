@@ -53,7 +53,7 @@ TEST_CASE("brain units: weights that are multiples of nothing have none") {
 }
 
 TEST_CASE("brain units: the largest products there are fit, on every instruction set") {
-    // All channels at every sample, with weights that use up what fits.
+    // All channels at every sample, with the largest weights that fit.
     const auto units = weight_units({1.0, 1.001, 0.999, 1.0});
     REQUIRE(units);
     NeuralCode code;

@@ -20,7 +20,7 @@ double energy_of(const std::vector<double>& signal) {
     return sum;
 }
 
-// The channels one by one, from the waveforms that are kept for looking at.
+// The channels one by one, from the kept waveforms.
 PerReceptor<std::vector<double>> one_by_one(const Waveform& waveform,
                                             const NeuralCodingParams& params) {
     const auto stages = neural_coding_stages(waveform, params, KeepLayers::none);

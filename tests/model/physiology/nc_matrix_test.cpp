@@ -105,7 +105,7 @@ TEST_CASE("nc matrix: it is the root mean square of the difference of the brain 
         double sum = 0.0;
         for (std::size_t n = 0; n < a.size(); ++n) sum += (a[n] - b[n]) * (a[n] - b[n]);
         const double direct = std::sqrt(sum / static_cast<double>(a.size()));
-        // 10,000 additions leave 1e-13, the thirteenth decimal of a weight as much.
+        // 10,000 additions leave 1e-13, as much as the thirteenth decimal of a weight.
         CHECK(std::abs(nc_dissimilarity(codes[0], codes[3], weight) - direct) <= 1e-12);
         CHECK(direct > 0.1);
     }

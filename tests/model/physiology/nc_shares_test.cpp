@@ -33,7 +33,7 @@ TEST_CASE("nc shares: they are all of the squared distance, channel by channel")
         for (const double share : row) all += share;
     }
     CHECK(std::abs(all - 1.0) <= 1e-12);
-    // A channel alone: what NC is with the others' weights at zero.
+    // A channel alone: NC with the others' weights at zero.
     const double nc = nc_dissimilarity(a, b, weight);
     for (std::size_t c = 0; c < kReceptorCount; ++c) {
         PerReceptor<double> alone{};
@@ -41,7 +41,7 @@ TEST_CASE("nc shares: they are all of the squared distance, channel by channel")
         const double own = nc_dissimilarity(a, b, alone);
         CHECK(std::abs(shares[c][c] - own * own / (nc * nc)) <= 1e-12);
     }
-    // A channel of no weight has no share.
+    // A channel with weight 0 has no share.
     CHECK(shares[2][2] == 0.0);
     CHECK(shares[0][2] == 0.0);
 }

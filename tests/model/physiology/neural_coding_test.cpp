@@ -13,8 +13,8 @@ using golden::Json;
 
 namespace {
 
-// Real numbers agree to what two orders of floating-point operations leave; the order-10 low-pass
-// at 5 Hz leaves some more (SciPy itself is off its long double self by 4e-10 there).
+// Real numbers agree to the rounding of two orders of floating-point operations; the order-10
+// low-pass at 5 Hz leaves more (SciPy itself is off its long double self by 4e-10 there).
 constexpr double kTolerance = 1e-9;
 constexpr double kMerkelTolerance = 1e-8;
 
@@ -98,7 +98,7 @@ void check_components(const NeuralCodingStages& stages, const Json& expected) {
     CHECK(loudest.size() == expected.at("components").get<std::size_t>());
     std::ranges::stable_sort(loudest, std::ranges::greater{}, &Component::amplitude_g);
     for (std::size_t k = 0; k < expected.at("largest").size(); ++k) {
-        // Twins of one amplitude may stand in either order: compare the amplitude.
+        // Equal amplitudes of twins may stand in either order, so only amplitudes are compared.
         check_near(loudest[k].amplitude_g, expected.at("largest")[k].at("A_g"));
     }
 }
@@ -144,7 +144,7 @@ TEST_CASE("neural coding: the code alone is the same, to the bit, as with every 
             pattern.modulation.frequency_hz = 4.0;
             NeuralCodingParams params;
             params.inhibitory_layers = inhibitory;
-            params.inhibitory = {2.0, -0.25};  // arms that do not kill everything
+            params.inhibitory = {2.0, -0.25};  // arms that leave some activity
             const NeuralCode alone = neural_code(render(pattern), params);
             const NeuralCode whole = neural_coding_stages(render(pattern), params).code;
             CHECK(alone.central_count == whole.central_count);
@@ -239,8 +239,8 @@ TEST_CASE("neural coding: a stop in the middle of a long pattern ends it within 
         const NeuralCodingStages stages =
             neural_coding_stages(minute, {}, KeepLayers::none, options);
         CHECK(done == last);
-        // Nor are the trains of receptors made whose turn had not come: none, those of one channel,
-        // or of two.
+        // The trains of channels that were not reached yet are empty: of all channels, of three, or
+        // of two.
         const std::size_t channels = last == 0 ? 0 : last == 1 ? 1 : 2;
         for (std::size_t c = 0; c < kReceptorCount; ++c) {
             CHECK(stages.channel[c].spike_count.empty() == (c >= channels));

@@ -1,4 +1,4 @@
-// What the textbook is laid beside: the numbers of the model are recomputed here, by other ways.
+// The textbook beside the model: the model's numbers are recomputed here, in other ways.
 #include "model/textbook/textbook_beside.h"
 
 #include <doctest/doctest.h>
@@ -67,7 +67,7 @@ TEST_CASE("beside: a 30 Hz tone fires many times a cycle, far above where fibres
     const auto counts = spikes_under_probe(low.stages.channel[index_of(Receptor::meissner)]);
     int all = 0;
     for (const int count : counts) all += count;
-    // The busiest 133 ms hold no less than the mean.
+    // The busiest 133 ms have at least the mean rate.
     CHECK(*cycles->model >= doctest::Approx(all / 30.0).epsilon(0.01));
     const BesideFact* highest = of(facts, "highest rate FA1");
     REQUIRE(highest != nullptr);
@@ -75,7 +75,7 @@ TEST_CASE("beside: a 30 Hz tone fires many times a cycle, far above where fibres
     CHECK(*highest->measured ==
           doctest::Approx(51.6 + (102.6 - 51.6) * std::log(30.0 / 20.0) / std::log(50.0 / 20.0)));
     CHECK(highest->parts);
-    // Merkel cells follow what the filter leaks: nothing measured is laid beside that.
+    // Merkel cells follow the filter's leak: no measured fact is compared with that.
     CHECK(low.firing[index_of(Receptor::merkel)] == Firing::leaks);
     for (const BesideFact& one : facts) CHECK(one.receptor != Receptor::merkel);
 }
@@ -102,7 +102,7 @@ TEST_CASE("beside: densities are those of Table 1 in the fact's unit; the monkey
     CHECK(*of(facts, "ruffini density")->model == doctest::Approx(0.1));
     CHECK_FALSE(of(facts, "ruffini density")->parts);
     CHECK(*of(facts, "share of SA2")->model == doctest::Approx(100.0 * 0.1 / 2.4));
-    // From memory: on no stage.
+    // Facts from memory appear in no stage.
     CHECK(of(facts, "density FA2") == nullptr);
     CHECK(of(facts, "density SA2") == nullptr);
 }

@@ -1,4 +1,4 @@
-// What the textbook that comes with the program says, and how it refuses what it should not say.
+// The statements of the bundled textbook, and the files it refuses.
 #include "model/textbook/textbook.h"
 
 #include <doctest/doctest.h>
@@ -63,7 +63,7 @@ TEST_CASE("textbook: every fact has a source, a unit, a place, and what was read
         CHECK((one.low || one.high || !one.points.empty()));
         CHECK(holds(one.says, "{value}"));
         CHECK(one.says.ends_with('.'));
-        // What was looked up was read somewhere; what is from memory was not.
+        // A fact that was looked up names what was read; one from memory does not.
         CHECK((one.sure == Sure::from_memory) == one.read.starts_with("nothing"));
         const bool dated = holds(one.source, "19") || holds(one.source, "20");
         CHECK((dated || holds(one.source, "Android Open Source Project")));
@@ -116,7 +116,7 @@ TEST_CASE("textbook: its highest rates are the plateaus of the table that the sl
             CAPTURE(hz);
             const std::string at = shortest_digits(hz);
             CHECK(rate == doctest::Approx(fitted(afferent, at, 4)));
-            CHECK(fitted(afferent, at, 6) >= 3.0);  // of three points or more
+            CHECK(fitted(afferent, at, 6) >= 3.0);  // with three points or more
         }
     }
 }
