@@ -133,18 +133,18 @@ std::optional<std::size_t> next_lesson(const CourseState& state) {
     return std::nullopt;
 }
 
-void begin_course_lesson(const LessonHands& hands, LessonState& lesson, CourseState& state,
+void begin_course_lesson(const LessonContext& context, LessonState& lesson, CourseState& state,
                          std::size_t which) {
     const CourseLesson& one = state.lessons[which];
-    if (!one.lesson) return complain(hands.ui, one.fault);
+    if (!one.lesson) return complain(context.ui, one.fault);
     const LessonProgress* progress = progress_of(state, one);
-    start_lesson(hands, lesson, one.lesson, one.path);
+    start_lesson(context, lesson, one.lesson, one.path);
     if (lesson.lesson != one.lesson) return;  // the one before it stays
     lesson.key = one.key;
     lesson.is_tour = one.key == kTourLesson;
     state.has_begun = true;
     if (progress == nullptr || progress->reached >= progress->steps) return;
-    if (progress->reached > 1) go_to_step(hands, lesson, progress->reached - 1);
+    if (progress->reached > 1) go_to_step(context, lesson, progress->reached - 1);
 }
 
 void follow_course(Ui& ui, const Session& session, const LessonState& lesson, CourseState& state) {

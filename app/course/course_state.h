@@ -50,7 +50,7 @@ void open_bundled_course(Ui& ui, const Session& session, CourseState& state);
 std::optional<std::size_t> next_lesson(const CourseState& state);
 
 // Where the student was, and is again.
-void begin_course_lesson(const LessonHands& hands, LessonState& lesson, CourseState& state,
+void begin_course_lesson(const LessonContext& context, LessonState& lesson, CourseState& state,
                          std::size_t which);
 
 // Once a frame: keeps what the student reached and answered; shows the cover again when a lesson

@@ -38,8 +38,8 @@ void show_in_place(Ui& ui, Workspace& work, EditedDocument document, std::uint64
     document_changed(work);
 }
 
-void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& set) {
-    Workspace& work = hands.work;
+void put_aside(const LessonContext& context, LessonState& state, const PatternSet& set) {
+    Workspace& work = context.work;
     keep_on_disk(work);
     state.aside =
         SetAside{work.document, work.effects, work.selection, work.side, work.document_number};
@@ -50,16 +50,16 @@ void put_aside(const LessonHands& hands, LessonState& state, const PatternSet& s
     work.side = Side::both;
     EditedDocument own;
     own.open({shown, {}, shown});
-    show_in_place(hands.ui, work, std::move(own), ++work.documents);
+    show_in_place(context.ui, work, std::move(own), ++work.documents);
     work.unsaved = false;
     state.document_number = work.document_number;
 }
 
-void bring_back(const LessonHands& hands, LessonState& state) {
+void bring_back(const LessonContext& context, LessonState& state) {
     if (!state.aside) return;
     SetAside aside = *std::exchange(state.aside, std::nullopt);
-    Workspace& work = hands.work;
-    show_in_place(hands.ui, work, std::move(aside.document), aside.number);
+    Workspace& work = context.work;
+    show_in_place(context.ui, work, std::move(aside.document), aside.number);
     work.effects = std::move(aside.effects);
     work.selection = std::move(aside.selection);
     work.side = aside.side;
@@ -67,8 +67,8 @@ void bring_back(const LessonHands& hands, LessonState& state) {
 }
 
 // Makes room for the card and the step's pane: ends the maximised state of another pane.
-void arrange(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
-    Layout& layout = hands.layout;
+void arrange(const LessonContext& context, const LessonState& state, const LessonStep& step) {
+    Layout& layout = context.layout;
     layout = state.before.layout;
     const bool map = shows_map(step);
     layout.physiology = Fold::open;
@@ -79,12 +79,12 @@ void arrange(const LessonHands& hands, const LessonState& state, const LessonSte
 }
 
 // A step that asks for a place needs a flat map.
-void lay_map(const LessonHands& hands, const LessonState& state, const LessonStep& step) {
+void lay_map(const LessonContext& context, const LessonState& state, const LessonStep& step) {
     const bool flat = step.question && step.question->kind == QuestionKind::place;
     const int wanted = flat ? 2 : state.before.dimensions;
-    if (!shows_map(step) || hands.shown_map.dimensions == wanted) return;
-    hands.shown_map.dimensions = wanted;
-    document_changed(hands.work);
+    if (!shows_map(step) || context.shown_map.dimensions == wanted) return;
+    context.shown_map.dimensions = wanted;
+    document_changed(context.work);
 }
 
 // The same lesson if it names no renamed pattern.
@@ -105,16 +105,16 @@ std::shared_ptr<const Lesson> with_renamed(const std::shared_ptr<const Lesson>& 
 
 }  // namespace
 
-ViewBeforeLesson view_of(const LessonHands& hands) {
-    return {hands.layout,
-            hands.work.selection.current,
-            hands.work.selection.pinned,
-            hands.timeline.playhead,
-            hands.timeline.range,
-            hands.physiology.view.open,
-            hands.shown_map.camera,
-            hands.ui.text_scale,
-            hands.shown_map.dimensions};
+ViewBeforeLesson view_of(const LessonContext& context) {
+    return {context.layout,
+            context.work.selection.current,
+            context.work.selection.pinned,
+            context.timeline.playhead,
+            context.timeline.range,
+            context.physiology.view.open,
+            context.shown_map.camera,
+            context.ui.text_scale,
+            context.shown_map.dimensions};
 }
 
 std::shared_ptr<const Lesson> bundled_lesson(const char* path) {
@@ -148,34 +148,34 @@ void choose_language(Ui& ui, LessonState& state, const std::string& code) {
     ui.fonts_outdated = true;  // it may need other glyphs
 }
 
-void go_to_step(const LessonHands& hands, LessonState& state, std::size_t to) {
+void go_to_step(const LessonContext& context, LessonState& state, std::size_t to) {
     if (!state.lesson || state.lesson->steps.empty()) return;
     state.step = std::min(to, state.lesson->steps.size() - 1);
     state.shows_source = false;
     const LessonStep& step = *step_of(state);
-    Workspace& work = hands.work;
+    Workspace& work = context.work;
     if (const auto place = place_named(work.document.set, step.pattern)) select_only(work, *place);
     work.selection.pinned = step.partner;
-    if (!state.editing) arrange(hands, state, step);
-    hands.physiology.view.open = stage_of_view(step.view);
-    hands.physiology.view.explained.reset();
-    hands.timeline.range = {step.from_s, step.to_s};
+    if (!state.editing) arrange(context, state, step);
+    context.physiology.view.open = stage_of_view(step.view);
+    context.physiology.view.explained.reset();
+    context.timeline.range = {step.from_s, step.to_s};
     const bool moves = step.speed > 0.0;
-    hands.timeline.playhead = {
+    context.timeline.playhead = {
         .at_s = step.at_s, .speed = moves ? step.speed : 0.1, .playing = moves, .loop = true};
-    if (!state.editing) lay_map(hands, state, step);
+    if (!state.editing) lay_map(context, state, step);
     if (step.camera) {
-        hands.shown_map.camera.yaw_rad = step.camera->yaw_rad;
-        hands.shown_map.camera.pitch_rad = step.camera->pitch_rad;
-        hands.shown_map.camera.zoom = step.camera->zoom;
+        context.shown_map.camera.yaw_rad = step.camera->yaw_rad;
+        context.shown_map.camera.pitch_rad = step.camera->pitch_rad;
+        context.shown_map.camera.zoom = step.camera->zoom;
     }
 }
 
-void start_lesson(const LessonHands& hands, LessonState& state,
+void start_lesson(const LessonContext& context, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path) {
-    if (!leave_lesson(hands, state)) return;
-    state.before = view_of(hands);
-    put_aside(hands, state, lesson->set);
+    if (!leave_lesson(context, state)) return;
+    state.before = view_of(context);
+    put_aside(context, state, lesson->set);
     state.tallies.clear();
     show_lesson(state, std::move(lesson));
     state.path = path;
@@ -183,38 +183,38 @@ void start_lesson(const LessonHands& hands, LessonState& state,
     state.is_tour = state.is_of_set = false;
     state.editing = state.is_written = false;
     state.history.clear();
-    note_lesson_saved(hands.work, state);
-    go_to_step(hands, state, 0);
+    note_lesson_saved(context.work, state);
+    go_to_step(context, state, 0);
 }
 
-void start_tour(const LessonHands& hands, LessonState& state) {
-    start_bundled_lesson(hands, state, kTourLesson);
+void start_tour(const LessonContext& context, LessonState& state) {
+    start_bundled_lesson(context, state, kTourLesson);
     const auto left = state.left_at.find(state.key);
-    if (state.is_tour && left != state.left_at.end()) go_to_step(hands, state, left->second);
+    if (state.is_tour && left != state.left_at.end()) go_to_step(context, state, left->second);
 }
 
-void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path) {
+void start_bundled_lesson(const LessonContext& context, LessonState& state, const char* path) {
     const auto lesson = bundled_lesson(path);
-    start_lesson(hands, state, lesson, {});
+    start_lesson(context, state, lesson, {});
     if (state.lesson != lesson) return;  // the previous lesson stays
     state.key = path;
     state.is_tour = state.key == kTourLesson;
 }
 
-void ask_where_to_begin(const LessonHands& hands, LessonState& state) {
+void ask_where_to_begin(const LessonContext& context, LessonState& state) {
     const auto left = state.left_at.find(state.key);
     if (!state.step || left == state.left_at.end()) return;
     const std::size_t count = state.lesson->steps.size();
     const std::size_t at = left->second;
     if (at >= count) return;
     const std::string step = std::to_string(at + 1);
-    ask(hands.ui, {.title = "Where to begin",
-                   .text = "\"" + state.shown->name + "\" was left at step " + step + " of " +
-                           std::to_string(count) + ".",
-                   .answers = {{"Continue at step " + step,
-                                [hands, &state, at] { go_to_step(hands, state, at); }},
-                               {"From the beginning"}},
-                   .marked = 1});
+    ask(context.ui, {.title = "Where to begin",
+                     .text = "\"" + state.shown->name + "\" was left at step " + step + " of " +
+                             std::to_string(count) + ".",
+                     .answers = {{"Continue at step " + step,
+                                  [context, &state, at] { go_to_step(context, state, at); }},
+                                 {"From the beginning"}},
+                     .marked = 1});
 }
 
 std::map<std::string, std::size_t> places_left(const LessonState& state) {
@@ -230,78 +230,79 @@ std::map<std::string, std::size_t> places_left(const LessonState& state) {
     return places;
 }
 
-void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path) {
+void open_lesson(const LessonContext& context, LessonState& state,
+                 const std::filesystem::path& path) {
     auto lesson = read_lesson_file(path);
-    if (!lesson) return complain(hands.ui, lesson.error().message);
+    if (!lesson) return complain(context.ui, lesson.error().message);
     const auto opened = std::make_shared<const Lesson>(*std::move(lesson));
     state.kept_in.clear();
-    start_lesson(hands, state, opened, std::filesystem::absolute(path));
+    start_lesson(context, state, opened, std::filesystem::absolute(path));
     if (state.lesson != opened) return;
-    ask_where_to_begin(hands, state);
-    remember_file(hands.work.session, state.path);
+    ask_where_to_begin(context, state);
+    remember_file(context.work.session, state.path);
     std::string text = "Opened the lesson " + opened->name + ".";
     if (!state.kept_in.empty())
         text += " The draft before it is kept in " + state.kept_in.string() + ".";
-    say(hands.ui, text);
+    say(context.ui, text);
 }
 
-bool leave_lesson(const LessonHands& hands, LessonState& state) {
+bool leave_lesson(const LessonContext& context, LessonState& state) {
     if (!state.step) return true;
-    const auto unsaved = unsaved_lesson(hands.work, state);
+    const auto unsaved = unsaved_lesson(context.work, state);
     const bool was_written = state.is_written;  // an author starts at the beginning
-    if (state.is_written && !set_lesson_aside(hands, state, unsaved)) return false;
+    if (state.is_written && !set_lesson_aside(context, state, unsaved)) return false;
     if (!was_written) state.left_at = places_left(state);
-    if (state.presenting) state.present_scale = hands.ui.text_scale;
+    if (state.presenting) state.present_scale = context.ui.text_scale;
     state.step.reset();
     state.presenting = state.blank = state.editing = false;
     const ViewBeforeLesson& before = state.before;
     const bool relaid =
-        std::exchange(hands.shown_map.dimensions, before.dimensions) != before.dimensions;
-    if (relaid && !state.aside) document_changed(hands.work);
-    bring_back(hands, state);
-    hands.layout = before.layout;
-    if (before.current < hands.work.document.set.vibrations.size())
-        hands.work.selection.current = before.current;
-    hands.work.selection.pinned = before.pinned;
-    hands.timeline.playhead = before.playhead;
-    hands.timeline.range = before.time_range;
-    hands.physiology.view.open = before.open;
-    hands.shown_map.camera = before.camera;
-    if (hands.ui.text_scale != before.text_scale) set_text_scale(hands.ui, before.text_scale);
+        std::exchange(context.shown_map.dimensions, before.dimensions) != before.dimensions;
+    if (relaid && !state.aside) document_changed(context.work);
+    bring_back(context, state);
+    context.layout = before.layout;
+    if (before.current < context.work.document.set.vibrations.size())
+        context.work.selection.current = before.current;
+    context.work.selection.pinned = before.pinned;
+    context.timeline.playhead = before.playhead;
+    context.timeline.range = before.time_range;
+    context.physiology.view.open = before.open;
+    context.shown_map.camera = before.camera;
+    if (context.ui.text_scale != before.text_scale) set_text_scale(context.ui, before.text_scale);
     return true;
 }
 
 namespace {
 
 // Keeps unsaved changes of the document set aside in a file, as if it had been replaced directly.
-void let_go_of_aside(const LessonHands& hands, LessonState& state) {
+void let_go_of_aside(const LessonContext& context, LessonState& state) {
     if (!state.aside) return;
-    Workspace& work = hands.work;
+    Workspace& work = context.work;
     std::swap(work.document, state.aside->document);
     const Expected<std::filesystem::path> kept = keep_unsaved(work);
     std::swap(work.document, state.aside->document);
     if (kept && !kept->empty()) {
-        say(hands.ui, "The lesson ended. Unsaved changes of the set before it are kept in " +
-                          kept->string() + ".");
+        say(context.ui, "The lesson ended. Unsaved changes of the set before it are kept in " +
+                            kept->string() + ".");
     } else if (!kept) {
-        complain(hands.ui, kept.error().message);
+        complain(context.ui, kept.error().message);
     }
     state.aside.reset();
 }
 
 }  // namespace
 
-void follow_document(const LessonHands& hands, LessonState& state) {
-    if (!state.step || hands.work.document_number == state.document_number) return;
-    state.document_number = hands.work.document_number;
+void follow_document(const LessonContext& context, LessonState& state) {
+    if (!state.step || context.work.document_number == state.document_number) return;
+    state.document_number = context.work.document_number;
     // The unsaved version is that of the last frame, with the set that it had then.
-    const bool stays = state.unsaved && !set_lesson_aside(hands, state, state.unsaved);
-    let_go_of_aside(hands, state);
+    const bool stays = state.unsaved && !set_lesson_aside(context, state, state.unsaved);
+    let_go_of_aside(context, state);
     state.before.current = 0;
     state.before.pinned.clear();
     if (stays) return;
     let_lesson_go(state);
-    leave_lesson(hands, state);
+    leave_lesson(context, state);
 }
 
 void follow_renaming(LessonState& state, const Renaming& renaming) {

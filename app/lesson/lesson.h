@@ -22,7 +22,7 @@
 namespace tact {
 
 // Everything that a lesson drives.
-struct LessonHands {
+struct LessonContext {
     Ui& ui;
     Workspace& work;
     Layout& layout;
@@ -52,27 +52,28 @@ inline constexpr std::array<BundledLesson, 8> kBundledLessons{{
 std::shared_ptr<const Lesson> bundled_lesson(const char* path);
 
 // The present view, to be restored when the lesson is left.
-ViewBeforeLesson view_of(const LessonHands& hands);
+ViewBeforeLesson view_of(const LessonContext& context);
 
 // Shows the lesson's set in place of the document, which is set aside, and goes to the first step.
-void start_lesson(const LessonHands& hands, LessonState& state,
+void start_lesson(const LessonContext& context, LessonState& state,
                   std::shared_ptr<const Lesson> lesson, const std::filesystem::path& path);
 
 // Starts a lesson that comes with the program, by its path below assets/.
-void start_bundled_lesson(const LessonHands& hands, LessonState& state, const char* path);
+void start_bundled_lesson(const LessonContext& context, LessonState& state, const char* path);
 
 // Continues the tour at the step at which it was left, or starts it.
-void start_tour(const LessonHands& hands, LessonState& state);
+void start_tour(const LessonContext& context, LessonState& state);
 
 // Asks whether to continue at the step at which this lesson was left before.
-void ask_where_to_begin(const LessonHands& hands, LessonState& state);
+void ask_where_to_begin(const LessonContext& context, LessonState& state);
 
 // The steps at which lessons were left, by key; the running lesson counts as left now.
 std::map<std::string, std::size_t> places_left(const LessonState& state);
 
-void open_lesson(const LessonHands& hands, LessonState& state, const std::filesystem::path& path);
+void open_lesson(const LessonContext& context, LessonState& state,
+                 const std::filesystem::path& path);
 
-void go_to_step(const LessonHands& hands, LessonState& state, std::size_t step);
+void go_to_step(const LessonContext& context, LessonState& state, std::size_t step);
 
 // Replaces the open lesson by this one, in the wanted language.
 void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson);
@@ -85,11 +86,11 @@ std::size_t shown_language(const LessonState& state);
 
 // Restores the document and the view. Unsaved text of the lesson goes to a file of its own; if that
 // cannot be written, the lesson stays open: false.
-bool leave_lesson(const LessonHands& hands, LessonState& state);
+bool leave_lesson(const LessonContext& context, LessonState& state);
 
 // Ends the lesson if another document was opened; unsaved changes of the document set aside go to a
 // file of their own.
-void follow_document(const LessonHands& hands, LessonState& state);
+void follow_document(const LessonContext& context, LessonState& state);
 
 // Steps name patterns, so they follow renaming.
 void follow_renaming(LessonState& state, const Renaming& renaming);

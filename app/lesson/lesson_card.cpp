@@ -204,8 +204,8 @@ float way_width(const Ui& ui, const WayWords& words) {
 }
 
 // In one row, or in as many as the card needs.
-void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
-    Ui& ui = hands.ui;
+void draw_way(const LessonContext& context, LessonState& state, bool in_one_row) {
+    Ui& ui = context.ui;
     const WayWords words = way_words(state);
     const bool last = *state.step + 1 == state.lesson->steps.size();
     const auto beside = [&](const char* next) {
@@ -213,18 +213,18 @@ void draw_way(const LessonHands& hands, LessonState& state, bool in_one_row) {
         flow_on(button_width(next), ui.theme.gap_px);
     };
     ImGui::BeginDisabled(*state.step == 0);
-    if (ImGui::Button(kBack)) step_back(hands, state);
+    if (ImGui::Button(kBack)) step_back(context, state);
     note_item(ui.rects, "tour:back");
     ImGui::EndDisabled();
     if (words.on != nullptr) {
         beside(words.on);
-        if (ImGui::Button(words.on)) step_on(hands, state);
+        if (ImGui::Button(words.on)) step_on(context, state);
         note_item(ui.rects, "tour:next", words.on);
     }
     beside(words.leave);
     if (ImGui::Button(words.leave))
-        ui.waiting.emplace_back([hands, &state] {
-            before_lesson_goes(hands, state, [hands, &state] { leave_lesson(hands, state); });
+        ui.waiting.emplace_back([context, &state] {
+            before_lesson_goes(context, state, [context, &state] { leave_lesson(context, state); });
         });
     note_item(ui.rects, last ? "tour:finish" : "tour:leave");
 }
@@ -243,12 +243,12 @@ float head_width(const Ui& ui, const LessonState& state, bool with_source) {
            (with_source ? 2.0F * ui.theme.gap_px + source : 0.0F);
 }
 
-void draw_way_at_right(const LessonHands& hands, LessonState& state, const LessonStep& step,
+void draw_way_at_right(const LessonContext& context, LessonState& state, const LessonStep& step,
                        bool with_source) {
-    Ui& ui = hands.ui;
+    Ui& ui = context.ui;
     const float rest = ImGui::GetContentRegionAvail().x - head_width(ui, state, with_source);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, rest));
-    draw_way(hands, state, true);
+    draw_way(context, state, true);
     beside_buttons(ui, state);
     if (with_source) {
         draw_source_link(ui, state, step);
@@ -274,9 +274,9 @@ std::optional<CardColumns> card_columns(const Ui& ui, const LessonState& state, 
     return rest >= way ? std::optional(columns) : std::nullopt;
 }
 
-void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonStep& step,
+void draw_in_columns(const LessonContext& context, LessonState& state, const LessonStep& step,
                      const CardColumns& columns) {
-    Ui& ui = hands.ui;
+    Ui& ui = context.ui;
     const bool asks = question_of(state) != nullptr;
     const ImVec2 between{0.5F * columns.gap_px, 0.0F};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, between);
@@ -297,8 +297,8 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
         draw_text_of(ui, state, step);
         draw_source(ui, state, step);
         ImGui::TableNextColumn();
-        draw_way_at_right(hands, state, step, false);
-        if (asks) draw_lesson_question(hands, state, *step.question);
+        draw_way_at_right(context, state, step, false);
+        if (asks) draw_lesson_question(context, state, *step.question);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
@@ -306,8 +306,8 @@ void draw_in_columns(const LessonHands& hands, LessonState& state, const LessonS
 
 // A low card too narrow for columns: its head stands beside the buttons, and stays visible while
 // the words scroll.
-void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& step) {
-    Ui& ui = hands.ui;
+void draw_low(const LessonContext& context, LessonState& state, const LessonStep& step) {
+    Ui& ui = context.ui;
     const bool asks = question_of(state) != nullptr;
     const bool with_source = !told_source(state, step).empty();
     ImGui::AlignTextToFramePadding();
@@ -323,26 +323,26 @@ void draw_low(const LessonHands& hands, LessonState& state, const LessonStep& st
         ImGui::PopFont();
         ImGui::SameLine(0.0F, ui.theme.gap_px);
     }
-    draw_way_at_right(hands, state, step, with_source);
+    draw_way_at_right(context, state, step, with_source);
     if (!in_head) draw_title(ui, state, step);
     draw_lacking(ui, state);
     draw_text_of(ui, state, step);
-    if (asks) draw_lesson_question(hands, state, *step.question);
+    if (asks) draw_lesson_question(context, state, *step.question);
     draw_source_text(ui, state, step);
 }
 
 // A card at a side: everything in one column.
-void draw_in_a_column(const LessonHands& hands, LessonState& state, const LessonStep& step,
+void draw_in_a_column(const LessonContext& context, LessonState& state, const LessonStep& step,
                       float width) {
     const bool asks = question_of(state) != nullptr;
-    draw_head(hands.ui, state, step, width);
+    draw_head(context.ui, state, step, width);
     if (state.editing) {
-        draw_step_editor(hands, state);
+        draw_step_editor(context, state);
     } else {
-        draw_text_of(hands.ui, state, step);
+        draw_text_of(context.ui, state, step);
     }
-    if (asks) draw_lesson_question(hands, state, *step.question);
-    draw_source(hands.ui, state, step);
+    if (asks) draw_lesson_question(context, state, *step.question);
+    draw_source(context.ui, state, step);
 }
 
 // Its inner edge can be dragged.
@@ -402,14 +402,15 @@ LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& a
     return places;
 }
 
-void draw_lesson_card(const LessonHands& hands, LessonState& state, const LessonPlaces& places) {
+void draw_lesson_card(const LessonContext& context, LessonState& state,
+                      const LessonPlaces& places) {
     const Rect& card = places.card;
     const LessonStep* shown = step_of(state);
     if (shown == nullptr || card.empty()) return;
-    follow_glyphs(hands.ui, state);
+    follow_glyphs(context.ui, state);
     const LessonStep step = *shown;  // the frame may go to another step
     const std::string count = count_text(state);
-    Ui& ui = hands.ui;
+    Ui& ui = context.ui;
     const Theme& theme = ui.theme;
     const Rect& rest = places.rest;
     const Rect whole{{std::min(card.min.x, rest.min.x), std::min(card.min.y, rest.min.y)},
@@ -438,13 +439,13 @@ void draw_lesson_card(const LessonHands& hands, LessonState& state, const Lesson
         const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
         const float width = card.width() - ImGui::GetStyle().WindowPadding.x - bar;
         if (columns) {
-            draw_in_columns(hands, state, step, *columns);
+            draw_in_columns(context, state, step, *columns);
         } else if (low) {
-            draw_low(hands, state, step);
+            draw_low(context, state, step);
         } else {
-            draw_in_a_column(hands, state, step, width);
+            draw_in_a_column(context, state, step, width);
             ImGui::Spacing();
-            draw_way(hands, state, false);
+            draw_way(context, state, false);
         }
         const float end_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
         const float words_px = std::ceil(end_px + ImGui::GetStyle().WindowPadding.y);
@@ -492,18 +493,18 @@ void draw_pointed(const Ui& ui, const Rect& within) {
                                             2.0F * ui.theme.scale);
 }
 
-void step_on(const LessonHands& hands, LessonState& state) {
+void step_on(const LessonContext& context, LessonState& state) {
     if (!state.step) return;
     if (hides_answer(state)) {
-        count_place(state, hands.shown_map);
+        count_place(state, context.shown_map);
         state.tallies[*state.step].revealed = true;
         return;
     }
-    go_to_step(hands, state, *state.step + 1);
+    go_to_step(context, state, *state.step + 1);
 }
 
-void step_back(const LessonHands& hands, LessonState& state) {
-    if (state.step && *state.step > 0) go_to_step(hands, state, *state.step - 1);
+void step_back(const LessonContext& context, LessonState& state) {
+    if (state.step && *state.step > 0) go_to_step(context, state, *state.step - 1);
 }
 
 void move_card(LessonState& state) {

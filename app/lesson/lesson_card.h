@@ -25,15 +25,15 @@ LessonFonts lesson_fonts(const Ui& ui, const LessonState& state);
 // Pure, for tests.
 LessonPlaces lesson_places(const Ui& ui, const LessonState& state, const Rect& area);
 
-void draw_lesson_card(const LessonHands& hands, LessonState& state, const LessonPlaces& places);
+void draw_lesson_card(const LessonContext& context, LessonState& state, const LessonPlaces& places);
 
 // An outline around the item that the step points at, as drawn in this frame.
 void watch_pointed(Ui& ui, const LessonState& state);
 void draw_pointed(const Ui& ui, const Rect& within);
 
 // Reveals a hidden answer, or goes to the next step. `back`: goes to the step before.
-void step_on(const LessonHands& hands, LessonState& state);
-void step_back(const LessonHands& hands, LessonState& state);
+void step_on(const LessonContext& context, LessonState& state);
+void step_back(const LessonContext& context, LessonState& state);
 
 // All text of the lesson in the shown language: decides which glyphs are loaded.
 std::string drawn_text(const LessonState& state);

@@ -26,16 +26,17 @@ void keep(LessonState& state, Lesson lesson) {
     show_lesson(state, std::make_shared<const Lesson>(std::move(lesson)));
 }
 
-void show_kept(const LessonHands& hands, LessonState& state, std::shared_ptr<const Lesson> kept) {
+void show_kept(const LessonContext& context, LessonState& state,
+               std::shared_ptr<const Lesson> kept) {
     if (!kept || !state.step) return;
     show_lesson(state, std::move(kept));
-    state.edited_at = hands.work.revision;
-    go_to_step(hands, state, *state.step);
+    state.edited_at = context.work.revision;
+    go_to_step(context, state, *state.step);
 }
 
 // Angles without full turns.
-LessonCamera camera_on(const LessonHands& hands) {
-    const SpaceCamera& camera = hands.shown_map.camera;
+LessonCamera camera_on(const LessonContext& context) {
+    const SpaceCamera& camera = context.shown_map.camera;
     return {std::remainder(camera.yaw_rad, 2.0 * std::numbers::pi),
             std::remainder(camera.pitch_rad, 2.0 * std::numbers::pi),
             std::clamp(camera.zoom, limits::kLessonZoom.low, limits::kLessonZoom.high)};
@@ -43,11 +44,11 @@ LessonCamera camera_on(const LessonHands& hands) {
 
 }  // namespace
 
-void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
+void change_lesson(const LessonContext& context, LessonState& state, Lesson lesson,
                    const std::string& what, bool joins) {
     const auto before = state.lesson;
-    if (!(lesson.set == hands.work.document.set)) {  // its numbers depend on the screen
-        lesson.set = lesson_to_save(hands.work, state).set;
+    if (!(lesson.set == context.work.document.set)) {  // its numbers depend on the screen
+        lesson.set = lesson_to_save(context.work, state).set;
         if (!(lesson.set == before->set)) lesson.set_name.clear();
     }
     keep(state, std::move(lesson));
@@ -58,63 +59,63 @@ void change_lesson(const LessonHands& hands, LessonState& state, Lesson lesson,
     } else {
         state.history.commit(before, state.lesson, what);
     }
-    state.edited_at = hands.work.revision;
+    state.edited_at = context.work.revision;
 }
 
-void change_step(const LessonHands& hands, LessonState& state, const LessonStep& step,
+void change_step(const LessonContext& context, LessonState& state, const LessonStep& step,
                  const std::string& what, bool joins) {
     Lesson lesson = *state.lesson;
     LessonStep& stored = lesson.steps[*state.step];
     stored = with_words(stored, *step_of(state), step, shown_language(state));
-    change_lesson(hands, state, std::move(lesson),
+    change_lesson(context, state, std::move(lesson),
                   what + " of step " + std::to_string(*state.step + 1), joins);
 }
 
-void undo_lesson(const LessonHands& hands, LessonState& state) {
-    show_kept(hands, state, state.history.undo());
+void undo_lesson(const LessonContext& context, LessonState& state) {
+    show_kept(context, state, state.history.undo());
 }
 
-void redo_lesson(const LessonHands& hands, LessonState& state) {
-    show_kept(hands, state, state.history.redo());
+void redo_lesson(const LessonContext& context, LessonState& state) {
+    show_kept(context, state, state.history.redo());
 }
 
 bool was_lesson_edited_last(const Workspace& work, const LessonState& state) {
     return state.editing && state.edited_at == work.revision;
 }
 
-LessonStep step_from_screen(const LessonHands& hands) {
+LessonStep step_from_screen(const LessonContext& context) {
     LessonStep step;
     step.title = "New step";
-    if (const Vibration* current = current_vibration(hands.work)) step.pattern = current->name;
-    step.partner = hands.work.selection.pinned;
-    if (const auto& open = hands.physiology.view.open) step.view = text_of(*open).key;
-    if (hands.layout.maximised == Pane::space) step.view = "map";
-    const Playhead& playhead = hands.timeline.playhead;
+    if (const Vibration* current = current_vibration(context.work)) step.pattern = current->name;
+    step.partner = context.work.selection.pinned;
+    if (const auto& open = context.physiology.view.open) step.view = text_of(*open).key;
+    if (context.layout.maximised == Pane::space) step.view = "map";
+    const Playhead& playhead = context.timeline.playhead;
     step.at_s = playhead.at_s;
     step.speed = playhead.playing ? playhead.speed : 0.0;
-    const TimeRange range = unless_whole(hands.timeline.range, shown_duration_s(hands.work));
+    const TimeRange range = unless_whole(context.timeline.range, shown_duration_s(context.work));
     step.from_s = range.start_s;
     step.to_s = range.end_s;
     if (step.view == "map") {
-        step.camera = camera_on(hands);
+        step.camera = camera_on(context);
     }
     return step;
 }
 
-void new_lesson(const LessonHands& hands, LessonState& state) {
+void new_lesson(const LessonContext& context, LessonState& state) {
     Lesson lesson;
-    if (!leave_lesson(hands, state)) return;
-    lesson.name = hands.work.document.set.name + ", a lesson";
-    lesson.set = hands.work.document.set;
-    lesson.steps = {step_from_screen(hands)};
-    write_on_document(hands, state, std::make_shared<const Lesson>(std::move(lesson)));
+    if (!leave_lesson(context, state)) return;
+    lesson.name = context.work.document.set.name + ", a lesson";
+    lesson.set = context.work.document.set;
+    lesson.steps = {step_from_screen(context)};
+    write_on_document(context, state, std::make_shared<const Lesson>(std::move(lesson)));
 }
 
-void write_on_document(const LessonHands& hands, LessonState& state,
+void write_on_document(const LessonContext& context, LessonState& state,
                        std::shared_ptr<const Lesson> lesson) {
-    if (!leave_lesson(hands, state)) return;
-    state.before = view_of(hands);
-    state.document_number = hands.work.document_number;
+    if (!leave_lesson(context, state)) return;
+    state.before = view_of(context);
+    state.document_number = context.work.document_number;
     state.path.clear();
     state.key.clear();
     state.is_tour = state.is_of_set = false;
@@ -122,38 +123,38 @@ void write_on_document(const LessonHands& hands, LessonState& state,
     state.history.clear();
     keep(state, *lesson);
     state.step = 0;
-    note_lesson_saved(hands.work, state);
+    note_lesson_saved(context.work, state);
 }
 
-void toggle_editing(const LessonHands& hands, LessonState& state) {
-    if (!state.step) return complain(hands.ui, "Open a lesson first, or begin a new one.");
+void toggle_editing(const LessonContext& context, LessonState& state) {
+    if (!state.step) return complain(context.ui, "Open a lesson first, or begin a new one.");
     state.editing = !state.editing;
     state.is_written |= state.editing;
     state.presenting = false;
-    if (!state.editing) go_to_step(hands, state, *state.step);
+    if (!state.editing) go_to_step(context, state, *state.step);
 }
 
-void add_step(const LessonHands& hands, LessonState& state) {
+void add_step(const LessonContext& context, LessonState& state) {
     if (!state.step || state.lesson->steps.size() >= limits::kMaxSteps) return;
     Lesson lesson = *state.lesson;
     const auto behind = static_cast<std::ptrdiff_t>(*state.step + 1);
-    lesson.steps.insert(lesson.steps.begin() + behind, step_from_screen(hands));
+    lesson.steps.insert(lesson.steps.begin() + behind, step_from_screen(context));
     state.editing = state.is_written = true;
-    change_lesson(hands, state, std::move(lesson), "Add step");
+    change_lesson(context, state, std::move(lesson), "Add step");
     ++*state.step;
 }
 
-void remove_step(const LessonHands& hands, LessonState& state) {
+void remove_step(const LessonContext& context, LessonState& state) {
     if (!state.step || state.lesson->steps.size() < 2) return;
     Lesson lesson = *state.lesson;
     lesson.steps.erase(lesson.steps.begin() + static_cast<std::ptrdiff_t>(*state.step));
-    change_lesson(hands, state, std::move(lesson), "Remove step");
-    go_to_step(hands, state, *state.step);
+    change_lesson(context, state, std::move(lesson), "Remove step");
+    go_to_step(context, state, *state.step);
 }
 
-void show_screen(const LessonHands& hands, LessonState& state) {
+void show_screen(const LessonContext& context, LessonState& state) {
     if (!state.step) return;
-    LessonStep step = step_from_screen(hands);
+    LessonStep step = step_from_screen(context);
     const LessonStep& was = *step_of(state);
     step.title = was.title;
     step.text = was.text;
@@ -161,55 +162,55 @@ void show_screen(const LessonHands& hands, LessonState& state) {
     step.source = was.source;
     step.point_at = was.point_at;
     step.question = was.question;
-    change_step(hands, state, step, "View");
+    change_step(context, state, step, "View");
 }
 
-void take_camera(const LessonHands& hands, LessonState& state, bool taken) {
+void take_camera(const LessonContext& context, LessonState& state, bool taken) {
     if (!state.step) return;
     LessonStep step = *step_of(state);
     step.camera.reset();
-    if (taken) step.camera = camera_on(hands);
-    change_step(hands, state, step, "Camera");
+    if (taken) step.camera = camera_on(context);
+    change_step(context, state, step, "Camera");
 }
 
-void move_step(const LessonHands& hands, LessonState& state, int by) {
+void move_step(const LessonContext& context, LessonState& state, int by) {
     if (!state.step) return;
     const auto to = static_cast<std::ptrdiff_t>(*state.step) + by;
     if (to < 0 || to >= std::ssize(state.lesson->steps)) return;
     Lesson lesson = *state.lesson;
     std::swap(lesson.steps[*state.step], lesson.steps[static_cast<std::size_t>(to)]);
-    change_lesson(hands, state, std::move(lesson), "Move step");
-    go_to_step(hands, state, static_cast<std::size_t>(to));
+    change_lesson(context, state, std::move(lesson), "Move step");
+    go_to_step(context, state, static_cast<std::size_t>(to));
 }
 
-void add_language(const LessonHands& hands, LessonState& state, const std::string& code) {
+void add_language(const LessonContext& context, LessonState& state, const std::string& code) {
     if (!state.step) return;
     const bool names_none = state.lesson->languages.empty();
-    change_lesson(hands, state, with_language(*state.lesson, code), "Add " + language_name(code));
-    choose_language(hands.ui, state, code);
+    change_lesson(context, state, with_language(*state.lesson, code), "Add " + language_name(code));
+    choose_language(context.ui, state, code);
     std::string text = "What is written now is " + language_name(code) +
                        "; what is not written yet shows in the first language.";
     if (names_none) text += " The texts so far are taken as English.";
-    say(hands.ui, text);
+    say(context.ui, text);
 }
 
-void remove_language(const LessonHands& hands, LessonState& state) {
+void remove_language(const LessonContext& context, LessonState& state) {
     const std::size_t place = shown_language(state);
     if (!state.step || place == 0) return;
     const std::string name = language_name(state.lesson->languages[place]);
-    change_lesson(hands, state, without_language(*state.lesson, place), "Remove " + name);
+    change_lesson(context, state, without_language(*state.lesson, place), "Remove " + name);
 }
 
-void change_name(const LessonHands& hands, LessonState& state, const LessonWords& shown,
+void change_name(const LessonContext& context, LessonState& state, const LessonWords& shown,
                  bool joins) {
     if (!state.step) return;
-    change_lesson(hands, state, with_words(*state.lesson, shown, shown_language(state)),
+    change_lesson(context, state, with_words(*state.lesson, shown, shown_language(state)),
                   "Name of the lesson", joins);
 }
 
-void duplicate_lesson(const LessonHands& hands, LessonState& state) {
+void duplicate_lesson(const LessonContext& context, LessonState& state) {
     if (!state.step) return;
-    Lesson copy = lesson_to_save(hands.work, state);
+    Lesson copy = lesson_to_save(context.work, state);
     copy.name += " copy";
     state.path.clear();
     state.key.clear();
@@ -220,7 +221,7 @@ void duplicate_lesson(const LessonHands& hands, LessonState& state) {
     keep(state, std::move(copy));
     state.saved = std::make_shared<const Lesson>();  // no part of it is in a file yet
     state.looked_at = nullptr;
-    say(hands.ui, "This is \"" + state.shown->name + "\", which is in no file yet.");
+    say(context.ui, "This is \"" + state.shown->name + "\", which is in no file yet.");
 }
 
 Lesson lesson_to_save(const Workspace& work, const LessonState& state) {

@@ -118,11 +118,11 @@ void let_lesson_go(LessonState& state) {
     state.unsaved = nullptr;
 }
 
-bool set_lesson_aside(const LessonHands& hands, LessonState& state,
+bool set_lesson_aside(const LessonContext& context, LessonState& state,
                       const std::shared_ptr<const Lesson>& unsaved) {
     wait_for_keeping(state);
     state.kept_in.clear();
-    Session& session = hands.work.session;
+    Session& session = context.work.session;
     std::string fault = fault_of(session, draft_of(state, unsaved));
     if (unsaved && fault.empty()) {
         const auto file = set_lesson_aside(session, lesson_autosave(session.autosave));
@@ -133,7 +133,7 @@ bool set_lesson_aside(const LessonHands& hands, LessonState& state,
         }
     }
     if (unsaved && !fault.empty()) {
-        complain(hands.ui,
+        complain(context.ui,
                  "This lesson stays open: what was written cannot be kept aside. Save it first, "
                  "with Lesson > Save lesson as... " +
                      with_stop(fault));
@@ -141,40 +141,42 @@ bool set_lesson_aside(const LessonHands& hands, LessonState& state,
     }
     let_lesson_go(state);
     if (unsaved) {
-        say(hands.ui, "The draft of the lesson is kept in " + state.kept_in.string() +
-                          ", the first of File > Open recent.");
+        say(context.ui, "The draft of the lesson is kept in " + state.kept_in.string() +
+                            ", the first of File > Open recent.");
     }
     return true;
 }
 
-void before_lesson_goes(const LessonHands& hands, LessonState& state, std::function<void()> then) {
-    if (!unsaved_lesson(hands.work, state)) return then();
+void before_lesson_goes(const LessonContext& context, LessonState& state,
+                        std::function<void()> then) {
+    if (!unsaved_lesson(context.work, state)) return then();
     // Runs between the panels and the end of the frame: another set may replace the document.
-    const auto later = [hands, then = std::move(then)] { hands.ui.waiting.push_back(then); };
-    Answer save{"Save as...", [hands, &state] { save_lesson_dialog(hands.ui, hands.work, state); }};
+    const auto later = [context, then = std::move(then)] { context.ui.waiting.push_back(then); };
+    Answer save{"Save as...",
+                [context, &state] { save_lesson_dialog(context.ui, context.work, state); }};
     if (!state.path.empty()) {
-        save = {"Save", [hands, &state, later] {
-                    if (save_lesson(hands.ui, hands.work, state, state.path)) later();
+        save = {"Save", [context, &state, later] {
+                    if (save_lesson(context.ui, context.work, state, state.path)) later();
                 }};
     }
-    ask(hands.ui, {.title = "Unsaved lesson",
-                   .text = "What was written in \"" + state.lesson->name +
-                           "\" is in no file yet. A draft of it is kept among the recent files.",
-                   .answers = {save, {"Keep a draft", later}, {"Cancel"}}});
+    ask(context.ui, {.title = "Unsaved lesson",
+                     .text = "What was written in \"" + state.lesson->name +
+                             "\" is in no file yet. A draft of it is kept among the recent files.",
+                     .answers = {save, {"Keep a draft", later}, {"Cancel"}}});
 }
 
-void resume_lesson(const LessonHands& hands, LessonState& state, LessonDraft draft) {
+void resume_lesson(const LessonContext& context, LessonState& state, LessonDraft draft) {
     give_looks(draft.lesson.set);
-    const bool is_of_document = bare(draft.lesson.set) == bare(hands.work.document.set);
+    const bool is_of_document = bare(draft.lesson.set) == bare(context.work.document.set);
     auto lesson = std::make_shared<const Lesson>(std::move(draft.lesson));
     if (is_of_document && draft.path.empty()) {
-        write_on_document(hands, state, std::move(lesson));
+        write_on_document(context, state, std::move(lesson));
     } else {
-        start_lesson(hands, state, std::move(lesson), draft.path);
+        start_lesson(context, state, std::move(lesson), draft.path);
         state.editing = state.is_written = true;
     }
     state.saved = lesson_in(draft.path);
-    go_to_step(hands, state, draft.step);
+    go_to_step(context, state, draft.step);
 }
 
 }  // namespace tact

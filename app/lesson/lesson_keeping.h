@@ -32,14 +32,15 @@ void let_lesson_go(LessonState& state);
 
 // Moves unsaved changes to a lesson file of their own, which heads the recent ones, and sets
 // `state.kept_in`. False: the file cannot be written, and the lesson has to stay open.
-bool set_lesson_aside(const LessonHands& hands, LessonState& state,
+bool set_lesson_aside(const LessonContext& context, LessonState& state,
                       const std::shared_ptr<const Lesson>& unsaved);
 
 // Calls `then` at once, or if something is unsaved, asks first and calls it once that is saved or
 // kept as a draft.
-void before_lesson_goes(const LessonHands& hands, LessonState& state, std::function<void()> then);
+void before_lesson_goes(const LessonContext& context, LessonState& state,
+                        std::function<void()> then);
 
 // Reopens the lesson that the last run left unsaved, in the editor.
-void resume_lesson(const LessonHands& hands, LessonState& state, LessonDraft draft);
+void resume_lesson(const LessonContext& context, LessonState& state, LessonDraft draft);
 
 }  // namespace tact

@@ -140,9 +140,9 @@ bool hides_answer(const LessonState& state) {
            !state.tallies[*state.step].revealed;
 }
 
-void draw_lesson_question(const LessonHands& hands, LessonState& state,
+void draw_lesson_question(const LessonContext& context, LessonState& state,
                           const LessonQuestion& question) {
-    Ui& ui = hands.ui;
+    Ui& ui = context.ui;
     const LessonAnswers* answers = answers_of(state);
     const QuestionAnswer* answer = answer_at(state, *state.step);
     ImGui::Spacing();
@@ -162,7 +162,7 @@ void draw_lesson_question(const LessonHands& hands, LessonState& state,
         answer_seen(state) = false;
         return draw_small(ui, state, "Number keys count hands; the next step forward reveals.");
     }
-    draw_answer(ui, state, question, *answer, place_text(state, hands.shown_map));
+    draw_answer(ui, state, question, *answer, place_text(state, context.shown_map));
 }
 
 bool vote(LessonState& state, std::size_t option) {

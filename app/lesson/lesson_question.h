@@ -18,7 +18,7 @@ const LessonQuestion* question_of(const LessonState& state);
 // Whether the step has a question whose answer is still hidden.
 bool hides_answer(const LessonState& state);
 
-void draw_lesson_question(const LessonHands& hands, LessonState& state,
+void draw_lesson_question(const LessonContext& context, LessonState& state,
                           const LessonQuestion& question);
 
 // Adds a vote for an option, from 0; ignored once the answer is revealed. False: the option does

@@ -31,19 +31,19 @@ bool is_back(const KeyPress& press) {
 }
 
 // While presenting, every key belongs to the lesson.
-bool take_presenting_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+bool take_presenting_key(const LessonContext& context, LessonState& state, const KeyPress& press) {
     if (state.blank && press.code != key::kEscape) {
         state.blank = false;
         return true;
     }
     if (is_on(press)) {
-        step_on(hands, state);
+        step_on(context, state);
     } else if (is_back(press)) {
-        step_back(hands, state);
+        step_back(context, state);
     } else if (press.code == key::kHome) {
-        go_to_step(hands, state, 0);
+        go_to_step(context, state, 0);
     } else if (press.code == key::kEnd) {
-        go_to_step(hands, state, state.lesson->steps.size() - 1);
+        go_to_step(context, state, state.lesson->steps.size() - 1);
     } else if (press.sign == 'b' || press.sign == '.') {
         state.blank = true;
     } else if (press.sign == 'm') {
@@ -51,7 +51,7 @@ bool take_presenting_key(const LessonHands& hands, LessonState& state, const Key
     } else if (press.sign == 'n') {
         toggle_notes(state);
     } else if (press.sign == 'p') {
-        hands.timeline.playhead.playing = !hands.timeline.playhead.playing;
+        context.timeline.playhead.playing = !context.timeline.playhead.playing;
     } else {
         return false;
     }
@@ -64,34 +64,34 @@ bool take_vote(LessonState& state, const KeyPress& press) {
 }
 
 // Order of the steps, and undo of the last edit.
-bool take_editing_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+bool take_editing_key(const LessonContext& context, LessonState& state, const KeyPress& press) {
     const bool moves = press.alt && !press.ctrl && !press.super;
     if (moves && (press.code == key::kPageUp || press.code == key::kPageDown)) {
-        move_step(hands, state, press.code == key::kPageUp ? -1 : 1);
+        move_step(context, state, press.code == key::kPageUp ? -1 : 1);
         return true;
     }
-    if (!press.ctrl || press.alt || !was_lesson_edited_last(hands.work, state)) return false;
+    if (!press.ctrl || press.alt || !was_lesson_edited_last(context.work, state)) return false;
     const bool redoes = press.sign == 'y' || (press.sign == 'z' && press.shift);
     const bool undoes = press.sign == 'z' && !press.shift;
     const std::string* label = undoes   ? state.history.undo_label()
                                : redoes ? state.history.redo_label()
                                         : nullptr;
     if (label == nullptr) return false;
-    undoes ? undo_lesson(hands, state) : redo_lesson(hands, state);
+    undoes ? undo_lesson(context, state) : redo_lesson(context, state);
     return true;
 }
 
-bool take_key(const LessonHands& hands, LessonState& state, const KeyPress& press) {
+bool take_key(const LessonContext& context, LessonState& state, const KeyPress& press) {
     if (!state.step) return false;
-    if (state.editing && take_editing_key(hands, state, press)) return true;
+    if (state.editing && take_editing_key(context, state, press)) return true;
     if (!is_plain(press)) return false;
     if (take_vote(state, press)) return true;
-    if (nudge_place(state, hands.shown_map, press)) return true;
-    if (state.presenting) return take_presenting_key(hands, state, press);
+    if (nudge_place(state, context.shown_map, press)) return true;
+    if (state.presenting) return take_presenting_key(context, state, press);
     if (press.code == key::kPageDown) {
-        step_on(hands, state);
+        step_on(context, state);
     } else if (press.code == key::kPageUp) {
-        step_back(hands, state);
+        step_back(context, state);
     } else {
         return false;
     }
@@ -134,11 +134,11 @@ Lesson lesson_of_set(const Workspace& work) {
 namespace {
 
 // False: there is nothing to present.
-bool start_set(const LessonHands& hands, LessonState& state) {
-    Lesson lesson = lesson_of_set(hands.work);
+bool start_set(const LessonContext& context, LessonState& state) {
+    Lesson lesson = lesson_of_set(context.work);
     if (lesson.steps.empty()) return false;
-    state.before = view_of(hands);
-    state.document_number = hands.work.document_number;
+    state.before = view_of(context);
+    state.document_number = context.work.document_number;
     state.path.clear();
     state.key.clear();
     state.is_tour = state.editing = state.is_written = false;
@@ -152,39 +152,39 @@ bool start_set(const LessonHands& hands, LessonState& state) {
 
 }  // namespace
 
-void toggle_presenting(const LessonHands& hands, LessonState& state) {
+void toggle_presenting(const LessonContext& context, LessonState& state) {
     if (is_presenting(state) && state.is_of_set) {
-        leave_lesson(hands, state);
+        leave_lesson(context, state);
         return;
     }
     if (is_presenting(state)) {
         state.presenting = state.blank = false;
-        state.present_scale = hands.ui.text_scale;
-        set_text_scale(hands.ui, state.before.text_scale);
+        state.present_scale = context.ui.text_scale;
+        set_text_scale(context.ui, state.before.text_scale);
         return;
     }
     const bool is_new = !state.step;
-    if (is_new && !start_set(hands, state)) start_bundled_lesson(hands, state, kTourLesson);
+    if (is_new && !start_set(context, state)) start_bundled_lesson(context, state, kTourLesson);
     if (!state.step) return;
     state.presenting = true;
-    state.presenting_since_s = hands.ui.time_s;
+    state.presenting_since_s = context.ui.time_s;
     state.editing = false;
-    go_to_step(hands, state, *state.step);
-    set_text_scale(hands.ui, state.present_scale);
-    if (is_new) ask_where_to_begin(hands, state);
+    go_to_step(context, state, *state.step);
+    set_text_scale(context.ui, state.present_scale);
+    if (is_new) ask_where_to_begin(context, state);
 }
 
-std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
+std::vector<KeyPress> take_lesson_keys(const LessonContext& context, LessonState& state,
                                        std::span<const KeyPress> pressed) {
     std::vector<KeyPress> left;
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool covered = hands.ui.dialog != Dialog::none || hands.ui.chooser.is_open ||
-                         hands.ui.question.has_value();
+    const bool covered = context.ui.dialog != Dialog::none || context.ui.chooser.is_open ||
+                         context.ui.question.has_value();
     for (const KeyPress& press : pressed) {
         // A text field has no undo of its own; the lesson's includes its edits.
         const bool is_of_box = typing && !covered && state.editing && state.box.id != 0;
-        if (is_of_box && press.ctrl && take_editing_key(hands, state, press)) continue;
-        if (typing || covered || !take_key(hands, state, press)) left.push_back(press);
+        if (is_of_box && press.ctrl && take_editing_key(context, state, press)) continue;
+        if (typing || covered || !take_key(context, state, press)) left.push_back(press);
     }
     return left;
 }

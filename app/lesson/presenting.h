@@ -24,7 +24,7 @@ Lesson lesson_of_set(const Workspace& work);
 
 // Presents the running lesson, or the open set, or the tour if the set is empty. A lesson of the
 // set ends with presenting.
-void toggle_presenting(const LessonHands& hands, LessonState& state);
+void toggle_presenting(const LessonContext& context, LessonState& state);
 
 bool is_presenting(const LessonState& state);
 
@@ -33,7 +33,7 @@ bool is_presenting(const LessonState& state);
 float presented_growth(ImVec2 screen_px);
 
 // Handles the keys that belong to lessons; leaves the rest of the program's.
-std::vector<KeyPress> take_lesson_keys(const LessonHands& hands, LessonState& state,
+std::vector<KeyPress> take_lesson_keys(const LessonContext& context, LessonState& state,
                                        std::span<const KeyPress> pressed);
 
 // Drawn over everything: the blank screen, and a ring around the moving mouse.

@@ -92,15 +92,15 @@ bool edit_options(Ui& ui, TextBox& box, LessonQuestion& question) {
 }
 
 // The two compared on screen.
-std::optional<PatternPair> pair_on_screen(const LessonHands& hands) {
-    const auto pair = chosen_pair(hands.work, hands.shown_map);
+std::optional<PatternPair> pair_on_screen(const LessonContext& context) {
+    const auto pair = chosen_pair(context.work, context.shown_map);
     if (!pair) return std::nullopt;
-    const auto& all = hands.work.document.set.vibrations;
+    const auto& all = context.work.document.set.vibrations;
     return PatternPair{all[pair->current].name, all[pair->partner].name};
 }
 
-bool edit_pairs(const LessonHands& hands, LessonQuestion& question) {
-    Ui& ui = hands.ui;
+bool edit_pairs(const LessonContext& context, LessonQuestion& question) {
+    Ui& ui = context.ui;
     std::optional<std::size_t> removed;
     for (std::size_t k = 0; k < question.pairs.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
@@ -114,7 +114,7 @@ bool edit_pairs(const LessonHands& hands, LessonQuestion& question) {
         question.pairs.erase(question.pairs.begin() + static_cast<std::ptrdiff_t>(*removed));
         return true;
     }
-    const auto pair = pair_on_screen(hands);
+    const auto pair = pair_on_screen(context);
     if (!pair || question.pairs.size() >= limits::kMaxOptions ||
         std::ranges::find(question.pairs, *pair) != question.pairs.end()) {
         return false;
@@ -128,25 +128,25 @@ bool edit_pairs(const LessonHands& hands, LessonQuestion& question) {
 
 }  // namespace
 
-void draw_question_editor(const LessonHands& hands, LessonState& state) {
+void draw_question_editor(const LessonContext& context, LessonState& state) {
     LessonStep step = *step_of(state);
-    ImGui::PushFont(hands.ui.theme.fonts.small);
-    dim_text(hands.ui, "Question");
+    ImGui::PushFont(context.ui.theme.fonts.small);
+    dim_text(context.ui, "Question");
     ImGui::PopFont();
-    if (draw_kind(hands.ui, step.question)) change_step(hands, state, step, "Question");
+    if (draw_kind(context.ui, step.question)) change_step(context, state, step, "Question");
     if (!step.question) return;
     LessonQuestion& question = *step.question;
-    if (edit_text(hands.ui, state.box, "##ask", "What is asked", 2, question.ask)) {
-        change_step(hands, state, step, "What is asked", !state.box.begins_word);
+    if (edit_text(context.ui, state.box, "##ask", "What is asked", 2, question.ask)) {
+        change_step(context, state, step, "What is asked", !state.box.begins_word);
     }
-    if (question.kind == QuestionKind::choice && edit_options(hands.ui, state.box, question)) {
-        change_step(hands, state, step, "Options", !state.box.begins_word);
+    if (question.kind == QuestionKind::choice && edit_options(context.ui, state.box, question)) {
+        change_step(context, state, step, "Options", !state.box.begins_word);
     }
-    if (is_of_pairs(question) && edit_pairs(hands, question)) {
-        change_step(hands, state, step, "Pairs");
+    if (is_of_pairs(question) && edit_pairs(context, question)) {
+        change_step(context, state, step, "Pairs");
     }
-    if (edit_text(hands.ui, state.box, "##reveal", "Said with the answer", 2, question.reveal)) {
-        change_step(hands, state, step, "Reveal", !state.box.begins_word);
+    if (edit_text(context.ui, state.box, "##reveal", "Said with the answer", 2, question.reveal)) {
+        change_step(context, state, step, "Reveal", !state.box.begins_word);
     }
 }
 

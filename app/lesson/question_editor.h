@@ -7,6 +7,6 @@
 
 namespace tact {
 
-void draw_question_editor(const LessonHands& hands, LessonState& state);
+void draw_question_editor(const LessonContext& context, LessonState& state);
 
 }  // namespace tact

@@ -15,23 +15,23 @@ namespace tact {
 
 namespace {
 
-void draw_step_buttons(const LessonHands& hands, LessonState& state) {
+void draw_step_buttons(const LessonContext& context, LessonState& state) {
     struct Action {
         const char* label;
         const char* id;
         bool possible;
-        void (*act)(const LessonHands&, LessonState&);
+        void (*act)(const LessonContext&, LessonState&);
     };
     const std::size_t at = *state.step;
     const std::size_t count = state.lesson->steps.size();
     const std::array<Action, 5> actions{
         {{"Add step from screen", "add", count < limits::kMaxSteps, add_step},
          {"Show screen here", "view", true, show_screen},
-         {"Up", "up", at > 0, [](const LessonHands& h, LessonState& s) { move_step(h, s, -1); }},
+         {"Up", "up", at > 0, [](const LessonContext& h, LessonState& s) { move_step(h, s, -1); }},
          {"Down", "down", at + 1 < count,
-          [](const LessonHands& h, LessonState& s) { move_step(h, s, 1); }},
+          [](const LessonContext& h, LessonState& s) { move_step(h, s, 1); }},
          {"Remove step", "remove", count > 1, remove_step}}};
-    const float gap = hands.ui.theme.gap_px;
+    const float gap = context.ui.theme.gap_px;
     for (std::size_t k = 0; k < actions.size(); ++k) {
         const Action& action = actions[k];
         const bool is_up = std::string_view(action.id) == "up";  // stands in one row with Down
@@ -39,44 +39,47 @@ void draw_step_buttons(const LessonHands& hands, LessonState& state) {
         if (k > 0) flow_on(button_width(action.label) + with_next, gap);
         ImGui::BeginDisabled(!action.possible);
         if (ImGui::Button(action.label)) {
-            hands.ui.waiting.emplace_back([hands, &state, act = action.act] { act(hands, state); });
+            context.ui.waiting.emplace_back(
+                [context, &state, act = action.act] { act(context, state); });
         }
         ImGui::EndDisabled();
-        note_item(hands.ui.rects, std::string("lesson edit:") + action.id);
+        note_item(context.ui.rects, std::string("lesson edit:") + action.id);
     }
 }
 
 // Takes the map's camera from the screen.
-void draw_camera_row(const LessonHands& hands, LessonState& state, const LessonStep& step) {
+void draw_camera_row(const LessonContext& context, LessonState& state, const LessonStep& step) {
     const auto later = [&](bool taken) {
-        hands.ui.waiting.emplace_back([hands, &state, taken] { take_camera(hands, state, taken); });
+        context.ui.waiting.emplace_back(
+            [context, &state, taken] { take_camera(context, state, taken); });
     };
-    if (link(hands.ui, "camera",
+    if (link(context.ui, "camera",
              step.camera ? "Camera from the screen again" : "Camera from the screen")) {
         later(true);
     }
-    note_item(hands.ui.rects, "lesson edit:camera", step.camera ? "kept" : "");
+    note_item(context.ui.rects, "lesson edit:camera", step.camera ? "kept" : "");
     if (!step.camera) return;
-    ImGui::SameLine(0.0F, hands.ui.theme.gap_px);
-    if (link(hands.ui, "no camera", "leave it unchanged")) later(false);
-    note_item(hands.ui.rects, "lesson edit:no camera");
+    ImGui::SameLine(0.0F, context.ui.theme.gap_px);
+    if (link(context.ui, "no camera", "leave it unchanged")) later(false);
+    note_item(context.ui.rects, "lesson edit:no camera");
 }
 
-void draw_undo(const LessonHands& hands, LessonState& state) {
+void draw_undo(const LessonContext& context, LessonState& state) {
     struct Way {
         const char* verb;
         const char* id;
         const std::string* label;
-        void (*act)(const LessonHands&, LessonState&);
+        void (*act)(const LessonContext&, LessonState&);
     };
     const std::array<Way, 2> ways{{{"Undo", "undo", state.history.undo_label(), undo_lesson},
                                    {"Redo", "redo", state.history.redo_label(), redo_lesson}}};
     for (const Way& way : ways) {
         if (way.label == nullptr) continue;
-        if (link(hands.ui, way.id, menu_text(way.verb, way.label))) {
-            hands.ui.waiting.emplace_back([hands, &state, act = way.act] { act(hands, state); });
+        if (link(context.ui, way.id, menu_text(way.verb, way.label))) {
+            context.ui.waiting.emplace_back(
+                [context, &state, act = way.act] { act(context, state); });
         }
-        note_item(hands.ui.rects, std::string("lesson edit:") + way.id, *way.label);
+        note_item(context.ui.rects, std::string("lesson edit:") + way.id, *way.label);
     }
 }
 
@@ -94,13 +97,13 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
 }
 
 // The lesson's name and description, on its first card.
-void draw_lesson_name(const LessonHands& hands, LessonState& state) {
+void draw_lesson_name(const LessonContext& context, LessonState& state) {
     LessonWords words{state.shown->name, state.shown->about};
     bool changed =
-        edit_text(hands.ui, state.box, "##lesson name", "Name of the lesson", 1, words.name);
-    changed |= edit_text(hands.ui, state.box, "##about", "Who it is for, and how long it takes", 2,
-                         words.about);
-    if (changed) change_name(hands, state, words, !state.box.begins_word);
+        edit_text(context.ui, state.box, "##lesson name", "Name of the lesson", 1, words.name);
+    changed |= edit_text(context.ui, state.box, "##about", "Who it is for, and how long it takes",
+                         2, words.about);
+    if (changed) change_name(context, state, words, !state.box.begins_word);
 }
 
 }  // namespace
@@ -119,8 +122,8 @@ bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int line
     return changed;
 }
 
-void draw_step_editor(const LessonHands& hands, LessonState& state) {
-    if (*state.step == 0) draw_lesson_name(hands, state);
+void draw_step_editor(const LessonContext& context, LessonState& state) {
+    if (*state.step == 0) draw_lesson_name(context, state);
     LessonStep step = *step_of(state);
     struct Text {
         const char* id;
@@ -135,24 +138,25 @@ void draw_step_editor(const LessonHands& hands, LessonState& state) {
          {"##note", "Note for who speaks", "Note", 2, step.note},
          {"##source", "Source of what the text says of the body", "Source", 2, step.source}}};
     for (const Text& text : texts) {
-        if (edit_text(hands.ui, state.box, text.id, text.label, text.lines, text.text)) {
-            change_step(hands, state, step, text.what, !state.box.begins_word);
+        if (edit_text(context.ui, state.box, text.id, text.label, text.lines, text.text)) {
+            change_step(context, state, step, text.what, !state.box.begins_word);
         }
     }
-    draw_as_shown(hands.ui, state);
-    draw_question_editor(hands, state);
+    draw_as_shown(context.ui, state);
+    draw_question_editor(context, state);
     step = *step_of(state);
-    if (shows_map(step)) draw_camera_row(hands, state, step);
-    const std::vector<std::string> lacks = step_lacks(step, hands.work.document.set);
+    if (shows_map(step)) draw_camera_row(context, state, step);
+    const std::vector<std::string> lacks = step_lacks(step, context.work.document.set);
     if (!lacks.empty()) {
         const std::string fault = lacks[0] + ".";
-        coloured_text(hands.ui.theme.error, fault);
-        note_item(hands.ui.rects, "lesson edit:fault", fault);
+        coloured_text(context.ui.theme.error, fault);
+        note_item(context.ui.rects, "lesson edit:fault", fault);
     }
-    draw_step_buttons(hands, state);
-    if (link(hands.ui, "check", "Check the lesson")) check_lesson(hands.ui, hands.work, state);
-    note_item(hands.ui.rects, "lesson edit:check");
-    draw_undo(hands, state);
+    draw_step_buttons(context, state);
+    if (link(context.ui, "check", "Check the lesson"))
+        check_lesson(context.ui, context.work, state);
+    note_item(context.ui.rects, "lesson edit:check");
+    draw_undo(context, state);
 }
 
 }  // namespace tact

@@ -9,7 +9,7 @@
 
 namespace tact {
 
-void draw_step_editor(const LessonHands& hands, LessonState& state);
+void draw_step_editor(const LessonContext& context, LessonState& state);
 
 // A text with its label above; "lesson edit:ID" for tests. True if it changed.
 bool edit_text(Ui& ui, TextBox& box, const char* id, const char* label, int lines,

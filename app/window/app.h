@@ -118,7 +118,7 @@ inline Classroom classroom_of(App& app) {
 }
 
 // The parts of the program driven by a lesson.
-inline LessonHands hands_of(App& app) {
+inline LessonContext lesson_context(App& app) {
     return {app.ui, app.work, app.layout, app.timeline, app.shown_map, app.physiology};
 }
 

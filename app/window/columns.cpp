@@ -254,7 +254,7 @@ void draw_presentation(App& app) {
     const LessonStep* step = step_of(app.lesson);
     const bool map = step != nullptr && shows_map(*step);
     draw_pane_of(app, map ? Pane::space : Pane::physiology, places.rest);
-    draw_lesson_card(hands_of(app), app.lesson, places);
+    draw_lesson_card(lesson_context(app), app.lesson, places);
     draw_pointed(app.ui, places.rest);
     draw_explain_window(app.ui, app.physiology, places.rest);
 }

@@ -240,23 +240,23 @@ namespace {
 template <class Then>
 void once_lesson_may_go(App& app, Then then) {
     app.ui.waiting.emplace_back(
-        [&app, then] { before_lesson_goes(hands_of(app), app.lesson, then); });
+        [&app, then] { before_lesson_goes(lesson_context(app), app.lesson, then); });
 }
 
 }  // namespace
 
 void begin_tour(App& app) {
-    once_lesson_may_go(app, [&app] { start_tour(hands_of(app), app.lesson); });
+    once_lesson_may_go(app, [&app] { start_tour(lesson_context(app), app.lesson); });
 }
 
 void begin_lesson(App& app) {
-    once_lesson_may_go(app, [&app] { new_lesson(hands_of(app), app.lesson); });
+    once_lesson_may_go(app, [&app] { new_lesson(lesson_context(app), app.lesson); });
 }
 
 void open_bundled_lesson(App& app, const char* path) {
     once_lesson_may_go(app, [&app, path] {
-        start_bundled_lesson(hands_of(app), app.lesson, path);
-        if (app.lesson.key == path) ask_where_to_begin(hands_of(app), app.lesson);
+        start_bundled_lesson(lesson_context(app), app.lesson, path);
+        if (app.lesson.key == path) ask_where_to_begin(lesson_context(app), app.lesson);
     });
 }
 
@@ -265,28 +265,29 @@ void open_file(App& app, const std::filesystem::path& path) {
         return open_course_file(app.ui, app.work.session, app.course, path);
     }
     if (!is_lesson_file(path)) return open_paths(app.ui, app.work, app.opening, {path});
-    once_lesson_may_go(app, [&app, path] { open_lesson(hands_of(app), app.lesson, path); });
+    once_lesson_may_go(app, [&app, path] { open_lesson(lesson_context(app), app.lesson, path); });
 }
 
 void open_course_of_program(App& app) { open_bundled_course(app.ui, app.work.session, app.course); }
 
 void begin_lesson_of_course(App& app, std::size_t which) {
-    once_lesson_may_go(
-        app, [&app, which] { begin_course_lesson(hands_of(app), app.lesson, app.course, which); });
+    once_lesson_may_go(app, [&app, which] {
+        begin_course_lesson(lesson_context(app), app.lesson, app.course, which);
+    });
 }
 
 void duplicate_the_lesson(App& app) {
-    app.ui.waiting.emplace_back([&app] { duplicate_lesson(hands_of(app), app.lesson); });
+    app.ui.waiting.emplace_back([&app] { duplicate_lesson(lesson_context(app), app.lesson); });
 }
 
 void check_the_lesson(App& app) { check_lesson(app.ui, app.work, app.lesson); }
 
 void present(App& app) {
-    app.ui.waiting.emplace_back([&app] { toggle_presenting(hands_of(app), app.lesson); });
+    app.ui.waiting.emplace_back([&app] { toggle_presenting(lesson_context(app), app.lesson); });
 }
 
 void leave_the_lesson(App& app) {
-    once_lesson_may_go(app, [&app] { leave_lesson(hands_of(app), app.lesson); });
+    once_lesson_may_go(app, [&app] { leave_lesson(lesson_context(app), app.lesson); });
 }
 
 bool has_lesson(const App& app) { return app.lesson.step && !app.lesson.is_of_set; }

@@ -331,7 +331,8 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
 
 void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
     if (!is_presenting(app.lesson)) draw_menus(app);
-    const std::vector<KeyPress> pressed = take_lesson_keys(hands_of(app), app.lesson, all_pressed);
+    const std::vector<KeyPress> pressed =
+        take_lesson_keys(lesson_context(app), app.lesson, all_pressed);
     run_shortcuts(app, pressed);
     follow_changes(app);
     if (is_presenting(app.lesson)) {
@@ -357,7 +358,7 @@ void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
     run_waiting(app);
     draw_status(app, {{0.0F, screen.y - foot}, screen});
     draw_explain_window(app.ui, app.physiology, physiology_area(app, columns));
-    draw_lesson_card(hands_of(app), app.lesson, places);
+    draw_lesson_card(lesson_context(app), app.lesson, places);
     draw_pointed(app.ui, columns);
     run_waiting(app);
 }

@@ -242,7 +242,7 @@ bool come_and_go_with_lesson(App& app) {
 }  // namespace
 
 void follow_another_document(App& app) {
-    follow_document(hands_of(app), app.lesson);  // a lesson whose set was replaced ends first
+    follow_document(lesson_context(app), app.lesson);  // a lesson whose set was replaced ends first
     const std::uint64_t number = app.work.document_number;
     if (app.of_document == number) return;
     const bool is_first = app.of_document == 0;  // the session has restored its views

@@ -150,13 +150,13 @@ void draw_languages(App& app) {
     const Lesson lesson = *state.lesson;  // a copy: choosing may change it
     const std::size_t shown = shown_language(state);
     const auto later = [&app](auto act) {
-        app.ui.waiting.emplace_back([&app, act] { act(hands_of(app), app.lesson); });
+        app.ui.waiting.emplace_back([&app, act] { act(lesson_context(app), app.lesson); });
     };
     for (std::size_t k = 0; k < lesson.languages.size(); ++k) {
         const std::string& code = lesson.languages[k];
         if (ImGui::MenuItem(language_name(code).c_str(), k == 0 ? "first" : nullptr, k == shown)) {
-            later([code](const LessonHands& hands, LessonState& s) {
-                choose_language(hands.ui, s, code);
+            later([code](const LessonContext& context, LessonState& s) {
+                choose_language(context.ui, s, code);
             });
         }
         note_item(app.ui.rects, "language:" + code, k == shown ? "shown" : "");
@@ -171,8 +171,8 @@ void draw_languages(App& app) {
             const bool is_english = lesson.languages.empty() && one.code == std::string_view("en");
             if (is_there || is_english) continue;  // the default is English
             if (ImGui::MenuItem(one.name)) {
-                later([code = one.code](const LessonHands& hands, LessonState& s) {
-                    add_language(hands, s, code);
+                later([code = one.code](const LessonContext& context, LessonState& s) {
+                    add_language(context, s, code);
                 });
             }
             note_item(app.ui.rects, std::string("add language:") + one.code);

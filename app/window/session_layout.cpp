@@ -45,7 +45,7 @@ Expected<Done> keep_document(App& app) {
 void end_lesson(App& app) {
     if (!app.lesson.step) return;
     let_lesson_go(app.lesson);
-    leave_lesson(hands_of(app), app.lesson);
+    leave_lesson(lesson_context(app), app.lesson);
 }
 
 void discard_and_quit(App& app) {
@@ -75,7 +75,7 @@ void take_up_lesson(App& app) {
     if (restored.is_error) return complain(app.ui, restored.remark);
     if (!restored.draft) return;
     const std::string before = app.ui.status.text;
-    resume_lesson(hands_of(app), app.lesson, *std::move(restored.draft));
+    resume_lesson(lesson_context(app), app.lesson, *std::move(restored.draft));
     say(app.ui, (before.empty() ? "" : before + " ") + restored.remark);
 }
 
@@ -158,7 +158,7 @@ Expected<Done> start_session(App& app, const std::vector<std::filesystem::path>&
     if (paths.size() == 1 && is_lesson_file(paths[0])) {
         take_up_session(app);
         set_last_lesson_aside(app);
-        open_lesson(hands_of(app), app.lesson, paths[0]);
+        open_lesson(lesson_context(app), app.lesson, paths[0]);
         if (!app.lesson.step) return Error{app.ui.status.text};
     } else if (paths.size() == 1 && is_course_file(paths[0])) {
         take_up_session(app);
@@ -244,7 +244,7 @@ void ask_of_lesson(App& app, const std::string& reason) {
 
 // Saving applies to the person's document, not to the lesson's set: the lesson ends first.
 void save_own(App& app) {
-    if (app.lesson.aside && !leave_lesson(hands_of(app), app.lesson)) return;
+    if (app.lesson.aside && !leave_lesson(lesson_context(app), app.lesson)) return;
     save(app.ui, app.work);
 }
 

@@ -15,7 +15,7 @@ struct Class : ProgramWithStages {
     LessonState& lesson() { return app.lesson; }
 
     void begin(const char* path) {
-        start_lesson(hands_of(app), app.lesson, bundled_lesson(path), {});
+        start_lesson(lesson_context(app), app.lesson, bundled_lesson(path), {});
         settle();
     }
 
@@ -39,7 +39,7 @@ struct Class : ProgramWithStages {
         for (std::size_t k = 0; k < app.lesson.lesson->steps.size(); ++k) {
             const auto& question = app.lesson.lesson->steps[k].question;
             if (!question || (kind && question->kind != *kind)) continue;
-            go_to_step(hands_of(app), app.lesson, k);
+            go_to_step(lesson_context(app), app.lesson, k);
             return settle();
         }
         FAIL("the lesson asks nothing");

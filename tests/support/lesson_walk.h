@@ -37,14 +37,14 @@ struct LessonWalk : Class {
 
     void show_on(const LessonScreen& screen) {
         if (screen.presented != lesson().presenting) {
-            toggle_presenting(hands_of(app), lesson());
+            toggle_presenting(lesson_context(app), lesson());
         }
         resize(screen.size, screen.scale);
     }
 
     void show_step(std::size_t k, DockSide side) {
         lesson().dock = side;
-        go_to_step(hands_of(app), lesson(), k);
+        go_to_step(lesson_context(app), lesson(), k);
         settle();
         if (shows_map(lesson().lesson->steps[k])) {
             wait_for_exact_map();

@@ -280,7 +280,7 @@ void add_arrangements(std::vector<Scene>& all) {
                    }});
     all.push_back({"lesson, written in two languages", [](Program& p) {
                        run(p, "New lesson from this set");
-                       add_language(hands_of(p.app), p.app.lesson, "de");
+                       add_language(lesson_context(p.app), p.app.lesson, "de");
                        wait_for_lesson(p);
                    }});
     all.push_back({"study, results as a matrix",
@@ -608,7 +608,7 @@ SceneWindow::~SceneWindow() { stop_jobs(app); }
 
 void SceneWindow::leave_presentation() {
     const bool was_larger = app.lesson.presenting;
-    leave_lesson(hands_of(app), app.lesson);
+    leave_lesson(lesson_context(app), app.lesson);
     app.lesson.present_scale = kPresentScale;
     if (was_larger) make_fonts(*this);
 }

@@ -37,7 +37,7 @@ struct Learning : Class {
     }
     // The second of them asks something at its second step.
     void answer_one(bool right) {
-        begin_course_lesson(hands_of(app), app.lesson, app.course, 1);
+        begin_course_lesson(lesson_context(app), app.lesson, app.course, 1);
         app.ui.dialog = Dialog::none;
         settle();
         wait_for_numbers();
@@ -67,7 +67,7 @@ TEST_CASE("course: its cover lists the lessons, and begins the first that is not
     program.press_key(key::kEscape);
     program.settle();
     CHECK(program.stands(1) == "at step 2 of 19");  // the cover is there again
-    begin_course_lesson(hands_of(program.app), program.lesson(), program.app.course, 0);
+    begin_course_lesson(lesson_context(program.app), program.lesson(), program.app.course, 0);
     CHECK(program.lesson().step == 1U);
     CHECK_FALSE(program.app.ui.question);  // it was just said where
 }
@@ -91,7 +91,7 @@ TEST_CASE("course: an answer given alone is kept under the student's name, the f
     CHECK(progress_of(program.app.course, program.app.course.lessons[1]) == nullptr);
     // A second try changes nothing.
     program.app.course.student = "Ada";
-    leave_lesson(hands_of(program.app), program.lesson());
+    leave_lesson(lesson_context(program.app), program.lesson());
     program.answer_one(false);
     CHECK(program.app.course.progress["Ada"][lesson].answers.begin()->second.right);
     const auto csv = program.folder.path / "answers.csv";
@@ -108,9 +108,9 @@ TEST_CASE("course: nothing is kept without a name, and nothing of what a class s
     }
     Learning program;
     program.write_name("Ada");
-    begin_course_lesson(hands_of(program.app), program.lesson(), program.app.course, 1);
+    begin_course_lesson(lesson_context(program.app), program.lesson(), program.app.course, 1);
     program.app.ui.dialog = Dialog::none;
-    toggle_presenting(hands_of(program.app), program.lesson());
+    toggle_presenting(lesson_context(program.app), program.lesson());
     program.settle();
     CHECK_FALSE(fs::exists(program.file()));
 }
@@ -142,7 +142,7 @@ TEST_CASE("course: what was kept and cannot be read is told, and stays as it is"
     run(program, "Course of all lessons");
     CHECK(program.app.ui.status.is_error);
     program.app.course.student = "Ada";
-    begin_course_lesson(hands_of(program.app), program.lesson(), program.app.course, 0);
+    begin_course_lesson(lesson_context(program.app), program.lesson(), program.app.course, 0);
     program.app.ui.dialog = Dialog::none;
     program.settle();
     CHECK(bytes_of(file) == "{broken");

@@ -31,13 +31,13 @@ struct Writing : Class {
     ~Writing() { (void)close_session(app.work.session); }
 
     void write_four() {
-        new_lesson(hands_of(app), app.lesson);
-        for (int k = 1; k < 4; ++k) add_step(hands_of(app), app.lesson);
+        new_lesson(lesson_context(app), app.lesson);
+        for (int k = 1; k < 4; ++k) add_step(lesson_context(app), app.lesson);
         for (std::size_t k = 0; k < 4; ++k) {
-            go_to_step(hands_of(app), app.lesson, k);
+            go_to_step(lesson_context(app), app.lesson, k);
             LessonStep step = *step_of(app.lesson);
             step.text = "What step " + std::to_string(k + 1) + " says";
-            change_step(hands_of(app), app.lesson, step, "Text", true);
+            change_step(lesson_context(app), app.lesson, step, "Text", true);
         }
         settle();
     }
@@ -90,7 +90,7 @@ TEST_CASE("lesson kept: a second after the last word it survives a kill, for thi
            (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none);
 
     Class next;
-    resume_lesson(hands_of(next.app), next.lesson(), *restored.draft);
+    resume_lesson(lesson_context(next.app), next.lesson(), *restored.draft);
     next.settle();
     CHECK(next.at("tour").value == "4 of 4");
     CHECK(next.lesson().editing);
@@ -156,7 +156,7 @@ TEST_CASE("lesson kept: what cannot be kept stays, and says why") {
     const auto written = program.steps();
     program.app.work.session.folder = "/proc/self";
     program.app.work.session.autosave = "/proc/self/autosave.json";
-    CHECK_FALSE(leave_lesson(hands_of(program.app), program.lesson()));
+    CHECK_FALSE(leave_lesson(lesson_context(program.app), program.lesson()));
     CHECK(program.app.ui.status.is_error);
     CHECK(program.steps() == written);
     CHECK_FALSE(may_close(program.app));
@@ -168,7 +168,7 @@ TEST_CASE("lesson kept: an unfinished lesson is saved as a draft, and told what 
     LessonStep step = *step_of(program.lesson());
     step.text = "Of {nc | p1 | nobody}";
     step.question = LessonQuestion{QuestionKind::choice, "Which?", {"This"}, 0, {}, {}};
-    change_step(hands_of(program.app), program.lesson(), step, "Question");
+    change_step(lesson_context(program.app), program.lesson(), step, "Question");
     program.settle();
     const fs::path file = program.folder.path / "mine.tactlesson.json";
     CHECK(save_lesson(program.app.ui, program.app.work, program.lesson(), file));
@@ -185,7 +185,7 @@ TEST_CASE("lesson kept: an unfinished lesson is saved as a draft, and told what 
     REQUIRE(program.app.ui.question);
     CHECK(program.app.ui.question->text.find("nobody") != std::string::npos);
     program.app.ui.question.reset();
-    toggle_editing(hands_of(program.app), program.lesson());
+    toggle_editing(lesson_context(program.app), program.lesson());
     program.wait_for_numbers();
     CHECK_FALSE(program.shows("option:1"));
     program.press_key(key::kPageUp);
@@ -199,32 +199,32 @@ TEST_CASE("lesson kept: a whole lesson is no draft, and is unsaved again with th
     REQUIRE(save_lesson(program.app.ui, program.app.work, program.lesson(), file));
     CHECK(bytes_of(file).find("\"draft\"") == std::string::npos);
     CHECK(program.app.work.session.recent_files.at(0) == file);
-    CHECK(leave_lesson(hands_of(program.app), program.lesson()));
+    CHECK(leave_lesson(lesson_context(program.app), program.lesson()));
     CHECK(program.app.work.session.recent_files.size() == 1);
-    open_lesson(hands_of(program.app), program.lesson(), file);
+    open_lesson(lesson_context(program.app), program.lesson(), file);
     program.settle();
-    toggle_editing(hands_of(program.app), program.lesson());
+    toggle_editing(lesson_context(program.app), program.lesson());
     program.settle();
     CHECK_FALSE(unsaved_lesson(program.app.work, program.lesson()));
     program.click("lesson edit:title");
     program.type("x");
     CHECK(unsaved_lesson(program.app.work, program.lesson()));
-    undo_lesson(hands_of(program.app), program.lesson());
+    undo_lesson(lesson_context(program.app), program.lesson());
     CHECK_FALSE(unsaved_lesson(program.app.work, program.lesson()));
 }
 
 TEST_CASE("lesson kept: every edit is undone and done again, a pattern renamed in between too") {
     Writing program;
-    new_lesson(hands_of(program.app), program.lesson());
+    new_lesson(lesson_context(program.app), program.lesson());
     const auto first = program.steps();
-    for (int k = 0; k < 3; ++k) add_step(hands_of(program.app), program.lesson());
+    for (int k = 0; k < 3; ++k) add_step(lesson_context(program.app), program.lesson());
     LessonStep step = *step_of(program.lesson());
     step.question = LessonQuestion{QuestionKind::closest, "?", {}, 0, {{"p1", "p2"}}, {}};
-    change_step(hands_of(program.app), program.lesson(), step, "Question");
-    move_step(hands_of(program.app), program.lesson(), -1);
-    remove_step(hands_of(program.app), program.lesson());
-    take_camera(hands_of(program.app), program.lesson(), true);
-    show_screen(hands_of(program.app), program.lesson());
+    change_step(lesson_context(program.app), program.lesson(), step, "Question");
+    move_step(lesson_context(program.app), program.lesson(), -1);
+    remove_step(lesson_context(program.app), program.lesson());
+    take_camera(lesson_context(program.app), program.lesson(), true);
+    show_screen(lesson_context(program.app), program.lesson());
     program.settle();
     auto last = program.steps();
     rename_vibration(program.app.ui, program.app.work, 0, "one");
@@ -235,11 +235,11 @@ TEST_CASE("lesson kept: every edit is undone and done again, a pattern renamed i
     }
     CHECK(program.steps() == last);
     while (program.lesson().history.undo_label() != nullptr)
-        undo_lesson(hands_of(program.app), program.lesson());
+        undo_lesson(lesson_context(program.app), program.lesson());
     CHECK(program.steps().size() == first.size());
     CHECK(program.steps()[0].pattern == "one");
     while (program.lesson().history.redo_label() != nullptr)
-        redo_lesson(hands_of(program.app), program.lesson());
+        redo_lesson(lesson_context(program.app), program.lesson());
     CHECK(program.steps() == last);
 }
 
@@ -249,7 +249,7 @@ TEST_CASE(
     program.app.shown_map.camera.yaw_rad = 40.0;
     program.app.shown_map.camera.zoom = 39.0;
     program.app.layout.maximised = Pane::space;
-    new_lesson(hands_of(program.app), program.lesson());
+    new_lesson(lesson_context(program.app), program.lesson());
     program.settle();
     const fs::path file = program.folder.path / "near.tactlesson.json";
     CHECK(save_lesson(program.app.ui, program.app.work, program.lesson(), file));

@@ -84,7 +84,7 @@ TEST_CASE("place: a click puts it there, and how far off that was is told with t
 
 TEST_CASE("place: Shift and the arrows move the cross, also before a class") {
     Placing program;
-    toggle_presenting(hands_of(program.app), program.lesson());
+    toggle_presenting(lesson_context(program.app), program.lesson());
     program.go_to_question(QuestionKind::place);
     program.wait_for_exact_map();
     program.settle();
@@ -108,7 +108,7 @@ TEST_CASE("place: Shift and the arrows move the cross, also before a class") {
 TEST_CASE("place: the map is as deep as before when the lesson is left") {
     Placing program;
     CHECK(program.app.shown_map.dimensions == 2);
-    leave_lesson(hands_of(program.app), program.lesson());
+    leave_lesson(lesson_context(program.app), program.lesson());
     CHECK(program.app.shown_map.dimensions == 3);
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("F5: with no lesson open it shows the open set, a step for the map and
 TEST_CASE("F5: a lesson under way is shown where it is") {
     Class program;
     program.begin(kBundledLessons[0].path);
-    go_to_step(hands_of(program.app), program.lesson(), 2);
+    go_to_step(lesson_context(program.app), program.lesson(), 2);
     program.press_key(kF5);
     CHECK(program.lesson().step == 2U);
     CHECK_FALSE(program.app.ui.question);
@@ -81,7 +81,7 @@ TEST_CASE("F5: an empty document shows the tour, which asks where it was left") 
     program.press_key(kF5);
     REQUIRE(program.app.lesson.is_tour);
     CHECK_FALSE(program.app.ui.question);
-    go_to_step(hands_of(program.app), program.app.lesson, 4);
+    go_to_step(lesson_context(program.app), program.app.lesson, 4);
     program.press_key(key::kEscape);
     program.press_key(kF5);
     REQUIRE(program.app.ui.question);
@@ -98,14 +98,15 @@ TEST_CASE(
     Class program;
     const char* name = kBundledLessons[0].name;
     run(program, name);
-    go_to_step(hands_of(program.app), program.lesson(), 2);
+    go_to_step(lesson_context(program.app), program.lesson(), 2);
     program.settle();
     run(program, "Leave the lesson");
     run(program, name);
     REQUIRE(program.shows("answer:Continue at step 3"));
     program.click("answer:Continue at step 3");
     CHECK(program.lesson().step == 2U);
-    go_to_step(hands_of(program.app), program.lesson(), program.lesson().lesson->steps.size() - 1);
+    go_to_step(lesson_context(program.app), program.lesson(),
+               program.lesson().lesson->steps.size() - 1);
     run(program, "Leave the lesson");
     run(program, name);
     CHECK_FALSE(program.app.ui.question);
@@ -188,38 +189,38 @@ TEST_CASE("nothing that a class sees says that its author has not looked it up")
     }
     // The author sees it on the card, and the class does not.
     Class program;
-    new_lesson(hands_of(program.app), program.lesson());
+    new_lesson(lesson_context(program.app), program.lesson());
     LessonStep step = *step_of(program.lesson());
     step.source = "Talbot 1968 (not looked up)";
-    change_step(hands_of(program.app), program.lesson(), step, "Source");
+    change_step(lesson_context(program.app), program.lesson(), step, "Source");
     program.settle();
     CHECK(program.shows("lesson:source"));
-    toggle_editing(hands_of(program.app), program.lesson());
+    toggle_editing(lesson_context(program.app), program.lesson());
     program.settle();
     CHECK_FALSE(program.shows("lesson:source"));
 }
 
 TEST_CASE("each edit of a lesson is undone to what was before, and done again to what came of it") {
     Class program;
-    const LessonHands hands = hands_of(program.app);
+    const LessonContext context = lesson_context(program.app);
     LessonState& state = program.lesson();
     const auto edit_step = [&](void (*edit)(LessonStep&)) {
         return [&, edit] {
             LessonStep step = *step_of(state);
             edit(step);
-            change_step(hands, state, step, "Something");
+            change_step(context, state, step, "Something");
         };
     };
     const auto edit_question = [&](void (*edit)(LessonQuestion&)) {
         return [&, edit] {
             LessonStep step = *step_of(state);
             edit(*step.question);
-            change_step(hands, state, step, "Something");
+            change_step(context, state, step, "Something");
         };
     };
     const std::vector<std::function<void()>> edits{
         [&] {
-            change_name(hands, state, {"Name", "About"});
+            change_name(context, state, {"Name", "About"});
         },
         edit_step([](LessonStep& s) { s.title = "T"; }),
         edit_step([](LessonStep& s) { s.text = "{nc | p1 | p2}"; }),
@@ -227,8 +228,8 @@ TEST_CASE("each edit of a lesson is undone to what was before, and done again to
         edit_step([](LessonStep& s) { s.source = "S"; }),
         edit_step([](LessonStep& s) { s.point_at = "grid FA2"; }),
         edit_step([](LessonStep& s) { s.view = "map"; }),
-        [&] { take_camera(hands, state, true); },
-        [&] { take_camera(hands, state, false); },
+        [&] { take_camera(context, state, true); },
+        [&] { take_camera(context, state, false); },
         edit_step([](LessonStep& s) { s.question.emplace(); }),
         edit_question([](LessonQuestion& q) { q.ask = "Q"; }),
         edit_question([](LessonQuestion& q) {
@@ -240,18 +241,18 @@ TEST_CASE("each edit of a lesson is undone to what was before, and done again to
         edit_question([](LessonQuestion& q) {
             q.pairs = {{"p1", "p2"}, {"p1", "p3"}};
         }),
-        [&] { add_language(hands, state, "de"); },
+        [&] { add_language(context, state, "de"); },
         [&] {
-            change_name(hands, state, {"Deutsch", "Name"});
+            change_name(context, state, {"Deutsch", "Name"});
         },
         edit_step([](LessonStep& s) { s.text = "Deutsch"; }),
         edit_step([](LessonStep& s) { s.question.reset(); }),
-        [&] { add_step(hands, state); },
-        [&] { move_step(hands, state, 1); },
-        [&] { show_screen(hands, state); },
-        [&] { remove_step(hands, state); },
-        [&] { remove_language(hands, state); }};
-    new_lesson(hands, state);
+        [&] { add_step(context, state); },
+        [&] { move_step(context, state, 1); },
+        [&] { show_screen(context, state); },
+        [&] { remove_step(context, state); },
+        [&] { remove_language(context, state); }};
+    new_lesson(context, state);
     for (std::size_t k = 0; k < edits.size(); ++k) {
         CAPTURE(k);
         program.app.timeline.range = {0.01, 0.02 + 0.001 * static_cast<double>(k)};
@@ -262,9 +263,9 @@ TEST_CASE("each edit of a lesson is undone to what was before, and done again to
         const Lesson after = *state.lesson;
         CHECK(after != before);
         CHECK(state.history.size() == steps_of_undo + 1);
-        undo_lesson(hands, state);
+        undo_lesson(context, state);
         CHECK(*state.lesson == before);
-        redo_lesson(hands, state);
+        redo_lesson(context, state);
         CHECK(*state.lesson == after);
         // A file of the lesson has the same steps.
         CHECK(parse_lesson(print_lesson(after, {}), "lesson", {})->steps == after.steps);
@@ -274,10 +275,10 @@ TEST_CASE("each edit of a lesson is undone to what was before, and done again to
 
 TEST_CASE("the language that is chosen is shown, written in, and kept for other lessons") {
     Class program;
-    const LessonHands hands = hands_of(program.app);
-    new_lesson(hands, program.lesson());
+    const LessonContext context = lesson_context(program.app);
+    new_lesson(context, program.lesson());
     program.settle();
-    add_language(hands, program.lesson(), "de");
+    add_language(context, program.lesson(), "de");
     program.settle();
     CHECK(program.lesson().language == "de");
     program.click("lesson edit:title");
@@ -299,13 +300,13 @@ TEST_CASE("the language that is chosen is shown, written in, and kept for other 
 
 TEST_CASE("letters that no font here has are told with the package that has them") {
     Class program;
-    const LessonHands hands = hands_of(program.app);
-    new_lesson(hands, program.lesson());
+    const LessonContext context = lesson_context(program.app);
+    new_lesson(context, program.lesson());
     const auto write = [&](const char* text) {
         LessonStep step = *step_of(program.lesson());
         step.text = text;
-        change_step(hands, program.lesson(), step, "Text");
-        if (program.lesson().editing) toggle_editing(hands, program.lesson());
+        change_step(context, program.lesson(), step, "Text");
+        if (program.lesson().editing) toggle_editing(context, program.lesson());
         for (int k = 0; k < 4; ++k) {
             program.settle();
             remake_fonts(program);

@@ -62,7 +62,7 @@ void check_question(LessonWalk& walk, std::size_t k, DockSide side) {
     Tally& tally = walk.lesson().tallies[k];
     tally = {};
     walk.lesson().dock = side;
-    go_to_step(hands_of(walk.app), walk.lesson(), k);
+    go_to_step(lesson_context(walk.app), walk.lesson(), k);
     walk.settle();
     check_options(walk, count);
     const float first = left_in_card(walk, 1);

@@ -85,7 +85,7 @@ TEST_CASE("lesson: unsaved changes and undo steps of the document outlive it") {
     const std::string label = *program.app.work.document.history.undo_label();
     program.begin(kBundledLessons[0].path);
     CHECK(program.app.work.document.history.undo_label() == nullptr);
-    leave_lesson(hands_of(program.app), program.lesson());
+    leave_lesson(lesson_context(program.app), program.lesson());
     program.settle();
     CHECK(program.app.work.document.set == changed);
     REQUIRE(program.app.work.document.history.undo_label() != nullptr);
@@ -155,14 +155,14 @@ TEST_CASE("lesson: the card stands beside what it points at, whatever the size a
     for (const char* path : paths) {
         Class program;
         program.begin(path);
-        toggle_presenting(hands_of(program.app), program.lesson());
+        toggle_presenting(lesson_context(program.app), program.lesson());
         for (const Screen& screen :
              {Screen{{1920.0F, 1080.0F}, 1.5F}, {{1920.0F, 1080.0F}, 2.0F}}) {
             program.resize(screen.size, screen.scale);
             for (const DockSide side : {DockSide::right, DockSide::bottom}) {
                 program.lesson().dock = side;
                 for (std::size_t k = 0; k < program.lesson().lesson->steps.size(); ++k) {
-                    go_to_step(hands_of(program.app), program.lesson(), k);
+                    go_to_step(lesson_context(program.app), program.lesson(), k);
                     const LessonStep& step = program.lesson().lesson->steps[k];
                     if (step.view == "map") continue;  // its map may be on its way
                     program.wait_for_stages();
@@ -280,7 +280,7 @@ TEST_CASE("lesson: one is made of what is on screen, saved, and opened again") {
     const auto file = folder.path / "mine.tactlesson.json";
     Class program;
     program.app.physiology.view.open = Stage::brain;
-    new_lesson(hands_of(program.app), program.lesson());
+    new_lesson(lesson_context(program.app), program.lesson());
     program.settle();
     program.app.work.selection.current = 2;
     program.app.physiology.view.open = Stage::spikes;
@@ -303,8 +303,8 @@ TEST_CASE("lesson: one is made of what is on screen, saved, and opened again") {
     REQUIRE_MESSAGE(again, (again ? "" : again.error().message));
     CHECK(again->steps == program.lesson().lesson->steps);
     CHECK(again->set == program.app.work.document.set);
-    leave_lesson(hands_of(program.app), program.lesson());
-    open_lesson(hands_of(program.app), program.lesson(), file);
+    leave_lesson(lesson_context(program.app), program.lesson());
+    open_lesson(lesson_context(program.app), program.lesson(), file);
     program.settle();
     CHECK(program.at("tour").value == "1 of 2");
 }

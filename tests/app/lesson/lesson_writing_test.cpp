@@ -15,7 +15,7 @@ namespace {
 struct Writing : Class {
     Writing() {
         resize({1600.0F, 2400.0F}, 1.0F);
-        new_lesson(hands_of(app), app.lesson);
+        new_lesson(lesson_context(app), app.lesson);
         settle();
     }
 
@@ -46,7 +46,7 @@ TEST_CASE("writing a lesson: a question with its options and the right one, open
     program.write("ask", "Which?");
     LessonStep step = program.step();
     step.question->options = {"This", "That"};
-    change_step(hands_of(program.app), program.lesson(), step, "Options");
+    change_step(lesson_context(program.app), program.lesson(), step, "Options");
     program.settle();
     CHECK_FALSE(program.shows("lesson edit:fault"));
     program.click("lesson edit:right:2");
@@ -98,7 +98,7 @@ TEST_CASE("writing a lesson: the map's camera is taken from the screen, and left
     program.app.layout.maximised.reset();
     LessonStep step = program.step();
     step.view = "map";
-    change_step(hands_of(program.app), program.lesson(), step, "View");
+    change_step(lesson_context(program.app), program.lesson(), step, "View");
     program.settle();
     program.click("lesson edit:camera");
     REQUIRE(program.step().camera);

@@ -244,7 +244,7 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     const auto& of_lesson = app.shown_map.full_job.asked();
     CHECK((!of_lesson || of_lesson->document != asked.document));
     CHECK(app.aside.shown_map.full_job.busy());
-    leave_lesson(hands_of(app), app.lesson);
+    leave_lesson(lesson_context(app), app.lesson);
     program.settle();
     CHECK(app.work.document_number == document);
     CHECK(is_same_work(asked, *app.shown_map.full_job.asked()));  // so that it does not start again
