@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ask/maybes_work.h"
+#include "app/ask/proposals_work.h"
 #include "app/document/editing.h"
 #include "app/map/live_map.h"
 #include "devices/calibration/rendering.h"
@@ -64,7 +64,7 @@ std::vector<std::size_t> picked_places(const Workspace& work) {
     return picked;
 }
 
-void ask_for(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
+void ask_for(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state,
              std::vector<std::size_t> picked, std::size_t missing) {
     GapQuery& gap = state.gap;
     gap.begin(JobPolicy::supersede, find_gap, ui.wake);
@@ -141,13 +141,13 @@ std::string sentence_on(const FoundGap& found) {
     return text + (found.coarse ? " (by a preview)." : ".");
 }
 
-void fill_the_gap(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state) {
+void fill_the_gap(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state) {
     std::vector<std::size_t> picked = picked_places(work);
     if (picked.empty()) return say(ui, "There is no pattern yet to be far from.");
     ask_for(ui, work, shown_map, state, std::move(picked), 1);
 }
 
-void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
+void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state,
              std::size_t count) {
     std::vector<std::size_t> all = not_dropped(work);
     if (all.empty()) return say(ui, "There is no pattern yet to be far from.");
@@ -160,7 +160,7 @@ void grow_to(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesSta
     ask_for(ui, work, shown_map, state, std::move(all), missing);
 }
 
-void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
+void follow_gap(Ui& ui, Workspace& work, ProposalsState& state) {
     GapQuery& gap = state.gap;
     if (!gap.asked()) return;
     if (gap.asked()->revision != work.revision) {
@@ -183,8 +183,8 @@ void follow_gap(Ui& ui, Workspace& work, MaybesState& state) {
     take_gap(ui, work, *found);
 }
 
-void stop_filling(MaybesState& state) { state.gap.leave(); }
+void stop_filling(ProposalsState& state) { state.gap.leave(); }
 
-bool is_filling(const MaybesState& state) { return state.gap.asked().has_value(); }
+bool is_filling(const ProposalsState& state) { return state.gap.asked().has_value(); }
 
 }  // namespace tact

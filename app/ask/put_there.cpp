@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ask/maybes_work.h"
+#include "app/ask/proposals_work.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "viz/drawing/plot.h"
@@ -22,7 +22,7 @@ const Pattern* pattern_to_put(const Workspace& work, const std::string& name) {
 
 // The surroundings are computed again for another pattern, or when other numbers may change.
 const std::vector<Pattern>& kept_surroundings(KeptSurroundings& kept, const Pattern& pattern,
-                                              const MaybesState& state, const FeltSteps& steps) {
+                                              const ProposalsState& state, const FeltSteps& steps) {
     std::vector<PatternParameter> free = free_of(state);
     const bool is_same = kept.of == pattern && kept.free == free && kept.steps == steps;
     if (!is_same) {
@@ -44,7 +44,7 @@ std::string sentence_on(const Reached& reached) {
            " from there: no change of these numbers reaches it; the rhythm would have to change.";
 }
 
-void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
+void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state,
                 const PointMove& move) {
     PutThere& put = state.put;
     if (move.place >= work.document.set.vibrations.size() || put.job.asked()) return;
@@ -68,7 +68,7 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Maybes
     put.job.ask({exactly(*std::move(where), kReachTries), std::move(question)});
 }
 
-void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state) {
+void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, ProposalsState& state) {
     PutThere& put = state.put;
     if (!put.cloud.has_begun()) return;
     if (put.aim_of != work.revision) put.aim.reset();
@@ -97,14 +97,14 @@ void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state
     say(ui, sentence_on(found->reached) + " Ctrl+Z takes it back.");
     put.aim = put.wanted;
     put.aim_of = work.revision;
-    const MaybesRequest& where = found->request.where;
+    const ProposalsRequest& where = found->request.where;
     if (where.map == shown_map.transition.shown) {
         hold_places(work, shown_map, static_cast<Eigen::Index>(where.row), found->reached.at);
     }
     stop_putting(state);
 }
 
-void stop_putting(MaybesState& state) {
+void stop_putting(ProposalsState& state) {
     PutThere& put = state.put;
     put.name.clear();
     put.wanted.reset();
@@ -112,7 +112,7 @@ void stop_putting(MaybesState& state) {
     put.job.leave();
 }
 
-void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state) {
+void show_put(MapMaybes& shown, Eigen::Index columns, const ProposalsState& state) {
     const PutThere& put = state.put;
     if (!put.wanted && put.aim && put.aim->size() == columns) shown.wanted = put.aim;
     if (!put.wanted || put.wanted->size() != columns) return;

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "app/ask/maybes_state.h"
+#include "app/ask/proposals_state.h"
 #include "app/document/workspace.h"
 #include "app/map/map_look.h"
 #include "app/map/map_state.h"
@@ -19,16 +19,16 @@ struct PointMove {
     Eigen::RowVectorXd to;
     bool ended = false;
 };
-void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, MaybesState& state,
+void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state,
                 const PointMove& move);
 
 // Once a frame: puts the found pattern into the set as one step of undo, and reports its distance
 // from the target. The target and the other points stay on screen until the next edit.
-void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, MaybesState& state);
-void stop_putting(MaybesState& state);
+void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, ProposalsState& state);
+void stop_putting(ProposalsState& state);
 
 // The part of it that the map shows.
-void show_put(MapMaybes& shown, Eigen::Index columns, const MaybesState& state);
+void show_put(MapMaybes& shown, Eigen::Index columns, const ProposalsState& state);
 
 // "0.8 of 66 from there."
 std::string sentence_on(const Reached& reached);

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
@@ -16,7 +16,7 @@ namespace tact {
 namespace {
 
 // The numbers that varying and moving may change.
-void draw_free_numbers(Ui& ui, MaybesState& state) {
+void draw_free_numbers(Ui& ui, ProposalsState& state) {
     const std::string words = state.held.empty()
                                   ? "May change: all"
                                   : "Held: " + std::to_string(state.held.size()) +
@@ -48,7 +48,7 @@ void draw_free_numbers(Ui& ui, MaybesState& state) {
 }
 
 // The varied pattern and its distance stand above the numbers, so that the numbers do not move.
-void draw_found(Ui& ui, const MaybesState& state) {
+void draw_found(Ui& ui, const ProposalsState& state) {
     dim_text(ui, shortened(ui.theme.fonts.regular, "Neighbours of " + state.varied,
                            ImGui::GetContentRegionAvail().x));
     const auto found = found_variants(state);
@@ -62,14 +62,14 @@ void draw_found(Ui& ui, const MaybesState& state) {
     note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
 }
 
-void draw_put_bar(Ui& ui, MaybesState& state) {
+void draw_put_bar(Ui& ui, ProposalsState& state) {
     if (!state.put.job.asked()) return;
     const std::string doing = "Putting " + state.put.name + " there";
     if (draw_progress(ui, {doing.c_str(), state.put.job.progress(), "put"}, true))
         stop_putting(state);
 }
 
-void draw_gap_bar(Ui& ui, MaybesState& state) {
+void draw_gap_bar(Ui& ui, ProposalsState& state) {
     if (!is_filling(state)) return;
     if (draw_progress(ui, {"Filling the gap", state.gap.progress(), "gap"}, true))
         stop_filling(state);
@@ -77,7 +77,7 @@ void draw_gap_bar(Ui& ui, MaybesState& state) {
 
 }  // namespace
 
-void draw_vary_bar(Ui& ui, const Workspace& work, MaybesState& state) {
+void draw_vary_bar(Ui& ui, const Workspace& work, ProposalsState& state) {
     draw_put_bar(ui, state);
     draw_gap_bar(ui, state);
     if (state.varied.empty()) return;

@@ -52,19 +52,19 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
         selection.only_picked = !selection.only_picked;
     }
     note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
-    const auto deed = [&](const char* id, const char* words, auto act) {
+    const auto action = [&](const char* id, const char* words, auto act) {
         flow_on(button_width(words), ui.theme.gap_px);
         if (ImGui::Button(words)) ui.waiting.emplace_back([&ui, &work, act] { act(ui, work); });
         note_item(ui.rects, std::string("candidates:") + id);
     };
     if (current == nullptr) return;
-    deed("lock", lock, toggle_locked);
+    action("lock", lock, toggle_locked);
     draw_tooltip(ui, "All selected rows: picked in every subset, and not edited.");
-    deed("drop", drop, toggle_dropped);
+    action("drop", drop, toggle_dropped);
     draw_tooltip(ui, "All selected rows: picked in no subset.");
     if (const std::size_t unfelt = unfelt_indices(work).size(); unfelt > 0) {
         const std::string words = "Exclude all not felt (" + std::to_string(unfelt) + ")";
-        deed("exclude unfelt", words.c_str(), exclude_unfelt);
+        action("exclude unfelt", words.c_str(), exclude_unfelt);
         draw_tooltip(ui, "No receptor of the model answers to them. Locked ones stay.");
     }
     const std::string told = std::to_string(listed) + " of " +
@@ -117,8 +117,9 @@ std::string row_words(const Workspace& work, const CandidateRow& row) {
     return words + "\n" + kHoldHelp + ".";
 }
 
-PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, const CandidateRow& row,
-                           const std::vector<ColumnSpan>& places, float row_px) {
+PatternAction draw_table_row(Ui& ui, Workspace& work, CandidatesState& state,
+                             const CandidateRow& row, const std::vector<ColumnSpan>& places,
+                             float row_px) {
     const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
@@ -131,7 +132,7 @@ PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, cons
     if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
     note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
     draw_tooltip(ui, row_words(work, row).c_str());
-    const PatternDeed deed = draw_row_menu(ui, work, row.place);
+    const PatternAction action = draw_row_menu(ui, work, row.place);
     ImGui::PopID();
     draw_row_ground(ui, work, row.place, line);
     for (const ColumnSpan& place : places) {
@@ -139,7 +140,7 @@ PatternDeed draw_table_row(Ui& ui, Workspace& work, CandidatesState& state, cons
                         {line.min.x + place.end_px - 6.0F * s, line.max.y - 2.0F * s}};
         draw_cell(ui, work, row, place.column, cell);
     }
-    return deed;
+    return action;
 }
 
 void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& rows,
@@ -156,9 +157,9 @@ void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& 
 
 }  // namespace
 
-PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
-                                  CandidatesState& state) {
-    PatternDeed deed = PatternDeed::none;
+PatternAction draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
+                                    CandidatesState& state) {
+    PatternAction action = PatternAction::none;
     const std::vector<CandidateRow>& rows = candidate_rows(work, shown_map, state);
     work.selection.table_order.clear();
     for (const CandidateRow& row : rows) work.selection.table_order.push_back(row.place);
@@ -176,8 +177,8 @@ PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
                 const CandidateRow& row = rows[static_cast<std::size_t>(k)];
-                const PatternDeed asked = draw_table_row(ui, work, state, row, places, row_px);
-                if (asked != PatternDeed::none) deed = asked;
+                const PatternAction asked = draw_table_row(ui, work, state, row, places, row_px);
+                if (asked != PatternAction::none) action = asked;
             }
         }
         if (rows.empty()) {
@@ -189,7 +190,7 @@ PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    return deed;
+    return action;
 }
 
 }  // namespace tact

@@ -11,8 +11,8 @@ namespace tact {
 
 // A click selects as in the list, through the order of the table; what is selected is locked and
 // dropped together.
-PatternDeed draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
-                                  CandidatesState& state);
+PatternAction draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
+                                    CandidatesState& state);
 
 // Which columns a table of this width has, and where each begins and ends. The picture takes what
 // is left over; in a narrow table the duration goes first, then it, the rhythm, the modulation.

@@ -135,10 +135,10 @@ void follow_class(const Classroom& room) {
     if (room.phones.question) count_elsewhere(room.lesson, room.phones.question->votes);
 }
 
-void act_on_phones(const Classroom& room, const PhonesDeeds& deeds) {
-    if (deeds.rate_together) rate_together(room);
-    if (deeds.trials_on) try_pairs_on(room, *deeds.trials_on);
-    if (!deeds.show_answers) return;
+void act_on_phones(const Classroom& room, const PhonesActions& actions) {
+    if (actions.rate_together) rate_together(room);
+    if (actions.trials_on) try_pairs_on(room, *actions.trials_on);
+    if (!actions.show_answers) return;
     room.ui.dialog = Dialog::none;
     room.studying.show = StudyShow::map;  // with PM's beside it
     open_study(room.layout, room.studying);

@@ -31,6 +31,6 @@ struct Classroom {
 void follow_class(const Classroom& room);
 
 // What was pressed in the dialog on phones.
-void act_on_phones(const Classroom& room, const PhonesDeeds& deeds);
+void act_on_phones(const Classroom& room, const PhonesActions& actions);
 
 }  // namespace tact

@@ -147,17 +147,18 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
         }
     }
     std::optional<NeighbourAction> done;
-    const auto deed = [&](const char* id, const char* words, NeighbourDeed what, const char* help,
-                          bool first) {
+    const auto action = [&](const char* id, const char* words, NeighbourChoice what,
+                            const char* help, bool first) {
         if (!first) flow_on(ImGui::CalcTextSize(words).x, 1.5F * ui.theme.gap_px);
         if (link(ui, id, words)) done = NeighbourAction{what, pair.place};
         note_item(ui.rects, std::string("neighbour:") + id);
         draw_tooltip(ui, help);
     };
-    deed("play both", kPlay, NeighbourDeed::play_both, "This one, then the closest one.", true);
-    deed("why closest", kWhy, NeighbourDeed::why, "In what the two differ, to the model.", false);
-    deed("separate closest", kSeparate, NeighbourDeed::separate,
-         "The smallest felt change of one number that would part the two.", false);
+    action("play both", kPlay, NeighbourChoice::play_both, "This one, then the closest one.", true);
+    action("why closest", kWhy, NeighbourChoice::why, "In what the two differ, to the model.",
+           false);
+    action("separate closest", kSeparate, NeighbourChoice::separate,
+           "The smallest felt change of one number that would part the two.", false);
     if (beside) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         draw_small(ui, ui.theme.dim_text, pm, right);

@@ -11,9 +11,9 @@
 namespace tact {
 
 // Buttons pressed on the card, and the place of the neighbour in the document.
-enum class NeighbourDeed { play_both, why, separate };
+enum class NeighbourChoice { play_both, why, separate };
 struct NeighbourAction {
-    NeighbourDeed deed;
+    NeighbourChoice action;
     std::size_t neighbour = 0;
 };
 

@@ -72,23 +72,23 @@ void keep_off_row(const Theme& theme, const Rect& row) {
 
 }  // namespace
 
-PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
-    if (index >= work.document.set.vibrations.size()) return PatternDeed::none;
+PatternAction draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
+    if (index >= work.document.set.vibrations.size()) return PatternAction::none;
     if (index != work.selection.current && !work.selection.others.contains(index)) {
         select_only(work, index);
     }
     const Vibration& vibration = work.document.set.vibrations[index];
-    PatternDeed deed = PatternDeed::none;
+    PatternAction action = PatternAction::none;
     const auto row = [&ui](const MenuRow& menu_row) {
         const bool pressed = draw_menu_row(ui.theme, menu_row);
         note_item(ui.rects, std::string("row menu:") + menu_row.words);
         return pressed;
     };
     // `why_not`: the reason why it is disabled.
-    const auto asks = [&](const char* words, const char* keys, PatternDeed what,
+    const auto asks = [&](const char* words, const char* keys, PatternAction what,
                           const char* why_not = nullptr, std::optional<Icon> icon = {}) {
         if (row({.words = words, .keys = keys, .enabled = why_not == nullptr, .icon = icon}))
-            deed = what;
+            action = what;
         if (why_not != nullptr) draw_tooltip(ui, why_not);
     };
     // Runs after all rows are drawn, as it may remove some.
@@ -98,8 +98,8 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     };
     const std::size_t count = work.document.set.vibrations.size();
     const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);
-    asks("Play", play_key, PatternDeed::play, nullptr, Icon::play);
-    asks("Rename", "F2", PatternDeed::rename);
+    asks("Play", play_key, PatternAction::play, nullptr, Icon::play);
+    asks("Rename", "F2", PatternAction::rename);
     draw_divider(ui.theme);
     does(
         vibration.locked ? "Unlock" : "Lock", "Ctrl+L", [&] { toggle_locked(ui, work); },
@@ -111,40 +111,40 @@ PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, const 
     does("Duplicate", "Ctrl+D", [&] { duplicate_selected(ui, work); });
     does("Copy", "Ctrl+C", [&] { copy_selected(ui, work); });
     draw_divider(ui.theme);
-    asks("Find similar", "", PatternDeed::similar,
+    asks("Find similar", "", PatternAction::similar,
          count < 2 ? "there is no other pattern" : nullptr);
     const bool has_layers = std::holds_alternative<LayeredPattern>(vibration.source);
     const char* no_numbers = has_numbers  ? nullptr
                              : has_layers ? "needs a pattern without layers"
                                           : "needs a pattern, not a recording";
-    asks("Vary", "V", PatternDeed::vary,
+    asks("Vary", "V", PatternAction::vary,
          no_numbers != nullptr ? no_numbers
          : vibration.locked    ? "is locked"
          : count < 3           ? "needs three patterns: a map"
                                : nullptr);
-    asks("Steps to...", "", PatternDeed::steps, no_numbers);
-    asks("Transform...", "Ctrl+T", PatternDeed::transform,
+    asks("Steps to...", "", PatternAction::steps, no_numbers);
+    asks("Transform...", "Ctrl+T", PatternAction::transform,
          vibration.locked ? "is locked" : nullptr);
     draw_divider(ui.theme);
     draw_look_menu(ui, work, index);
     draw_divider(ui.theme);
     does("Delete", "Del", [&] { remove_selected(ui, work); });
-    return deed;
+    return action;
 }
 
-PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
+PatternAction draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key) {
     const Rect row{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     const float gap = ui.theme.gap_px;  // rows of a list are lower than those of a menu
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, 0.75F * gap));
     ImGui::SetNextWindowPos({ImGui::GetIO().MousePos.x, row.max.y}, ImGuiCond_Appearing);
-    PatternDeed deed = PatternDeed::none;
+    PatternAction action = PatternAction::none;
     if (ImGui::BeginPopupContextItem("row menu")) {
         keep_off_row(ui.theme, row);
-        deed = draw_pattern_menu(ui, work, index, play_key);
+        action = draw_pattern_menu(ui, work, index, play_key);
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar();
-    return deed;
+    return action;
 }
 
 }  // namespace tact

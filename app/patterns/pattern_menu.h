@@ -9,16 +9,16 @@
 namespace tact {
 
 // Choices that the frame carries out, because they need more than this room knows.
-enum class PatternDeed { none, play, rename, similar, vary, steps, transform };
+enum class PatternAction { none, play, rename, similar, vary, steps, transform };
 
 // Call inside an open popup. Selects the pattern, unless it is among the selected ones: choices
 // apply to all of them, and are carried out after the frame's lists are drawn. `play_key` plays it,
 // too.
-PatternDeed draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index,
-                              const char* play_key = "");
+PatternAction draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index,
+                                const char* play_key = "");
 
 // The same, opened by a right click on the last item, a row of a list; it stands beside the row,
 // whose name stays visible.
-PatternDeed draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key = "");
+PatternAction draw_row_menu(Ui& ui, Workspace& work, std::size_t index, const char* play_key = "");
 
 }  // namespace tact

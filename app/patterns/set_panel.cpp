@@ -302,8 +302,8 @@ void draw_row_content(Ui& ui, Workspace& work, std::size_t index, const Rect& ro
               corner + text_size(theme.fonts.regular, shown), shown);
 }
 
-PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index,
-                     const RowParts& parts) {
+PatternAction draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::size_t index,
+                       const RowParts& parts) {
     const float height = parts.height_px;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
@@ -311,7 +311,7 @@ PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::
         pattern_panes.list.renaming_in == work.document_number) {
         draw_rename(ui, work, pattern_panes, index);
         ImGui::PopID();
-        return PatternDeed::none;
+        return PatternAction::none;
     }
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
     const bool pressed = ImGui::InvisibleButton("row", {width, height});
@@ -337,10 +337,10 @@ PatternDeed draw_row(Ui& ui, Workspace& work, PatternPanes& pattern_panes, std::
     const Rect row = rect_at(corner, {width, height});
     note_rect(ui.rects, "row:" + work.document.set.vibrations[index].name, row.min, row.max);
     drag_row(ui, work, index, row);
-    const PatternDeed deed = draw_row_menu(ui, work, index);
+    const PatternAction action = draw_row_menu(ui, work, index);
     draw_row_content(ui, work, index, row, parts);
     ImGui::PopID();
-    return deed;
+    return action;
 }
 
 void scroll_to_current(Workspace& work, const std::vector<std::size_t>& rows, float row_px) {
@@ -369,8 +369,8 @@ void draw_no_rows(Ui& ui, Workspace& work) {
     note_item(ui.rects, "button:show all");
 }
 
-PatternDeed draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
-    PatternDeed deed = PatternDeed::none;
+PatternAction draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+    PatternAction action = PatternAction::none;
     const std::vector<std::size_t> rows = listed_indices(work);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 1.0F));
     if (ImGui::BeginChild("rows")) {
@@ -382,15 +382,15 @@ PatternDeed draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
         while (clipper.Step()) {
             for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
                 const std::size_t row = rows[static_cast<std::size_t>(k)];
-                const PatternDeed asked = draw_row(ui, work, pattern_panes, row, parts);
-                if (asked != PatternDeed::none) deed = asked;
+                const PatternAction asked = draw_row(ui, work, pattern_panes, row, parts);
+                if (asked != PatternAction::none) action = asked;
             }
         }
         if (rows.empty()) draw_no_rows(ui, work);
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    return deed;
+    return action;
 }
 
 }  // namespace
@@ -402,7 +402,7 @@ void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_
     pattern_panes.list.rename_begun = false;
 }
 
-PatternDeed draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
+PatternAction draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {
     draw_toolbar(ui, work);
     draw_effect_maps_line(ui, work);
     return draw_rows(ui, work, pattern_panes);

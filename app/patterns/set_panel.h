@@ -8,7 +8,7 @@
 
 namespace tact {
 
-PatternDeed draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
+PatternAction draw_set_panel(Ui& ui, Workspace& work, PatternPanes& pattern_panes);
 
 // Its search field takes the keyboard in the next frame.
 void begin_rename(const Workspace& work, PatternPanes& pattern_panes, std::size_t index);

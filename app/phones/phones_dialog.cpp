@@ -105,7 +105,7 @@ void draw_side(Ui& ui, PhonesState& state, const ConnectedPhone& phone) {
     if (draw_segments(ui, kSides, side, noted)) state.server->set_side(phone.number, side);
 }
 
-void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesDeeds& deeds) {
+void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesActions& actions) {
     const std::string number = std::to_string(phone.number);
     ImGui::PushID(phone.number);
     ImGui::TableNextRow();
@@ -121,7 +121,7 @@ void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesD
     draw_side(ui, state, phone);
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!phone.vibrates || state.rating.has_value());
-    if (row_link(ui, "trials", "Tell apart...")) deeds.trials_on = phone.number;
+    if (row_link(ui, "trials", "Tell apart...")) actions.trials_on = phone.number;
     note_item(ui.rects, "phone " + number + " trials");
     ImGui::EndDisabled();
     draw_tooltip(ui,
@@ -134,7 +134,7 @@ void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesD
     ImGui::PopID();
 }
 
-void draw_phones(Ui& ui, PhonesState& state, PhonesDeeds& deeds) {
+void draw_phones(Ui& ui, PhonesState& state, PhonesActions& actions) {
     const std::string words = phones_words(state);
     ImGui::TextUnformatted(words.c_str());
     note_item(ui.rects, "phones:here", words);
@@ -154,7 +154,7 @@ void draw_phones(Ui& ui, PhonesState& state, PhonesDeeds& deeds) {
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                             segments_width(ui, kSides) + ui.theme.gap_px);
     ImGui::TableSetupColumn("");
-    for (const ConnectedPhone& phone : state.phones) draw_phone(ui, state, phone, deeds);
+    for (const ConnectedPhone& phone : state.phones) draw_phone(ui, state, phone, actions);
     ImGui::EndTable();
 }
 
@@ -179,11 +179,11 @@ std::string rating_obstacle(const Workspace& work) {
     return are_chosen ? std::string() : class_rating_obstacle(work.document.set);
 }
 
-void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesDeeds& deeds) {
+void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesActions& actions) {
     if (!state.rating) {
         const std::string obstacle = rating_obstacle(work);
         ImGui::BeginDisabled(!obstacle.empty() || state.phones.empty());
-        deeds.rate_together = ImGui::Button("Rate together");
+        actions.rate_together = ImGui::Button("Rate together");
         note_item(ui.rects, "button:rate together", obstacle);
         ImGui::EndDisabled();
         draw_tooltip(ui, obstacle.empty()
@@ -203,7 +203,7 @@ void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesDeeds&
     wrapped_text(words);
     note_item(ui.rects, "phones:rating", words);
     if (!state.rating->fault.empty()) coloured_text(ui.theme.warning, state.rating->fault);
-    deeds.show_answers = ImGui::Button("Show the answers");
+    actions.show_answers = ImGui::Button("Show the answers");
     note_item(ui.rects, "button:show rating");
     ImGui::SameLine();
     if (ImGui::Button("End the rating")) end_rating(ui, state);
@@ -227,7 +227,7 @@ void draw_trials(Ui& ui, PhonesState& state) {
 }
 
 void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, PhonesState& state,
-             PhonesDeeds& deeds) {
+             PhonesActions& actions) {
     if (ImGui::BeginTable("phones page", 2, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                                 (kCodePx + 40.0F) * ui.theme.scale);
@@ -235,14 +235,14 @@ void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Phone
         ImGui::TableNextColumn();
         draw_code(ui, state.code);
         ImGui::TableNextColumn();
-        draw_phones(ui, state, deeds);
+        draw_phones(ui, state, actions);
         ImGui::EndTable();
     }
     draw_address(ui, state);
     draw_divider(ui.theme);
     draw_playing(ui, timeline, play);
     ImGui::Spacing();
-    draw_rating(ui, work, state, deeds);
+    draw_rating(ui, work, state, actions);
     draw_trials(ui, state);
     ImGui::Spacing();
     if (link(ui, "stop phones", "Close the page")) stop_phones(ui, timeline, play, state);
@@ -252,17 +252,17 @@ void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Phone
 
 }  // namespace
 
-PhonesDeeds draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
-                               PhonesState& state) {
-    PhonesDeeds deeds;
-    if (!begin_dialog(ui, "Phones", kPhonesDialogPx)) return deeds;
+PhonesActions draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
+                                 PhonesState& state) {
+    PhonesActions actions;
+    if (!begin_dialog(ui, "Phones", kPhonesDialogPx)) return actions;
     if (!state.server) {
         draw_off(ui, play, state);
     } else {
-        draw_on(ui, work, timeline, play, state, deeds);
+        draw_on(ui, work, timeline, play, state, actions);
     }
     end_dialog(ui);
-    return deeds;
+    return actions;
 }
 
 }  // namespace tact

@@ -10,13 +10,13 @@
 namespace tact {
 
 // What the dialog asks of rooms that it does not know.
-struct PhonesDeeds {
+struct PhonesActions {
     std::optional<int> trials_on;  // the phone that is to try the closest pairs
     bool rate_together = false;
     bool show_answers = false;  // of the rating, where studies are
 };
 
-PhonesDeeds draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
-                               PhonesState& state);
+PhonesActions draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
+                                 PhonesState& state);
 
 }  // namespace tact

@@ -179,10 +179,10 @@ void fit_time(const Workspace& work, Timeline& timeline) {
     timeline.playhead.at_s = std::clamp(timeline.playhead.at_s, 0.0, duration_s);
 }
 
-PhysiologyDeed draw_nothing_to_show(const Ui& ui) {
+StagesAction draw_nothing_to_show(const Ui& ui) {
     draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No vibration to show",
                "Press New on the left to make one, or open a set.");
-    return PhysiologyDeed::none;
+    return StagesAction::none;
 }
 
 void draw_on_their_way(const Ui& ui, const Rect& area, const Vibration& vibration) {
@@ -199,8 +199,8 @@ void begin_pointing(Timeline& timeline, Physiology& physiology) {
     physiology.view.hovered.reset();
 }
 
-PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
-                                   Physiology& physiology) {
+StagesAction draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
+                                 Physiology& physiology) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) return draw_nothing_to_show(ui);
     fit_time(work, timeline);
@@ -220,33 +220,33 @@ PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     // Drawn last because they stand at the right end: Tab moves from left to right.
     ImGui::SetCursorScreenPos({rest.max.x - links, rest.min.y});
     ImGui::BeginGroup();
-    PhysiologyDeed deed = physiology.view.open ? PhysiologyDeed::unfold : PhysiologyDeed::none;
-    if (link(ui, "unfold", "All stages")) deed = PhysiologyDeed::unfold;
+    StagesAction action = physiology.view.open ? StagesAction::unfold : StagesAction::none;
+    if (link(ui, "unfold", "All stages")) action = StagesAction::unfold;
     note_item(ui.rects, "stages:unfold");
-    if (link(ui, "close stages", "Close")) deed = PhysiologyDeed::close;
+    if (link(ui, "close stages", "Close")) action = StagesAction::close;
     note_item(ui.rects, "stages:close");
     draw_tooltip(ui, "They come back by Stages in one row, in the View menu");
     ImGui::EndGroup();
-    return deed;
+    return action;
 }
 
-PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
-                                     Physiology& physiology, bool tour_begun) {
+StagesAction draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                   Physiology& physiology, bool tour_begun) {
     const Vibration* vibration = current_vibration(work);
     if (vibration == nullptr) return draw_nothing_to_show(ui);
     fit_time(work, timeline);
     const std::vector<ShownStages> patterns = shown_patterns(ui, work, physiology);
     follow_difference(physiology, patterns);
-    PhysiologyDeed deed = PhysiologyDeed::none;
-    if (!ui.as_picture) deed = draw_strip(ui, work, physiology, tour_begun);
+    StagesAction action = StagesAction::none;
+    if (!ui.as_picture) action = draw_strip(ui, work, physiology, tour_begun);
     // The links above may have changed the range.
     fit_time(work, timeline);
     const bool failed = draw_failure(ui, "physiology", physiology.stages_job.failure()) ||
                         draw_failure(ui, "physiology", physiology.pinned_job.failure());
-    if (patterns.empty() && failed) return deed;
+    if (patterns.empty() && failed) return action;
     if (patterns.empty()) {
         draw_on_their_way(ui, rest_of_pane(), *vibration);
-        return deed;
+        return action;
     }
     if (physiology.view.open) {
         draw_large(ui, work, timeline, physiology, patterns, *physiology.view.open);
@@ -254,7 +254,7 @@ PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline
     } else {
         draw_overview(ui, work, timeline, physiology, patterns);
     }
-    return deed;
+    return action;
 }
 
 }  // namespace tact

@@ -9,18 +9,18 @@
 
 namespace tact {
 
-enum class PhysiologyDeed { none, tour, fold, unfold, close };
+enum class StagesAction { none, tour, fold, unfold, close };
 
 // Before a frame: forgets the item under the mouse, wherever it was.
 void begin_pointing(Timeline& timeline, Physiology& physiology);
 
 // Returns the pressed links. `tour_begun`: offers to continue the tour.
-PhysiologyDeed draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
-                                     Physiology& physiology, bool tour_begun);
+StagesAction draw_physiology_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                   Physiology& physiology, bool tour_begun);
 
 // A few stages side by side; a press on one opens the whole column.
-PhysiologyDeed draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
-                                   Physiology& physiology);
+StagesAction draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
+                                 Physiology& physiology);
 void draw_explain_window(Ui& ui, Physiology& physiology, const Rect& beside);
 
 }  // namespace tact

@@ -78,9 +78,9 @@ void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     }
 }
 
-PhysiologyDeed draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun,
-                          float gap_px) {
-    PhysiologyDeed deed = PhysiologyDeed::none;
+StagesAction draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun,
+                        float gap_px) {
+    StagesAction action = StagesAction::none;
     draw_check(ui.theme, kTextbook, physiology.view.textbook);
     note_item(ui.rects, "textbook");
     draw_tooltip(ui, kTextbookHelp);
@@ -94,23 +94,23 @@ PhysiologyDeed draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool 
         draw_tooltip(ui, "Show one pattern again");
     }
     flow_on(words_px(tour_words(tour_begun)), gap_px);
-    if (row_link(ui, "tour", tour_words(tour_begun))) deed = PhysiologyDeed::tour;
+    if (row_link(ui, "tour", tour_words(tour_begun))) action = StagesAction::tour;
     note_item(ui.rects, "start tour");
     flow_on(words_px(kFold), gap_px);
-    if (row_link(ui, "fold", kFold)) deed = PhysiologyDeed::fold;
+    if (row_link(ui, "fold", kFold)) action = StagesAction::fold;
     note_item(ui.rects, "stages:fold");
     draw_tooltip(ui, kFoldHelp);
-    return deed;
+    return action;
 }
 
 // The links as a menu, for a pane without room for them.
-PhysiologyDeed draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
+StagesAction draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
     if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
     note_item(ui.rects, "stages:more");
-    if (!ImGui::IsPopupOpen("more of the stages")) return PhysiologyDeed::none;
+    if (!ImGui::IsPopupOpen("more of the stages")) return StagesAction::none;
     open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
-    if (!ImGui::BeginPopup("more of the stages")) return PhysiologyDeed::none;
-    PhysiologyDeed deed = PhysiologyDeed::none;
+    if (!ImGui::BeginPopup("more of the stages")) return StagesAction::none;
+    StagesAction action = StagesAction::none;
     if (ImGui::BeginMenu("Compare with")) {
         draw_patterns_to_compare(ui, work);
         ImGui::EndMenu();
@@ -126,18 +126,18 @@ PhysiologyDeed draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool t
     }
     const bool pinned = !work.selection.pinned.empty();
     if (row("Show one pattern again", "unpin", pinned)) work.selection.pinned.clear();
-    if (row(tour_words(tour_begun), "start tour")) deed = PhysiologyDeed::tour;
-    if (row("Fold into one row", "stages:fold")) deed = PhysiologyDeed::fold;
+    if (row(tour_words(tour_begun), "start tour")) action = StagesAction::tour;
+    if (row("Fold into one row", "stages:fold")) action = StagesAction::fold;
     ImGui::PushTextWrapPos(260.0F * ui.theme.scale);
     dim_text(ui, kHint);
     ImGui::PopTextWrapPos();
     ImGui::EndPopup();
-    return deed;
+    return action;
 }
 
 }  // namespace
 
-PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
+StagesAction draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
     const float gap = 2.0F * ui.theme.scale;
     const ShownDifference& difference = physiology.view.difference;
     float all_px = chip_width(ui, kAllStages);
@@ -154,7 +154,7 @@ PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool 
         std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
         draw_tooltip(ui, tip);
     }
-    if (ui.presenting) return PhysiologyDeed::none;
+    if (ui.presenting) return StagesAction::none;
 
     const float apart = 2.0F * ui.theme.padding_px;
     const float unpin_px =
@@ -173,7 +173,7 @@ PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool 
         ImGui::SetCursorScreenPos({right - width, last.min.y + down});
     }
     ImGui::BeginGroup();
-    const PhysiologyDeed deed = as_menu ? draw_more(ui, work, physiology, tour_begun)
+    const StagesAction action = as_menu ? draw_more(ui, work, physiology, tour_begun)
                                         : draw_links(ui, work, physiology, tour_begun, apart);
     ImGui::EndGroup();
     if (ImGui::IsPopupOpen("compare with")) {
@@ -183,7 +183,7 @@ PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool 
         draw_patterns_to_compare(ui, work);
         ImGui::EndPopup();
     }
-    return deed;
+    return action;
 }
 
 }  // namespace tact

@@ -11,6 +11,6 @@ namespace tact {
 // The strip; links to compare, to the tour and back to one row stand at the right end of its last
 // line, or below it, or in a menu if it has two lines already. Returns the pressed links.
 // `tour_begun`: offers to continue the tour.
-PhysiologyDeed draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun);
+StagesAction draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun);
 
 }  // namespace tact

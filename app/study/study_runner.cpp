@@ -67,10 +67,10 @@ void play_until(StudyRun& run, double until_s) {
     run.quiet_until_s = until_s + run.rest_s;
 }
 
-void start_playing(StudyRun& run, StudyDeeds& deeds, std::size_t pattern, double now_s) {
+void start_playing(StudyRun& run, StudyActions& actions, std::size_t pattern, double now_s) {
     const StudyDesign& design = run.record.header.design;
-    deeds.play = pattern;
-    deeds.rest_s = run.rest_s;
+    actions.play = pattern;
+    actions.rest_s = run.rest_s;
     run.playing = pattern;
     run.was_silenced = false;
     run.rest_s = run.page == StudyPage::training ? design.rest_s : design.gap_s;
@@ -92,21 +92,21 @@ void end_playing(StudyRun& run, const Play& played) {
     if (!run.feels_again) ++run.felt_sorting[run.playing_button];
 }
 
-void play(StudyRun& run, StudyDeeds& deeds, std::size_t button, double now_s) {
+void play(StudyRun& run, StudyActions& actions, std::size_t button, double now_s) {
     if (!may_play(run, now_s)) return;
     run.playing_button = button;
     if (run.page == StudyPage::training && button < run.training.size()) {
-        start_playing(run, deeds, run.training[button], now_s);
+        start_playing(run, actions, run.training[button], now_s);
     } else if (run.page == StudyPage::trial && button < 2) {
-        start_playing(run, deeds, button == 0 ? run.trial.left : run.trial.right, now_s);
+        start_playing(run, actions, button == 0 ? run.trial.left : run.trial.right, now_s);
     } else if (run.page == StudyPage::sorting && button < patterns_of(run)) {
-        start_playing(run, deeds, button, now_s);
+        start_playing(run, actions, button, now_s);
     }
 }
 
-void fall_silent(StudyRun& run, StudyDeeds& deeds, Play played, double now_s) {
+void fall_silent(StudyRun& run, StudyActions& actions, Play played, double now_s) {
     if (!run.playing) return;
-    deeds.silence = true;
+    actions.silence = true;
     played.is_to_the_end = false;
     end_playing(run, played);
     run.was_silenced = true;
@@ -145,27 +145,28 @@ SortingAnswer sorting_answer(const StudyRun& run, const std::string& at, double 
     return answer;
 }
 
-void give_answer(StudyRun& run, StudyDeeds& deeds, const std::string& at, double now_s) {
+void give_answer(StudyRun& run, StudyActions& actions, const std::string& at, double now_s) {
     const StudyHeader& header = run.record.header;
     if (is_pairwise(run)) {
         run.record.answers.push_back(pair_answer(run, at, now_s));
-        deeds.line = answer_line(header, run.record.answers.size() - 1, run.record.answers.back());
+        actions.line =
+            answer_line(header, run.record.answers.size() - 1, run.record.answers.back());
     } else {
         run.record.sortings.push_back(sorting_answer(run, at, now_s));
-        deeds.line =
+        actions.line =
             answer_line(header, run.record.sortings.size() - 1, run.record.sortings.back());
     }
     run.is_waiting = true;
 }
 
-void go_on(StudyRun& run, StudyDeeds& deeds, const std::string& at, double now_s) {
+void go_on(StudyRun& run, StudyActions& actions, const std::string& at, double now_s) {
     if (!may_go_on(run, now_s)) return;
     switch (run.page) {
         case StudyPage::consent:
             run.record.header.consented = true;
             run.record.header.begun = at;
             run.is_waiting = true;
-            deeds.begin_file = true;
+            actions.begin_file = true;
             break;
         case StudyPage::instructions:
             if (answers_given(run.record) > 0 || !is_pairwise(run)) {
@@ -180,10 +181,10 @@ void go_on(StudyRun& run, StudyDeeds& deeds, const std::string& at, double now_s
             break;
         case StudyPage::trial:
         case StudyPage::sorting:
-            give_answer(run, deeds, at, now_s);
+            give_answer(run, actions, at, now_s);
             break;
         case StudyPage::finished:
-            deeds.left = true;
+            actions.left = true;
             break;
     }
 }
@@ -211,10 +212,10 @@ void take_not_saved(StudyRun& run, const std::string& why) {
     if (run.page == StudyPage::sorting) run.record.sortings.pop_back();
 }
 
-void ask(StudyRun& run, StudyDeeds& deeds, const Play& played, double now_s) {
+void ask(StudyRun& run, StudyActions& actions, const Play& played, double now_s) {
     if (run.is_asking || run.is_waiting) return;
     if (run.page == StudyPage::finished) return;  // there is nothing left to pause
-    fall_silent(run, deeds, played, now_s);
+    fall_silent(run, actions, played, now_s);
     run.is_asking = true;
     run.asked_s = now_s;
 }
@@ -250,7 +251,7 @@ StudyRun study_run(StudyRecord record, std::vector<double> duration_s) {
 }
 
 StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
-    StudyDeeds deeds;
+    StudyActions actions;
     if (run.playing && event.what == What::plays_on) {
         play_until(run, now_s + event.value);
     } else if (run.playing && now_s >= run.playing_until_s) {
@@ -261,13 +262,13 @@ StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
         case What::plays_on:
             break;
         case What::cut_short:
-            fall_silent(run, deeds, event.played, now_s);
+            fall_silent(run, actions, event.played, now_s);
             break;
         case What::go_on:
-            go_on(run, deeds, event.at, now_s);
+            go_on(run, actions, event.at, now_s);
             break;
         case What::play:
-            play(run, deeds, event.index, now_s);
+            play(run, actions, event.index, now_s);
             break;
         case What::rate:
             if (may_rate(run, now_s)) run.similarity = std::clamp(event.value, 0.0, 100.0);
@@ -276,13 +277,13 @@ StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
             put(run, event.index, event.value);
             break;
         case What::ask:
-            ask(run, deeds, event.played, now_s);
+            ask(run, actions, event.played, now_s);
             break;
         case What::stay:
             stay(run, now_s);
             break;
         case What::leave:
-            deeds.left = run.is_asking;
+            actions.left = run.is_asking;
             break;
         case What::saved:
             take_saved(run, now_s);
@@ -291,7 +292,7 @@ StudyStep stepped(StudyRun run, const StudyEvent& event, double now_s) {
             take_not_saved(run, event.text);
             break;
     }
-    return {std::move(run), std::move(deeds)};
+    return {std::move(run), std::move(actions)};
 }
 
 bool may_play(const StudyRun& run, double now_s) {

@@ -81,7 +81,7 @@ struct StudyEvent {
     Play played{.is_to_the_end = true};  // what plays, if it has come to its end by now
 };
 
-struct StudyDeeds {
+struct StudyActions {
     std::optional<std::size_t> play;  // position of a pattern ...
     double rest_s = 0.0;              // ... so long after the end of the last one, at the soonest
     bool silence = false;
@@ -92,7 +92,7 @@ struct StudyDeeds {
 
 struct StudyStep {
     StudyRun run;
-    StudyDeeds deeds;
+    StudyActions actions;
 };
 
 // The run of a record: of one without a file yet (`header.begun` empty) from the consent, of

@@ -56,19 +56,20 @@ Expected<Done> write_line(StudyState& state, const std::string& line) {
 }
 
 void act_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
-            const StudyDeeds& deeds) {
-    if (deeds.silence) studying.device->stop();
-    if (deeds.play) {
+            const StudyActions& actions) {
+    if (actions.silence) studying.device->stop();
+    if (actions.play) {
         StudyActuator& actuator = studying.actuator;
         actuator.dropouts = 0;
         actuator.seen_dropouts = studying.device->status().dropouts;
-        const auto played = studying.device->play_after(actuator.drives[*deeds.play], deeds.rest_s);
+        const auto played =
+            studying.device->play_after(actuator.drives[*actions.play], actions.rest_s);
         if (!played && actuator.is_there)
             return lose_actuator(ui, work, play, studying, played.error().message);
     }
-    if (deeds.begin_file || deeds.line) {
+    if (actions.begin_file || actions.line) {
         const Expected<Done> done =
-            deeds.line ? write_line(studying, *deeds.line) : begin_file(work, studying);
+            actions.line ? write_line(studying, *actions.line) : begin_file(work, studying);
         act(ui, work, play, studying,
             {done ? What::saved : What::not_saved,
              0,
@@ -76,7 +77,7 @@ void act_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState& st
              done ? std::string() : done.error().message,
              {}});
     }
-    if (deeds.left) end_run(ui, studying);
+    if (actions.left) end_run(ui, studying);
 }
 
 bool is_paused(const StudyRun& run) { return run.is_asking || run.page == StudyPage::rest; }
@@ -227,7 +228,7 @@ void step_run(Ui& ui, const Workspace& work, const PlayState& play, StudyState& 
     StudyStep step = stepped(*std::move(studying.run), event, ui.time_s);
     studying.run = std::move(step.run);
     if (is_paused(*studying.run) && !was_paused) look_at_map(studying);
-    act_on(ui, work, play, studying, step.deeds);
+    act_on(ui, work, play, studying, step.actions);
 }
 
 }  // namespace

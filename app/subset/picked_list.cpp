@@ -24,9 +24,9 @@ float member_row_px(const Ui& ui, float width_px) {
     return row + ImGui::GetStyle().ItemSpacing.y;
 }
 
-PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
+PatternAction draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number) {
     const auto place = place_named(work.document.set, name);
-    if (!place) return PatternDeed::none;
+    if (!place) return PatternAction::none;
     const Vibration& vibration = work.document.set.vibrations[*place];
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float s = ui.theme.scale;
@@ -44,7 +44,7 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
                  ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
     // What only a member has is its number, which is the key that plays it, as far as keys go.
-    const PatternDeed deed = draw_row_menu(ui, work, *place, key.c_str());
+    const PatternAction action = draw_row_menu(ui, work, *place, key.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PatternLook look = look_of(ui, work, *place);
     const float middle = corner.y + 0.5F * height;
@@ -78,7 +78,7 @@ PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::s
     draw_text(list, ui.theme.fonts.regular, {begin, text_y}, ui.theme.text,
               shortened(ui.theme.fonts.regular, name, std::max(0.0F, room)));
     ImGui::PopID();
-    return deed;
+    return action;
 }
 
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

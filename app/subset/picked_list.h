@@ -20,7 +20,7 @@ inline constexpr std::size_t kPlayKeys = 9;  // 1 to 9
 float member_row_px(const Ui& ui, float width_px);
 
 // Draws the pattern of that name, the `number`-th from 1 on. Its menu is that of every pattern.
-PatternDeed draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
+PatternAction draw_member(Ui& ui, Workspace& work, const std::string& name, std::size_t number);
 
 // Plays once the `number`-th of the subset on screen, from 1 on; says so if it is missing.
 void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,

@@ -282,15 +282,15 @@ Rect rest_or_lines(float lines) {
     return area;
 }
 
-PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                           PlayState& play, SubsetState& picking) {
+PatternAction draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                             PlayState& play, SubsetState& picking) {
     draw_count(ui, picking);
     draw_grow(ui, work, picking);
     draw_objective(ui, picking);
     draw_source(ui, work, picking);
     draw_unfelt_choice(ui, picking);
-    PatternDeed deed = PatternDeed::none;
-    if (!draw_pick_state(ui, work, shown_map, picking)) return deed;
+    PatternAction action = PatternAction::none;
+    if (!draw_pick_state(ui, work, shown_map, picking)) return action;
     const std::shared_ptr<const Pick> pick = picking.pick;  // kept while it is drawn
     draw_headline(ui, work, timeline, shown_map, play, picking, *pick,
                   *shown_subset(shown_map, picking));
@@ -308,24 +308,24 @@ PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const Sh
     ImGui::BeginChild("members", parts.words.size());
     std::size_t number = 0;
     for (const std::size_t member : subset.members) {
-        const PatternDeed asked = draw_member(ui, work, name_of(*pick, member), ++number);
-        if (asked != PatternDeed::none) deed = asked;
+        const PatternAction asked = draw_member(ui, work, name_of(*pick, member), ++number);
+        if (asked != PatternAction::none) action = asked;
     }
     draw_alternatives(ui, picking, *pick);
     ImGui::EndChild();
     if (!parts.picture.empty()) draw_curve(ui, shown_map, picking, parts.picture);
-    return deed;
+    return action;
 }
 
-PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
-                              const ShownMap& shown_map, PlayState& play, SubsetState& picking) {
-    PatternDeed deed = PatternDeed::none;
+PatternAction draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                const ShownMap& shown_map, PlayState& play, SubsetState& picking) {
+    PatternAction action = PatternAction::none;
     draw_views(ui, work, shown_map, picking);
     ImGui::Dummy({1.0F, 1.0F});
     ImGui::BeginChild("view");  // scrolls where the pane is low
     switch (picking.view) {
         case SubsetView::pick:
-            deed = draw_pick_view(ui, work, timeline, shown_map, play, picking);
+            action = draw_pick_view(ui, work, timeline, shown_map, play, picking);
             break;
         case SubsetView::confusable:
             draw_too_close_view(ui, work, shown_map, picking);
@@ -335,7 +335,7 @@ PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
             break;
     }
     ImGui::EndChild();
-    return deed;
+    return action;
 }
 
 }  // namespace tact

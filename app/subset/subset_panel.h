@@ -12,7 +12,7 @@
 namespace tact {
 
 // What was asked for in the menu of a member is for the frame.
-PatternDeed draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
-                              const ShownMap& shown_map, PlayState& play, SubsetState& picking);
+PatternAction draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
+                                const ShownMap& shown_map, PlayState& play, SubsetState& picking);
 
 }  // namespace tact

@@ -17,8 +17,8 @@ namespace tact {
 // The worth of a subset or a pair, with the digits that reports and exports show.
 std::string worth_text(double worth);
 
-PatternDeed draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
-                           PlayState& play, SubsetState& picking);
+PatternAction draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
+                             PlayState& play, SubsetState& picking);
 void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);
 void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                          SubsetState& picking);

@@ -66,12 +66,12 @@ bool draw_plate(const Ui& ui, const char* id, const char* text, bool lit, float 
     return pressed;
 }
 
-enum class LinkTo { deed, name };
+enum class LinkTo { action, name };
 
 // With this room above and below the words. An action is a quiet button: its background reaches a
 // little beyond the words, so that these stay aligned.
 bool draw_link(const Ui& ui, const char* id, const std::string& text, float pad_px,
-               LinkTo to = LinkTo::deed) {
+               LinkTo to = LinkTo::action) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos() + ImVec2{0.0F, pad_px};
     const bool pressed = ImGui::InvisibleButton(id, {size.x, size.y + 2.0F * pad_px});

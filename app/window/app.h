@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "app/ask/maybes_state.h"
 #include "app/ask/pad_state.h"
+#include "app/ask/proposals_state.h"
 #include "app/ask/steps_state.h"
 #include "app/calibrate/calibrate_state.h"
 #include "app/candidates/candidates_state.h"
@@ -68,7 +68,7 @@ struct DocumentRooms {
     StepsState steps;
     TransformState transform;
     PadState pad;
-    MaybesState maybes;
+    ProposalsState proposals;
     GenerateState generating;
 };
 
@@ -92,7 +92,7 @@ struct App {
     StepsState steps;
     TransformState transform;
     PadState pad;
-    MaybesState maybes;
+    ProposalsState proposals;
     ExportState exports;
     GenerateState generating;
     ImportState importing;

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_follow.h"
 #include "app/ask/pad_dialog.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
 #include "app/candidates/candidate_rows.h"
 #include "app/compare/compare_state.h"
@@ -165,12 +165,12 @@ void escape(App& app) {
         say(app.ui, "Esc ends no lesson that is being written. Lesson > Leave the lesson does.");
     } else if (app.lesson.step) {
         leave_the_lesson(app);
-    } else if (is_filling(app.maybes)) {
-        stop_filling(app.maybes);
-    } else if (app.maybes.put.job.asked()) {
-        stop_putting(app.maybes);
-    } else if (!app.maybes.varied.empty()) {
-        stop_varying(app.maybes);
+    } else if (is_filling(app.proposals)) {
+        stop_filling(app.proposals);
+    } else if (app.proposals.put.job.asked()) {
+        stop_putting(app.proposals);
+    } else if (!app.proposals.varied.empty()) {
+        stop_varying(app.proposals);
     } else if (app.timeline.playhead.playing) {
         app.timeline.playhead.playing = false;
     } else if (app.physiology.view.explained) {

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_follow.h"
 #include "app/ask/pad_dialog.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/steps_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -197,7 +197,7 @@ constexpr auto
                  [](App& app) { open_transform(app.ui, app.work, app.transform); }, nullptr,
                  "stretch reverse repeat join mix trim fade normalise quantise transpose thin"},
                 {"Edit", "Vary", plain('v'), has_neighbours,
-                 [](App& app) { vary(app.ui, app.work, app.maybes); }, nullptr,
+                 [](App& app) { vary(app.ui, app.work, app.proposals); }, nullptr,
                  "neighbours variants alternatives others like it ghosts"},
                 {"Edit",
                  "Mix on a pad...",
@@ -210,7 +210,7 @@ constexpr auto
                  "Fill the gap",
                  {},
                  has_selection,
-                 [](App& app) { fill_the_gap(app.ui, app.work, app.shown_map, app.maybes); },
+                 [](App& app) { fill_the_gap(app.ui, app.work, app.shown_map, app.proposals); },
                  nullptr,
                  "farthest from all picked propose empty corner"},
                 {"Edit",
@@ -218,7 +218,7 @@ constexpr auto
                  {},
                  has_missing,
                  [](App& app) {
-                     grow_to(app.ui, app.work, app.shown_map, app.maybes,
+                     grow_to(app.ui, app.work, app.shown_map, app.proposals,
                              static_cast<std::size_t>(app.picking.count));
                  },
                  nullptr,

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
 #include "app/calibrate/calibrate_state.h"
@@ -216,8 +216,8 @@ void follow_renaming(App& app, const Renaming& renaming) {
     follow(renaming, app.steps.to);
     follow(renaming, app.transform.other);
     each(app.pad.corners);
-    follow(renaming, app.maybes.varied);
-    follow(renaming, app.maybes.put.name);
+    follow(renaming, app.proposals.varied);
+    follow(renaming, app.proposals.put.name);
     if (auto& opened = app.picking.opened) {
         follow(renaming, opened->first);
         follow(renaming, opened->second);
@@ -408,9 +408,9 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
     follow_transform(app.ui, app.work, app.transform);
-    follow_gap(app.ui, app.work, app.maybes);
-    follow_put(app.ui, app.work, app.shown_map, app.maybes);
-    follow_maybes(app.ui, app.work, app.shown_map, app.maybes);
+    follow_gap(app.ui, app.work, app.proposals);
+    follow_put(app.ui, app.work, app.shown_map, app.proposals);
+    follow_proposals(app.ui, app.work, app.shown_map, app.proposals);
     keep_what_is_unsaved(app);
     move_focus(app.ui);
     write_rects(app.ui.rects);
@@ -443,7 +443,7 @@ double next_wake_s(const App& app) {
     double wake_s = std::numeric_limits<double>::infinity();
     if (is_computing(app) || is_comparing(app) || is_subset_busy(app.picking) ||
         is_training(app.model_bench) || is_opening(app.opening) || is_placing(app.steps) ||
-        is_transforming(app.transform) || is_asking(app.maybes) ||
+        is_transforming(app.transform) || is_asking(app.proposals) ||
         is_predicting_loss(app.exports.effects) || is_writing_paper(app.exports.paper) ||
         is_planning(app.planning) || is_library_busy(app.library)) {
         wake_s = 0.1;  // progress

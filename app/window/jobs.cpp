@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/course/course_state.h"
 #include "app/lesson/lesson.h"
@@ -147,7 +147,7 @@ void begin_again(App& app) {
     begin_again(app.steps, StepsState{});
     begin_again(app.transform, TransformState{});
     begin_again(app.pad, PadState{});
-    begin_again(app.maybes, MaybesState{});
+    begin_again(app.proposals, ProposalsState{});
     begin_again(app.generating, GenerateState{});
 }
 
@@ -196,7 +196,7 @@ void make_document_jobs(App& app) {
     make_stages_jobs(app.ui, app.physiology);
     make_compare_jobs(app.ui, app.rendered, app.comparing);
     make_subset_jobs(app.ui, app.picking);
-    make_maybes_jobs(app.ui, app.maybes);
+    make_proposal_jobs(app.ui, app.proposals);
 }
 
 void swap_with_aside(App& app) {
@@ -210,7 +210,7 @@ void swap_with_aside(App& app) {
     std::swap(app.steps, aside.steps);
     std::swap(app.transform, aside.transform);
     std::swap(app.pad, aside.pad);
-    std::swap(app.maybes, aside.maybes);
+    std::swap(app.proposals, aside.proposals);
     std::swap(app.generating, aside.generating);
     // The lesson has replaced these, or has restored them.
     app.shown_map.camera = aside.shown_map.camera;
@@ -284,7 +284,7 @@ void stop_jobs(App& app) {
     app.library.adder.end();
     stop_subset_jobs(app.picking);
     stop_training(app.model_bench);
-    stop_maybes_jobs(app.maybes);
+    stop_proposal_jobs(app.proposals);
     app.steps.job.end();
     app.transform.job.end();
     app.exports.effects.job.end();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
 #include "app/ask/steps_follow.h"
 #include "app/ask/vary_bar.h"
@@ -121,23 +121,23 @@ std::string side_detail(const App& app) {
     return shown_side(app.work) == Side::both ? "" : shown_patterns_text(app.work);
 }
 
-void do_with_pattern(App& app, PatternDeed deed) {
+void do_with_pattern(App& app, PatternAction action) {
     const std::size_t current = app.work.selection.current;
-    switch (deed) {
-        case PatternDeed::none:
+    switch (action) {
+        case PatternAction::none:
             return;
-        case PatternDeed::play:
+        case PatternAction::play:
             return play_once(app.ui, app.work, app.timeline, app.play, current);
-        case PatternDeed::rename:
+        case PatternAction::rename:
             app.ui.waiting.emplace_back([&app] { start_rename(app); });
             return;
-        case PatternDeed::similar:
+        case PatternAction::similar:
             return select_similar(app.ui, app.work, app.shown_map, current);
-        case PatternDeed::vary:
-            return vary(app.ui, app.work, app.maybes);
-        case PatternDeed::transform:
+        case PatternAction::vary:
+            return vary(app.ui, app.work, app.proposals);
+        case PatternAction::transform:
             return open_transform(app.ui, app.work, app.transform);
-        case PatternDeed::steps:
+        case PatternAction::steps:
             return open_steps(app.ui, app.work, app.steps, {}, {});
     }
 }
@@ -297,13 +297,13 @@ void draw_bench(App& app) {
             return do_with_pattern(
                 app, draw_candidates_panel(app.ui, app.work, app.shown_map, app.candidates));
         case BenchTab::subset: {
-            const PatternDeed deed = draw_subset_panel(app.ui, app.work, app.timeline,
-                                                       app.shown_map, app.play, app.picking);
+            const PatternAction action = draw_subset_panel(app.ui, app.work, app.timeline,
+                                                           app.shown_map, app.play, app.picking);
             if (std::exchange(app.picking.grow_asked, false)) {
-                grow_to(app.ui, app.work, app.shown_map, app.maybes,
+                grow_to(app.ui, app.work, app.shown_map, app.proposals,
                         static_cast<std::size_t>(app.picking.count));
             }
-            return do_with_pattern(app, deed);
+            return do_with_pattern(app, action);
         }
         case BenchTab::compare:
             return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
@@ -323,7 +323,7 @@ void draw_bench(App& app) {
 
 // Held, the proposal is played; clicked, it is taken.
 void take_proposal(App& app, const SpacePaneAction& done) {
-    const auto found = found_variants(app.maybes);
+    const auto found = found_variants(app.proposals);
     if (!found) return;
     if (done.proposal_pressed && *done.proposal_pressed < found->patterns.size()) {
         Vibration felt;
@@ -331,7 +331,8 @@ void take_proposal(App& app, const SpacePaneAction& done) {
         felt.source = found->patterns[*done.proposal_pressed];
         note_pressed(app.work, felt);
     }
-    if (done.proposal_clicked) take_variant(app.ui, app.work, app.maybes, *done.proposal_clicked);
+    if (done.proposal_clicked)
+        take_variant(app.ui, app.work, app.proposals, *done.proposal_clicked);
 }
 
 // Beside the point and its name.
@@ -343,13 +344,13 @@ void draw_point_menu(App& app, std::optional<std::size_t> asked) {
         ImGui::OpenPopup("point menu");
     }
     if (!ImGui::BeginPopup("point menu")) return;
-    const PatternDeed deed = draw_pattern_menu(app.ui, app.work, app.shown_map.menu_of);
+    const PatternAction action = draw_pattern_menu(app.ui, app.work, app.shown_map.menu_of);
     ImGui::EndPopup();
-    do_with_pattern(app, deed);
+    do_with_pattern(app, action);
 }
 
 void draw_space(App& app) {
-    draw_vary_bar(app.ui, app.work, app.maybes);
+    draw_vary_bar(app.ui, app.work, app.proposals);
     const SpacePaneAction done = draw_space_panel(app.ui, app.work, app.shown_map, map_marks(app));
     app.play.hovered_in_map = done.hovered ? done.hovered : app.play.hovered_in_map;
     if (done.double_clicked)
@@ -358,7 +359,7 @@ void draw_space(App& app) {
     take_place(app.lesson, done);
     if (!app.ui.as_picture) draw_point_menu(app, done.menu_asked);
     if (done.moved) {
-        move_point(app.ui, app.work, app.shown_map, app.maybes,
+        move_point(app.ui, app.work, app.shown_map, app.proposals,
                    {*done.moved, done.moved_to, done.move_ended});
     }
     if (done.drawn_between) {
@@ -368,17 +369,17 @@ void draw_space(App& app) {
     }
 }
 
-void do_with_stages(App& app, PhysiologyDeed deed) {
-    switch (deed) {
-        case PhysiologyDeed::none:
+void do_with_stages(App& app, StagesAction action) {
+    switch (action) {
+        case StagesAction::none:
             return;
-        case PhysiologyDeed::tour:
+        case StagesAction::tour:
             return begin_tour(app);
-        case PhysiologyDeed::fold:
+        case StagesAction::fold:
             return fold_physiology(app, Fold::row);
-        case PhysiologyDeed::unfold:
+        case StagesAction::unfold:
             return fold_physiology(app, Fold::open);
-        case PhysiologyDeed::close:
+        case StagesAction::close:
             say(app.ui, "The stages are away. View > Stages > Stages in one row brings them back.");
             return fold_physiology(app, Fold::closed);
     }
@@ -403,14 +404,14 @@ void draw_editor(App& app) {
     const auto& all = app.work.document.set.vibrations;
     if (!done || done->neighbour >= all.size()) return;
     const std::size_t current = app.work.selection.current;
-    switch (done->deed) {
-        case NeighbourDeed::play_both:
+    switch (done->action) {
+        case NeighbourChoice::play_both:
             return play_pair(app.ui, app.work, app.timeline, app.play, current, done->neighbour);
-        case NeighbourDeed::why:
+        case NeighbourChoice::why:
             choose_pair(app.work, current, done->neighbour);
             app.layout.bench = BenchTab::why;
             return;
-        case NeighbourDeed::separate:
+        case NeighbourChoice::separate:
             app.layout.bench = BenchTab::subset;
             return ask_about_pair(app.work, app.shown_map, app.picking, all[current].name,
                                   all[done->neighbour].name);
@@ -464,7 +465,7 @@ MapMarks map_marks(App& app) {
     MapMarks marks = subset_marks(app.layout, app.shown_map, app.picking);
     if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
     if (marks.people) marks.people_text = people_over_map_text(app.comparing);
-    marks.maybes = shown_maybes(app.shown_map, app.maybes);
+    marks.maybes = shown_proposals(app.shown_map, app.proposals);
     mark_place(app.lesson, app.shown_map, marks);
     return marks;
 }

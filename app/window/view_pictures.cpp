@@ -259,7 +259,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     App& still = view->app;
     const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
                  physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
-                 steps, transform, pad, maybes, exports, generating, importing, table, sounds,
+                 steps, transform, pad, proposals, exports, generating, importing, table, sounds,
                  library, studying, planning, phones, calibrating, lesson, course, palette, manual,
                  of_document, aside] = app;
     copy_looks(ui, still.ui);
@@ -282,7 +282,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     still.of_document = of_document;
     // Left out  of pictures: dialogs, which lie over the panes; proposals in the map, which depend
     //           on the mouse; lessons; documents set aside; files being read.
-    (void)std::tie(opening, steps, transform, pad, maybes, exports, generating, importing, table,
+    (void)std::tie(opening, steps, transform, pad, proposals, exports, generating, importing, table,
                    sounds, planning, phones, calibrating, lesson, course, palette, manual, aside);
     stand_still(still);
     bring_up_to_date(still);

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
 #include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
@@ -64,10 +64,10 @@ void frame_while_putting(benchmark::State& state) {
     const Eigen::MatrixXd& points = program.app.shown_map.transition.to;
     FrameTimes searching;
     for (auto _ : state) {
-        if (!program.app.maybes.put.job.asked()) {
+        if (!program.app.proposals.put.job.asked()) {
             const PointMove move{0, points.row(points.rows() / 2), true};
-            move_point(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes,
-                       move);
+            move_point(program.app.ui, program.app.work, program.app.shown_map,
+                       program.app.proposals, move);
         }
         searching.add(program);
         std::this_thread::sleep_for(std::chrono::milliseconds(8));
@@ -92,11 +92,11 @@ void track_appears(benchmark::State& state) {
     for (auto _ : state) {
         on_modulation = !on_modulation;
         program.window.move({2.0F, 2.0F});
-        program.app.maybes.rested.reset();
+        program.app.proposals.rested.reset();
         program.settle();
         program.window.move(on_modulation ? modulation : amplitude);
         const double begin_s = clock_s();
-        while (shown_maybes(program.app.shown_map, program.app.maybes).track.rows() == 0) {
+        while (shown_proposals(program.app.shown_map, program.app.proposals).track.rows() == 0) {
             sampling.add(program);
             std::this_thread::sleep_for(std::chrono::milliseconds(4));
             if (clock_s() - begin_s > 20.0) return state.SkipWithError("no track");

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "app/lesson/lesson.h"
 #include "app/lesson/lesson_edit.h"
 #include "app/library/library_follow.h"
@@ -663,7 +663,7 @@ void SceneWindow::show(const Scene& scene) {
     // What the map is asked is told by a preview first, in longer words. If a scene shows work
     // under way, that continues behind it.
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (is_asking(app.maybes) && std::chrono::steady_clock::now() < until) {
+    while (is_asking(app.proposals) && std::chrono::steady_clock::now() < until) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         frame();
     }

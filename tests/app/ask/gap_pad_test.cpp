@@ -27,7 +27,7 @@ struct Asked : Program {
 
     void until_found() {
         const auto until = end_of_patience();
-        while (is_filling(app.maybes)) {
+        while (is_filling(app.proposals)) {
             REQUIRE(std::chrono::steady_clock::now() < until);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
@@ -53,7 +53,7 @@ PatternSet designed() {
 TEST_CASE("fill the gap: one pattern of the design space comes, proven, undone in one step") {
     Asked program(designed());
     const PatternSet before = program.app.work.document.set;
-    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes);
+    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.proposals);
     program.settle();
     program.until_found();
     const auto& after = program.app.work.document.set.vibrations;
@@ -71,7 +71,8 @@ TEST_CASE("grow: as many come as are missing, in one step; where none is, it say
     Asked program(designed());
     const PatternSet before = program.app.work.document.set;
     const auto grow = [&program](std::size_t count) {
-        grow_to(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes, count);
+        grow_to(program.app.ui, program.app.work, program.app.shown_map, program.app.proposals,
+                count);
         program.settle();
         program.until_found();
     };
@@ -101,15 +102,15 @@ TEST_CASE("grow: the Subset tab offers it where fewer are there than are to be p
 
 TEST_CASE("fill the gap: Esc and an edit end the search, and nothing is added") {
     Asked program(short_patterns(3));
-    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes);
+    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.proposals);
     program.press_key(key::kEscape);
-    CHECK_FALSE(is_filling(program.app.maybes));
+    CHECK_FALSE(is_filling(program.app.proposals));
     CHECK(program.app.work.document.set.vibrations.size() == 3);
-    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.maybes);
+    fill_the_gap(program.app.ui, program.app.work, program.app.shown_map, program.app.proposals);
     std::get<Pattern>(program.app.work.document.edit().vibrations[0].source).amplitude_g = 0.7;
     document_changed(program.app.work);
     program.settle();
-    CHECK_FALSE(is_filling(program.app.maybes));
+    CHECK_FALSE(is_filling(program.app.proposals));
     CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 
@@ -159,12 +160,12 @@ TEST_CASE("move tool: a drag of a point searches its pattern; without it the poi
         program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
     };
     drag_first();
-    CHECK_FALSE(program.app.maybes.put.job.asked());
+    CHECK_FALSE(program.app.proposals.put.job.asked());
     program.click("tool:move");
     drag_first();
-    CHECK(program.app.maybes.put.job.asked());
+    CHECK(program.app.proposals.put.job.asked());
     program.press_key(key::kEscape);
-    CHECK_FALSE(program.app.maybes.put.job.asked());
+    CHECK_FALSE(program.app.proposals.put.job.asked());
     CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
 
@@ -176,13 +177,13 @@ TEST_CASE("move tool: where it was to be and the other points stay until the nex
     const Eigen::MatrixXd before = map.transition.to;
     const ImVec2 at = program.at("point:p1").middle();
     program.drag(at, at + ImVec2{30.0F, -20.0F}, 4);
-    REQUIRE(program.app.maybes.put.job.asked());
-    const Eigen::RowVectorXd wanted = *program.app.maybes.put.wanted;
-    wait_until(program, [&] { return !program.app.maybes.put.job.asked(); });
-    REQUIRE(program.app.maybes.put.aim);
-    CHECK(*program.app.maybes.put.aim == wanted);
+    REQUIRE(program.app.proposals.put.job.asked());
+    const Eigen::RowVectorXd wanted = *program.app.proposals.put.wanted;
+    wait_until(program, [&] { return !program.app.proposals.put.job.asked(); });
+    REQUIRE(program.app.proposals.put.aim);
+    CHECK(*program.app.proposals.put.aim == wanted);
     MapMaybes shown;
-    show_put(shown, wanted.size(), program.app.maybes);
+    show_put(shown, wanted.size(), program.app.proposals);
     CHECK(shown.wanted.has_value());
     const auto is_exact = [&] { return map_state(program.app.work, map) == MapState::exact; };
     wait_until(program, is_exact);
@@ -196,7 +197,7 @@ TEST_CASE("move tool: where it was to be and the other points stay until the nex
     CHECK(program.shows("map:held"));
     undo(program.app.ui, program.app.work);
     program.settle();
-    CHECK_FALSE(program.app.maybes.put.aim);
+    CHECK_FALSE(program.app.proposals.put.aim);
     CHECK_FALSE(program.shows("map:held"));
 }
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ask/maybes_follow.h"
 #include "app/ask/pad_dialog.h"
+#include "app/ask/proposals_follow.h"
 #include "app/ask/steps_follow.h"
 #include "app/document/editing.h"
 #include "app/document/files.h"
@@ -197,12 +197,12 @@ class Person {
         App& app = program_.app;
         if (!can_vary(work())) return;
         wait_for_map();
-        vary(ui(), work(), app.maybes);
-        wait_for([&app] { return found_variants(app.maybes) || !is_asking(app.maybes); });
-        if (const auto found = found_variants(app.maybes); found && !found->patterns.empty()) {
-            take_variant(ui(), work(), app.maybes, action.value % found->patterns.size());
+        vary(ui(), work(), app.proposals);
+        wait_for([&app] { return found_variants(app.proposals) || !is_asking(app.proposals); });
+        if (const auto found = found_variants(app.proposals); found && !found->patterns.empty()) {
+            take_variant(ui(), work(), app.proposals, action.value % found->patterns.size());
         }
-        stop_varying(app.maybes);
+        stop_varying(app.proposals);
     }
     void put_steps_between(const Action& action) {
         App& app = program_.app;

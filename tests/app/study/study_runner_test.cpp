@@ -45,11 +45,11 @@ struct Person {
     void act(What what, std::size_t index = 0, double value = 0.0) {
         StudyStep step = stepped(run, {what, index, value, {}, "then"}, now_s);
         run = std::move(step.run);
-        if (step.deeds.play) felt.push_back(*step.deeds.play);
-        if (step.deeds.play) rests_s.push_back(step.deeds.rest_s);
-        has_left = has_left || step.deeds.left;
-        std::optional<std::string> line = step.deeds.line;
-        if (step.deeds.begin_file) line = header_line(run.record.header);
+        if (step.actions.play) felt.push_back(*step.actions.play);
+        if (step.actions.play) rests_s.push_back(step.actions.rest_s);
+        has_left = has_left || step.actions.left;
+        std::optional<std::string> line = step.actions.line;
+        if (step.actions.begin_file) line = header_line(run.record.header);
         if (!line) return;
         if (!is_disk_full) file += *line + "\n";
         run = stepped(run, {is_disk_full ? What::not_saved : What::saved, 0, 0, "full", {}}, now_s)

@@ -129,7 +129,7 @@ void work_on(Program& program) {
     app.steps.from = "p1";
     app.steps.to = "p2";
     app.pad.corners = {"p1", "p2"};
-    app.maybes.varied = "p1";
+    app.proposals.varied = "p1";
     app.generating.begun = true;
     app.play.felt_on_hover = "p1";
     app.ui.dialog = Dialog::pad;

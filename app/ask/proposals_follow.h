@@ -2,7 +2,7 @@
 // variants.
 #pragma once
 
-#include "app/ask/maybes_state.h"
+#include "app/ask/proposals_state.h"
 #include "app/document/workspace.h"
 #include "app/map/map_look.h"
 #include "app/map/map_state.h"
@@ -10,28 +10,28 @@
 
 namespace tact {
 
-void make_maybes_jobs(const Ui& ui, MaybesState& state);
-void stop_maybes_jobs(MaybesState& state);
+void make_proposal_jobs(const Ui& ui, ProposalsState& state);
+void stop_proposal_jobs(ProposalsState& state);
 
 // Call once a frame, after the panes: the rested number and the suggestion are those of this frame.
-void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                   MaybesState& state);
+void follow_proposals(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                      ProposalsState& state);
 
-bool is_asking(const MaybesState& state);
+bool is_asking(const ProposalsState& state);
 
 // The proposals known so far, for the map on screen.
-MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state);
+MapMaybes shown_proposals(const ShownMap& shown_map, const ProposalsState& state);
 
 // Whether neighbours can be asked for: the pattern can be edited and is in a map, which needs three
 // patterns.
 bool can_vary(const Workspace& work);
 
 // Asks for neighbours of the pattern in the editor; called again, for other ones.
-void vary(Ui& ui, const Workspace& work, MaybesState& state);
-void stop_varying(MaybesState& state);
-std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state);
+void vary(Ui& ui, const Workspace& work, ProposalsState& state);
+void stop_varying(ProposalsState& state);
+std::shared_ptr<const FoundProposals> found_variants(const ProposalsState& state);
 
 // Gives the pattern the numbers of its k-th neighbour: one step of undo.
-void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k);
+void take_variant(Ui& ui, Workspace& work, ProposalsState& state, std::size_t k);
 
 }  // namespace tact

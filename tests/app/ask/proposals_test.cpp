@@ -1,9 +1,9 @@
 // Proposed patterns in the map: neighbours, tracks, and the card of the closest pattern.
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 
-namespace maybes_test {
+namespace proposals_test {
 
 using namespace tact;
 
@@ -35,12 +35,12 @@ TEST_CASE("vary: V shows eight neighbours, a click takes one, one step takes it 
     Mapped program;
     const PatternSet before = program.app.work.document.set;
     program.press('v');
-    CHECK(program.app.maybes.varied == "p1");
+    CHECK(program.app.proposals.varied == "p1");
     frames_until(program, [&] { return program.shows("proposal:8"); });
-    const auto found = found_variants(program.app.maybes);
+    const auto found = found_variants(program.app.proposals);
     REQUIRE(found->patterns.size() == 8);
     CHECK(program.at("vary:found").value == "8");
-    take_variant(program.app.ui, program.app.work, program.app.maybes, 2);
+    take_variant(program.app.ui, program.app.work, program.app.proposals, 2);
     CHECK(program.pattern(0) == found->patterns[2]);
     undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
@@ -50,12 +50,12 @@ TEST_CASE("vary: V again shows others, Esc leaves the pattern as it is") {
     Mapped program;
     program.press('v');
     frames_until(program, [&] { return program.shows("proposal:8"); });
-    const auto first = found_variants(program.app.maybes)->patterns;
+    const auto first = found_variants(program.app.proposals)->patterns;
     program.press('v');
-    frames_until(program, [&] { return found_variants(program.app.maybes) != nullptr; });
-    CHECK_FALSE(found_variants(program.app.maybes)->patterns == first);
+    frames_until(program, [&] { return found_variants(program.app.proposals) != nullptr; });
+    CHECK_FALSE(found_variants(program.app.proposals)->patterns == first);
     program.press_key(key::kEscape);
-    CHECK(program.app.maybes.varied.empty());
+    CHECK(program.app.proposals.varied.empty());
     CHECK_FALSE(program.shows("proposal:1"));
     CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
@@ -108,4 +108,4 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     stop_jobs(again.app);
 }
 
-}  // namespace maybes_test
+}  // namespace proposals_test

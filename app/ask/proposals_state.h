@@ -18,7 +18,7 @@
 namespace tact {
 
 // A question: the places of these patterns in the map, each in the place of the pattern of `row`.
-struct MaybesRequest {
+struct ProposalsRequest {
     std::shared_ptr<const LiveMap> map;
     Eigen::MatrixXd points;  // the map as shown
     std::size_t row = 0;
@@ -26,24 +26,24 @@ struct MaybesRequest {
     std::optional<VaryQuestion> vary{};  // makes the patterns first
     bool exact = false;                  // false: from coarse envelopes, a quick preview
 
-    bool operator==(const MaybesRequest& other) const {
+    bool operator==(const ProposalsRequest& other) const {
         return map == other.map && row == other.row && patterns == other.patterns &&
                vary == other.vary && exact == other.exact && points.rows() == other.points.rows() &&
                points.cols() == other.points.cols() && points == other.points;
     }
 };
 
-struct FoundMaybes {
-    MaybesRequest request;
+struct FoundProposals {
+    ProposalsRequest request;
     std::vector<Pattern> patterns;
     Eigen::MatrixXd places;  // one row per pattern
 };
 
-using MaybesQuery = Query<MaybesRequest, FoundMaybes>;
+using ProposalsQuery = Query<ProposalsRequest, FoundProposals>;
 
 // A point was moved: asks for the pattern that belongs to its new place.
 struct ReachRequest {
-    MaybesRequest where;  // the map and the row; its patterns are ignored
+    ProposalsRequest where;  // the map and the row; its patterns are ignored
     ReachQuestion question;
 
     bool operator==(const ReachRequest& other) const {
@@ -74,16 +74,16 @@ struct PutThere {
     std::optional<Eigen::RowVectorXd> aim;     // target of the last move, until the next edit ...
     std::uint64_t aim_of = 0;                  // ... after this revision
     KeptSurroundings around;
-    MaybesQuery cloud;                    // the places that can be reached
+    ProposalsQuery cloud;                 // the places that can be reached
     Query<ReachRequest, FoundReach> job;  // the search after the mouse button was released
 };
 
-struct MaybesState {
-    MaybesQuery track;        // a preview, soon followed by ...
-    MaybesQuery exact_track;  // ... the exact track
-    MaybesQuery suggestion;
-    MaybesQuery variants;                      // a preview, soon followed by ...
-    MaybesQuery exact_variants;                // ... the exact places
+struct ProposalsState {
+    ProposalsQuery track;        // a preview, soon followed by ...
+    ProposalsQuery exact_track;  // ... the exact track
+    ProposalsQuery suggestion;
+    ProposalsQuery variants;                   // a preview, soon followed by ...
+    ProposalsQuery exact_variants;             // ... the exact places
     std::optional<RestedNumber> rested;        // the number whose track is shown
     double rested_until_s = 0.0;               // the track disappears then, unless the mouse is on
                                                // it

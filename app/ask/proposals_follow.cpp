@@ -1,9 +1,9 @@
-#include "app/ask/maybes_follow.h"
+#include "app/ask/proposals_follow.h"
 
 #include <algorithm>
 
 #include "app/ask/gap_follow.h"
-#include "app/ask/maybes_work.h"
+#include "app/ask/proposals_work.h"
 #include "app/ask/put_there.h"
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kTrackStaysS = 2.0;
 
-void begin(const Ui& ui, MaybesQuery& query) {
-    query.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
+void begin(const Ui& ui, ProposalsQuery& query) {
+    query.begin(JobPolicy::supersede, ProposalsWork{}, ui.wake);
 }
 
 // The track stays for a while after the mouse has left the slider, so that the mouse can reach it.
-void follow_rested(const Ui& ui, const Workspace& work, MaybesState& state) {
+void follow_rested(const Ui& ui, const Workspace& work, ProposalsState& state) {
     if (work.selection.rested) {
         state.rested = work.selection.rested;
         state.rested_until_s = ui.time_s + kTrackStaysS;
@@ -33,8 +33,8 @@ void follow_rested(const Ui& ui, const Workspace& work, MaybesState& state) {
     if (is_gone) state.rested.reset();
 }
 
-std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap& shown_map,
-                                          const MaybesState& state) {
+std::optional<ProposalsRequest> vary_request(const Workspace& work, const ShownMap& shown_map,
+                                             const ProposalsState& state) {
     const auto place = place_named(work.document.set, state.varied);
     if (!place) return std::nullopt;
     const auto* pattern = std::get_if<Pattern>(&work.document.set.vibrations[*place].source);
@@ -51,10 +51,10 @@ std::optional<MaybesRequest> vary_request(const Workspace& work, const ShownMap&
 }
 
 // The exact places of the same neighbours, once they are known.
-std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
+std::optional<ProposalsRequest> exact_variants(const ProposalsState& state) {
     const auto found = state.variants.current();
     if (!found || found->patterns.empty()) return std::nullopt;
-    MaybesRequest request = found->request;
+    ProposalsRequest request = found->request;
     request.vary.reset();
     request.patterns = found->patterns;
     request = exactly(std::move(request), found->patterns.size());
@@ -63,17 +63,17 @@ std::optional<MaybesRequest> exact_variants(const MaybesState& state) {
 
 }  // namespace
 
-void make_maybes_jobs(const Ui& ui, MaybesState& state) {
+void make_proposal_jobs(const Ui& ui, ProposalsState& state) {
     begin(ui, state.track);
     begin(ui, state.exact_track);
     begin(ui, state.suggestion);
     begin(ui, state.variants);
     begin(ui, state.exact_variants);
     begin(ui, state.put.cloud);
-    state.put.job.begin(JobPolicy::supersede, MaybesWork{}, ui.wake);
+    state.put.job.begin(JobPolicy::supersede, ProposalsWork{}, ui.wake);
 }
 
-void stop_maybes_jobs(MaybesState& state) {
+void stop_proposal_jobs(ProposalsState& state) {
     state.track.end();
     state.exact_track.end();
     state.suggestion.end();
@@ -84,8 +84,8 @@ void stop_maybes_jobs(MaybesState& state) {
     state.gap.end();
 }
 
-void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                   MaybesState& state) {
+void follow_proposals(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                      ProposalsState& state) {
     if (!state.track.has_begun()) return;
     follow_rested(ui, work, state);
     const auto& rested = state.rested;
@@ -94,7 +94,7 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     state.track.want(track);
     // The exact job starts after the preview is there, as it would delay the preview.
     const bool is_previewed = track && state.track.current() != nullptr;
-    const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : MaybesRequest{};
+    const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : ProposalsRequest{};
     state.exact_track.want(exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
@@ -105,13 +105,13 @@ void follow_maybes(const Ui& ui, const Workspace& work, const ShownMap& shown_ma
     state.exact_variants.want(exact_variants(state));
 }
 
-bool is_asking(const MaybesState& state) {
+bool is_asking(const ProposalsState& state) {
     return state.track.busy() || state.exact_track.busy() || state.suggestion.busy() ||
            state.variants.busy() || state.exact_variants.busy() || is_filling(state) ||
            state.put.cloud.busy() || state.put.job.busy();
 }
 
-MapMaybes shown_maybes(const ShownMap& shown_map, const MaybesState& state) {
+MapMaybes shown_proposals(const ShownMap& shown_map, const ProposalsState& state) {
     MapMaybes shown;
     const Eigen::Index columns = shown_map.transition.to.cols();
     const auto exact = state.exact_track.current();
@@ -146,7 +146,7 @@ bool can_vary(const Workspace& work) {
            work.document.set.vibrations.size() >= 3;
 }
 
-void vary(Ui& ui, const Workspace& work, MaybesState& state) {
+void vary(Ui& ui, const Workspace& work, ProposalsState& state) {
     const Vibration* current = current_vibration(work);
     if (current == nullptr || editable_pattern(*current) == nullptr) {
         return say(
@@ -160,15 +160,15 @@ void vary(Ui& ui, const Workspace& work, MaybesState& state) {
     state.varied = current->name;
 }
 
-void stop_varying(MaybesState& state) { state.varied.clear(); }
+void stop_varying(ProposalsState& state) { state.varied.clear(); }
 
-std::shared_ptr<const FoundMaybes> found_variants(const MaybesState& state) {
+std::shared_ptr<const FoundProposals> found_variants(const ProposalsState& state) {
     const auto preview = state.variants.current();
     const auto exact = state.exact_variants.current();
     return exact && preview && exact->patterns == preview->patterns ? exact : preview;
 }
 
-void take_variant(Ui& ui, Workspace& work, MaybesState& state, std::size_t k) {
+void take_variant(Ui& ui, Workspace& work, ProposalsState& state, std::size_t k) {
     const auto found = found_variants(state);
     const auto place = place_named(work.document.set, state.varied);
     if (!found || !place || k >= found->patterns.size()) return;

@@ -1,4 +1,4 @@
-#include "app/ask/maybes_work.h"
+#include "app/ask/proposals_work.h"
 
 #include <algorithm>
 
@@ -14,10 +14,10 @@ constexpr Eigen::Index kMostAnew = 60;  // points of a map that is computed for 
 
 }  // namespace
 
-std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
-                                                  std::stop_token stop,
-                                                  std::atomic<float>& progress) {
-    FoundMaybes found{request, request.patterns, {}};
+std::optional<FoundProposals> ProposalsWork::operator()(const ProposalsRequest& request,
+                                                        std::stop_token stop,
+                                                        std::atomic<float>& progress) {
+    FoundProposals found{request, request.patterns, {}};
     if (request.vary) {
         auto patterns = varied(*request.vary, 0, stop);
         if (!patterns) return std::nullopt;
@@ -44,8 +44,9 @@ std::optional<FoundMaybes> MaybesWork::operator()(const MaybesRequest& request,
     return found;
 }
 
-std::optional<FoundReach> MaybesWork::operator()(const ReachRequest& request, std::stop_token stop,
-                                                 std::atomic<float>& progress) {
+std::optional<FoundReach> ProposalsWork::operator()(const ReachRequest& request,
+                                                    std::stop_token stop,
+                                                    std::atomic<float>& progress) {
     if (!prepare(request.where, stop)) return std::nullopt;
     ReachOptions options;
     options.stop = stop;
@@ -58,7 +59,7 @@ std::optional<FoundReach> MaybesWork::operator()(const ReachRequest& request, st
     return FoundReach{request, *std::move(reached)};
 }
 
-bool MaybesWork::prepare(const MaybesRequest& request, const std::stop_token& stop) {
+bool ProposalsWork::prepare(const ProposalsRequest& request, const std::stop_token& stop) {
     const bool same_map = of_ == request.map && row_ == request.row && exact_ == request.exact &&
                           points_.cols() == request.points.cols() && points_ == request.points;
     if (point_ && same_map) return true;
@@ -75,7 +76,7 @@ bool MaybesWork::prepare(const MaybesRequest& request, const std::stop_token& st
     return point_.has_value();
 }
 
-MaybesRequest exactly(MaybesRequest request, std::size_t patterns) {
+ProposalsRequest exactly(ProposalsRequest request, std::size_t patterns) {
     const PatternSet& set = *request.map->played;
     const double rows = static_cast<double>(patterns);
     const double pairs = 0.5 * static_cast<double>(set.vibrations.size());
@@ -86,8 +87,9 @@ MaybesRequest exactly(MaybesRequest request, std::size_t patterns) {
 
 // A request for the map on screen; nullopt if that map belongs to an earlier revision, or the
 // pattern is missing from it or longer than all others.
-std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
-                                         const std::string& name, std::vector<Pattern> patterns) {
+std::optional<ProposalsRequest> request_for(const Workspace& work, const ShownMap& shown_map,
+                                            const std::string& name,
+                                            std::vector<Pattern> patterns) {
     const MapTransition& map = shown_map.transition;
     const MapState state = map_state(work, shown_map);
     if (state != MapState::exact && state != MapState::preview) return std::nullopt;
@@ -96,10 +98,10 @@ std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& 
     if (!row) return std::nullopt;
     const double longest = longest_s(*map.shown->played);
     std::erase_if(patterns, [&](const Pattern& p) { return p.duration_s > longest; });
-    return MaybesRequest{map.shown, map.to, *row, std::move(patterns), {}};
+    return ProposalsRequest{map.shown, map.to, *row, std::move(patterns), {}};
 }
 
-std::vector<PatternParameter> free_of(const MaybesState& state) {
+std::vector<PatternParameter> free_of(const ProposalsState& state) {
     std::vector<PatternParameter> free;
     for (const PatternParameter parameter : kPatternParameters) {
         const bool is_held = std::ranges::find(state.held, parameter) != state.held.end();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "app/ask/maybes_state.h"
+#include "app/ask/proposals_state.h"
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
 #include "model/ask/moved_point.h"
@@ -14,15 +14,15 @@
 namespace tact {
 
 // Keeps whatever does not depend on the proposed pattern between calls.
-class MaybesWork {
+class ProposalsWork {
   public:
-    std::optional<FoundMaybes> operator()(const MaybesRequest& request, std::stop_token stop,
-                                          std::atomic<float>& progress);
+    std::optional<FoundProposals> operator()(const ProposalsRequest& request, std::stop_token stop,
+                                             std::atomic<float>& progress);
     std::optional<FoundReach> operator()(const ReachRequest& request, std::stop_token stop,
                                          std::atomic<float>& progress);
 
   private:
-    bool prepare(const MaybesRequest& request, const std::stop_token& stop);
+    bool prepare(const ProposalsRequest& request, const std::stop_token& stop);
 
     std::optional<MovedPoint> point_;
     std::shared_ptr<const LiveMap> of_;
@@ -34,14 +34,14 @@ class MaybesWork {
 // The same request with exact envelopes if the map is exact and the estimated time for this many
 // patterns is at most `kLongestExactS`; otherwise the request unchanged.
 inline constexpr double kLongestExactS = 8.0;
-MaybesRequest exactly(MaybesRequest request, std::size_t patterns);
+ProposalsRequest exactly(ProposalsRequest request, std::size_t patterns);
 
 // A request for the map on screen; nullopt if that map belongs to an earlier revision or lacks the
 // pattern. Patterns longer than the longest of the set are left out.
-std::optional<MaybesRequest> request_for(const Workspace& work, const ShownMap& shown_map,
-                                         const std::string& name, std::vector<Pattern> patterns);
+std::optional<ProposalsRequest> request_for(const Workspace& work, const ShownMap& shown_map,
+                                            const std::string& name, std::vector<Pattern> patterns);
 
 // The numbers that may change; empty: all.
-std::vector<PatternParameter> free_of(const MaybesState& state);
+std::vector<PatternParameter> free_of(const ProposalsState& state);
 
 }  // namespace tact
