@@ -231,10 +231,10 @@ Session place_of(const Session& session) {
 
 // Once, not after each change.
 void tell_if_unkept(Ui& ui, Workspace& work, const std::string& fault) {
-    if (!fault.empty() && fault != work.told_unkept) {
+    if (!fault.empty() && fault != work.autosave_error) {
         complain(ui, "Unsaved changes cannot be kept aside, save them: " + fault);
     }
-    work.told_unkept = fault;
+    work.autosave_error = fault;
 }
 
 }  // namespace
@@ -249,20 +249,21 @@ void autosave_if_due(Ui& ui, Workspace& work) {
             std::min(ui.time_s + kAutosaveRestS, work.unkept_since_s + kMostUnkeptS);
         work.autosave_pending = true;
     }
-    const bool has_ended = is_autosaving(work) && work.keeping.wait_for(std::chrono::seconds(0)) ==
-                                                      std::future_status::ready;
-    if (has_ended) tell_if_unkept(ui, work, work.keeping.get());
+    const bool has_ended =
+        is_autosaving(work) &&
+        work.autosave_write.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (has_ended) tell_if_unkept(ui, work, work.autosave_write.get());
     // What changes while an autosave is under way is kept by the next.
     if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
     work.autosave_pending = false;
     const bool has_text = work.unsaved && !work.session.folder.empty();
     if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document.kept()));
-    work.keeping = std::async(std::launch::async,
-                              [place = place_of(work.session), document = work.document.kept()] {
-                                  return fault_of(place, document);
-                              });
+    work.autosave_write = std::async(
+        std::launch::async, [place = place_of(work.session), document = work.document.kept()] {
+            return fault_of(place, document);
+        });
 }
 
-bool is_autosaving(const Workspace& work) { return work.keeping.valid(); }
+bool is_autosaving(const Workspace& work) { return work.autosave_write.valid(); }
 
 }  // namespace tact

@@ -26,7 +26,7 @@ std::string with_stop(std::string text) {
 }
 
 void wait_for_autosave(const Workspace& work) {
-    if (work.keeping.valid()) work.keeping.wait();
+    if (work.autosave_write.valid()) work.autosave_write.wait();
 }
 
 Expected<fs::path> keep_unsaved(Workspace& work) {

@@ -50,9 +50,9 @@ struct Workspace {
     std::uint64_t unsaved_revision = 0;  // ... as of this revision
     bool autosave_pending = false;
     double autosave_due_s = 0.0;
-    double unkept_since_s = 0.0;       // the first change that is pending
-    std::future<std::string> keeping;  // an autosave under way: why it could not be written
-    std::string told_unkept;           // why unsaved changes are in memory alone
+    double unkept_since_s = 0.0;              // the first change that is pending
+    std::future<std::string> autosave_write;  // under way; its value is the error
+    std::string autosave_error;               // why unsaved changes are in memory alone
 };
 
 }  // namespace tact

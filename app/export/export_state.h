@@ -25,10 +25,10 @@ inline constexpr std::array<PictureView, 8> kPictureViews{
 // "physiology": on the command line and in file names.
 const char* name_of(PictureView view);
 
-struct StillView;  // app/window/view_pictures.h
+struct ViewSnapshot;  // app/window/view_pictures.h
 
 struct RunningAnimation {
-    std::shared_ptr<StillView> still;  // what is drawn
+    std::shared_ptr<ViewSnapshot> still;  // what is drawn
     PictureView view = PictureView::physiology;
     PictureSize size;
     FrameSequence sequence;

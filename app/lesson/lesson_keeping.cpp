@@ -40,14 +40,14 @@ std::string fault_of(const Session& session, const std::optional<LessonDraft>& d
 }
 
 void tell_if_unkept(Ui& ui, LessonState& state, const std::string& fault) {
-    if (!fault.empty() && fault != state.told_unkept) {
+    if (!fault.empty() && fault != state.autosave_error) {
         complain(ui, "The lesson cannot be kept aside, save it: " + fault);
     }
-    state.told_unkept = fault;
+    state.autosave_error = fault;
 }
 
 void wait_for_keeping(LessonState& state) {
-    if (state.keeping.valid()) (void)state.keeping.get();
+    if (state.autosave_write.valid()) (void)state.autosave_write.get();
 }
 
 // The set as a file would give it, without the places of its map, which belong to no pattern.
@@ -92,20 +92,20 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
     }
     const bool has_ended =
         is_autosaving(state) &&
-        state.keeping.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (has_ended) tell_if_unkept(ui, state, state.keeping.get());
+        state.autosave_write.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (has_ended) tell_if_unkept(ui, state, state.autosave_write.get());
     if (!state.keep_pending || ui.time_s < state.keep_due_s || is_autosaving(state)) return;
     state.keep_pending = false;
     Session place;  // without the locks, which the program holds
     place.folder = work.session.folder;
     place.autosave = work.session.autosave;
-    state.keeping = std::async(std::launch::async,
-                               [place = std::move(place), draft = draft_of(state, state.unsaved)] {
-                                   return fault_of(place, draft);
-                               });
+    state.autosave_write = std::async(
+        std::launch::async, [place = std::move(place), draft = draft_of(state, state.unsaved)] {
+            return fault_of(place, draft);
+        });
 }
 
-bool is_autosaving(const LessonState& state) { return state.keeping.valid(); }
+bool is_autosaving(const LessonState& state) { return state.autosave_write.valid(); }
 
 Expected<Done> keep_lesson(const Workspace& work, LessonState& state) {
     wait_for_keeping(state);

@@ -108,10 +108,10 @@ struct LessonState {
     std::uint64_t looked_revision = 0;        // ... and this revision of the document
     bool keep_pending = false;
     double keep_due_s = 0.0;
-    double unkept_since_s = 0.0;         // time of the first pending change
-    std::future<std::string> keeping{};  // a running autosave; its value is the error
-    std::string told_unkept;             // error of the autosave
-    std::filesystem::path kept_in;       // the last file with unsaved changes
+    double unkept_since_s = 0.0;                // time of the first pending change
+    std::future<std::string> autosave_write{};  // a running autosave; its value is the error
+    std::string autosave_error;                 // error of the autosave
+    std::filesystem::path kept_in;              // the last file with unsaved changes
 
     bool presenting = false;
     bool blank = false;

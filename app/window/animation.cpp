@@ -25,7 +25,7 @@ void copy_view(App& app) {
     app.exports.copy_asked = false;
     PictureSize size = app.exports.picture_size;
     size.dark = app.ui.dark;
-    const auto still = still_view(app);
+    const auto still = snapshot_of(app);
     const Picture picture =
         view_picture(*still, app.exports.view, app.timeline.playhead.at_s, size);
     if (const auto copied = copy_to_clipboard(std::get<Image>(picture)); !copied) {
@@ -40,7 +40,7 @@ void draw_waiting_picture(App& app) {
     PictureSize size = app.exports.picture_size;
     size.dark = app.ui.dark;
     size.format = extension_of(file) == ".svg" ? PictureFormat::svg : PictureFormat::png;
-    const auto still = still_view(app);
+    const auto still = snapshot_of(app);
     const Picture picture =
         view_picture(*still, app.exports.view, app.timeline.playhead.at_s, size);
     if (const Expected<Done> written = write_picture(file, picture); !written) {
@@ -147,7 +147,7 @@ void export_animation(App& app, const fs::path& folder) {
     const FrameSequence sequence{folder, state.from_s, state.to_s, state.frames};
     PictureSize size = state.frame_size;
     size.dark = app.ui.dark;
-    RunningAnimation running{still_view(app), state.moving_view, size, sequence, nullptr, {}, 0,
+    RunningAnimation running{snapshot_of(app), state.moving_view, size, sequence, nullptr, {}, 0,
                              app.ui.time_s};
     if (const auto format = film_format(folder)) {
         const FilmSize asked{size.width, size.height};

@@ -305,7 +305,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     const bool is_free = !is_in_the_middle(app) && !ImGui::IsAnyItemActive();
     follow_opening(app.ui, app.work, app.opening, is_free);
     follow_another_document(app);
-    take_answers(app);
+    collect_results(app);
     watch_pointed(app.ui, app.lesson);
     app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);

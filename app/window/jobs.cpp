@@ -304,7 +304,7 @@ void stop_jobs(App& app) {
     app.lesson.job.end();
 }
 
-void take_answers(App& app) {
+void collect_results(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);
     follow_lesson(app.lesson);

@@ -11,7 +11,7 @@ void make_jobs(App& app);
 void stop_jobs(App& app);
 
 // Collects the results since the last frame.
-void take_answers(App& app);
+void collect_results(App& app);
 
 // If another document is open than in the frame before, every room is reset: no result, selection
 // or text of the old document appears under the name of the new one. Settings of the person stay:

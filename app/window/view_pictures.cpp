@@ -153,8 +153,8 @@ void draw_view(App& app, PictureView view) {
 
 }  // namespace
 
-std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice) {
-    auto view = std::make_shared<StillView>(make_app());
+std::shared_ptr<ViewSnapshot> opened_view(const PatternSet& set, const ViewChoice& choice) {
+    auto view = std::make_shared<ViewSnapshot>(make_app());
     App& app = view->app;
     app.ui.rects = {};
     app.ui.motion = false;
@@ -254,8 +254,8 @@ void stand_still(App& still) {
 
 // Whole states are copied, so that everything but a room's jobs is in the picture. Every member of
 // App is named here: a new one does not compile until it is.
-std::shared_ptr<StillView> still_view(const App& app) {
-    auto view = std::make_shared<StillView>(make_app(), scrolled_windows());
+std::shared_ptr<ViewSnapshot> snapshot_of(const App& app) {
+    auto view = std::make_shared<ViewSnapshot>(make_app(), scrolled_windows());
     App& still = view->app;
     const auto& [ui, work, opening, layout, in_use, workspaces, timeline, shown_map, rendered,
                  physiology, comparing, pattern_panes, model_bench, play, picking, candidates,
@@ -289,7 +289,7 @@ std::shared_ptr<StillView> still_view(const App& app) {
     return view;
 }
 
-Picture view_picture(StillView& of, PictureView view, double at_s, const PictureSize& size) {
+Picture view_picture(ViewSnapshot& of, PictureView view, double at_s, const PictureSize& size) {
     App& still = of.app;
     still.ui.dark = size.dark;
     still.ui.as_picture = view != PictureView::window;

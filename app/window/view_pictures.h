@@ -17,7 +17,7 @@
 namespace tact {
 
 // A copy of the program that does not change while pictures of it are drawn.
-struct StillView {
+struct ViewSnapshot {
     App app;
     std::vector<WindowScroll> scrolled{};  // scroll positions of its panes
 };
@@ -36,13 +36,13 @@ struct ViewChoice {
 };
 
 // The program as it would open on the set, with all results that the view shows.
-std::shared_ptr<StillView> opened_view(const PatternSet& set, const ViewChoice& choice);
+std::shared_ptr<ViewSnapshot> opened_view(const PatternSet& set, const ViewChoice& choice);
 
 // A copy of the program in the current ImGui context, without jobs, files, hints and effects of the
 // mouse.
-std::shared_ptr<StillView> still_view(const App& app);
+std::shared_ptr<ViewSnapshot> snapshot_of(const App& app);
 
 // Draws one of the two above, with its playhead at the time.
-Picture view_picture(StillView& still, PictureView view, double at_s, const PictureSize& size);
+Picture view_picture(ViewSnapshot& still, PictureView view, double at_s, const PictureSize& size);
 
 }  // namespace tact

@@ -62,7 +62,7 @@ void rest_all() {
     if (const auto say = say_last.load()) say();
 }
 
-void call_before_halts(void (*last_words)()) { say_last = last_words; }
+void call_before_halts(void (*before_halt)()) { say_last = before_halt; }
 
 std::uint64_t halts() { return counted.load(); }
 

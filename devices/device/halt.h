@@ -18,7 +18,7 @@ void rest_before_halts();
 void rest_all();
 
 // Called by the signal's handler, which may do little; null: nothing.
-void call_before_halts(void (*last_words)());
+void call_before_halts(void (*before_halt)());
 
 // How often the program was about to be halted. What plays looks at it every 20 ms or so, and ends
 // with a fade or neutral packets when it has grown.

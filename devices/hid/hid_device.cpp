@@ -39,8 +39,8 @@ double largest(const Drive& drive) {
 
 }  // namespace
 
-HidDevice::HidDevice(HidActuator actuator, HidDoor door)
-    : actuator_(std::move(actuator)), door_(std::move(door)) {
+HidDevice::HidDevice(HidActuator actuator, HidPorts ports)
+    : actuator_(std::move(actuator)), ports_(std::move(ports)) {
     status_.name = actuator_.name;
     status_.connected = true;
     thread_ = std::jthread([this](const std::stop_token& quit) { run(quit); });
@@ -155,7 +155,7 @@ std::optional<HidDevice::Play> HidDevice::next_play(const std::stop_token& quit)
 
 // While it is played on nobody else may: two would send in turn.
 void HidDevice::take_up(const Play& play, const std::stop_token& quit) {
-    const Expected<ActuatorLock> alone = door_.claim(actuator_);
+    const Expected<ActuatorLock> alone = ports_.claim(actuator_);
     if (!alone) {
         const std::lock_guard lock(mutex_);
         status_.trouble = alone.error().message;
@@ -168,9 +168,9 @@ void HidDevice::take_up(const Play& play, const std::stop_token& quit) {
 // Opens the controller and wakes it, where that is not done yet.
 Expected<Done> HidDevice::ready() {
     if (port_) return Done{};
-    Expected<Done> allowed = door_.may_be_opened(actuator_);
+    Expected<Done> allowed = ports_.may_be_opened(actuator_);
     if (!allowed) return allowed;
-    Expected<HidPort> opened = door_.open(actuator_.path);
+    Expected<HidPort> opened = ports_.open(actuator_.path);
     if (!opened) return opened.error();
     HidPort port = patient_port(*std::move(opened), kWritePatience, hurries_);
     Expected<Encoder> encode = begin_protocol(actuator_, port);
@@ -179,7 +179,7 @@ Expected<Done> HidDevice::ready() {
     encode_ = *std::move(encode);
     last_sent_.clear();
     last_sent_at_ = Clock::now();
-    port_->set_last_words(encode_(RumbleFrame{}, 0));
+    port_->set_emergency_packet(encode_(RumbleFrame{}, 0));
     return Done{};
 }
 

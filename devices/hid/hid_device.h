@@ -16,7 +16,7 @@
 //
 // Source    the pace of the drivers that rumble_packets.h names
 // Left out  two plays at a time; the time that a packet takes through the air. What opens a
-//           controller goes by its answers, what a crash says last (last_words.h) by nothing.
+//           controller goes by its answers, what a crash says last (emergency_packet.h) by nothing.
 #pragma once
 
 #include <atomic>
@@ -54,7 +54,7 @@ struct SendStatistics {
 inline constexpr int kNeutralPackets = 5;
 
 // The way to the controllers: the real one, unless a test has its own.
-struct HidDoor {
+struct HidPorts {
     std::function<std::vector<HidActuator>()> list = hid_actuators;
     std::function<Expected<Done>(const HidActuator&)> may_be_opened = tact::may_be_opened;
     std::function<Expected<HidPort>(const std::string& path)> open = open_hid_port;
@@ -66,7 +66,7 @@ struct HidDoor {
 class HidDevice final : public Device {
   public:
     // Opens nothing yet.
-    explicit HidDevice(HidActuator actuator, HidDoor door = {});
+    explicit HidDevice(HidActuator actuator, HidPorts ports = {});
     ~HidDevice() override;  // after the neutral packets
     HidDevice(const HidDevice&) = delete;
     HidDevice& operator=(const HidDevice&) = delete;
@@ -132,7 +132,7 @@ class HidDevice final : public Device {
     bool is_back();
 
     HidActuator actuator_;  // after the constructor the thread's own
-    HidDoor door_;
+    HidPorts ports_;
     std::shared_ptr<std::atomic<bool>> hurries_ = std::make_shared<std::atomic<bool>>(false);
 
     // The thread's own.

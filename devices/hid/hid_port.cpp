@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-#include "devices/hid/last_words.h"
+#include "devices/hid/emergency_packet.h"
 
 namespace tact {
 
@@ -22,10 +22,10 @@ std::mutex hidapi_mutex;
 struct Open {
     std::string path;
     hid_device* device = nullptr;
-    LastWords last_words;
+    EmergencyPacket emergency_packet;
 
     Open(std::string at, hid_device* opened)
-        : path(std::move(at)), device(opened), last_words(path) {}
+        : path(std::move(at)), device(opened), emergency_packet(path) {}
     ~Open() {
         const std::lock_guard lock(hidapi_mutex);
         hid_close(device);
@@ -80,7 +80,7 @@ Expected<HidPort> open_hid_port(const std::string& path) {
     const auto open = std::make_shared<Open>(path, device);
     HidPort port;
     port.write = [open](std::span<const std::uint8_t> report) {
-        if (has_said_last_words()) return false;
+        if (has_sent_emergency_packets()) return false;
         // A part of a report does not count: nobody knows what the controller makes of it.
         return hid_write(open->device, report.data(), report.size()) == std::ssize(report);
     };
@@ -89,8 +89,8 @@ Expected<HidPort> open_hid_port(const std::string& path) {
         return read_feature(open->device, number, bytes);
     };
     port.is_there = [open] { return is_hidraw_node(open->path); };
-    port.set_last_words = [open](std::span<const std::uint8_t> packet) {
-        open->last_words.set(packet);
+    port.set_emergency_packet = [open](std::span<const std::uint8_t> packet) {
+        open->emergency_packet.set(packet);
     };
     return port;
 }

@@ -28,7 +28,7 @@ struct HidPort {
     // False once it is unplugged or out of reach.
     std::function<bool()> is_there;
     // What is written should the program crash.
-    std::function<void(std::span<const std::uint8_t>)> set_last_words;
+    std::function<void(std::span<const std::uint8_t>)> set_emergency_packet;
 };
 
 // `path` as it is listed. An Error if it is no hidraw node or cannot be opened.

@@ -5,7 +5,7 @@ namespace tact {
 
 // The play is over. The port stays: what follows is to be said through it.
 void HidDevice::fail(const std::string& why) {
-    const bool there = door_.may_be_opened(actuator_).operator bool();
+    const bool there = ports_.may_be_opened(actuator_).operator bool();
     const std::lock_guard lock(mutex_);
     next_.reset();
     behind_.reset();
@@ -23,7 +23,7 @@ void HidDevice::lose(const std::string& why) {
 // its node changed meanwhile.
 void HidDevice::put_to_rest(const std::stop_token& quit) {
     if (!port_ && !is_back()) return;
-    const Expected<ActuatorLock> alone = door_.claim(actuator_);
+    const Expected<ActuatorLock> alone = ports_.claim(actuator_);
     // Whoever has it now drives it.
     if (!alone) owes_rest_ = false;
     if (alone && (port_ || ready())) end_in_silence(quit);
@@ -47,10 +47,10 @@ void HidDevice::watch() {
 
 // Perhaps as another node than before.
 bool HidDevice::is_back() {
-    for (const HidActuator& actuator : door_.list()) {
+    for (const HidActuator& actuator : ports_.list()) {
         if (lasting_id(actuator) != lasting_id(actuator_)) continue;
         actuator_ = actuator;
-        return door_.may_be_opened(actuator_).operator bool();
+        return ports_.may_be_opened(actuator_).operator bool();
     }
     return false;
 }

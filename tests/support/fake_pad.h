@@ -27,7 +27,7 @@ struct FakePad {
     bool is_there = true;
     bool answers_at_all = true;
     std::chrono::milliseconds takes{0};  // to write the next packet, once
-    Packet last_words;
+    Packet emergency_packet;
 
     std::vector<Packet> taken() {
         const std::lock_guard lock(mutex);
@@ -73,8 +73,8 @@ inline HidPort port_of(const std::shared_ptr<FakePad>& pad) {
         const std::lock_guard lock(pad->mutex);
         return pad->is_there;
     };
-    port.set_last_words = [pad](std::span<const std::uint8_t> packet) {
-        pad->last_words.assign(packet.begin(), packet.end());
+    port.set_emergency_packet = [pad](std::span<const std::uint8_t> packet) {
+        pad->emergency_packet.assign(packet.begin(), packet.end());
     };
     return port;
 }
@@ -90,18 +90,18 @@ inline HidActuator actuator(ActuatorKind kind, HidBus bus) {
 }
 
 inline HidDevice device_on(const std::shared_ptr<FakePad>& pad, const HidActuator& which) {
-    HidDoor door;
-    door.list = [pad, which] {
+    HidPorts ports;
+    ports.list = [pad, which] {
         const std::lock_guard lock(pad->mutex);
         return pad->is_there ? std::vector{which} : std::vector<HidActuator>{};
     };
-    door.may_be_opened = [pad](const HidActuator&) -> Expected<Done> {
+    ports.may_be_opened = [pad](const HidActuator&) -> Expected<Done> {
         const std::lock_guard lock(pad->mutex);
         return pad->is_there ? Expected<Done>(Done{}) : Error{"the pad is not there"};
     };
-    door.open = [pad](const std::string&) { return port_of(pad); };
-    door.claim = [](const HidActuator&) { return ActuatorLock(); };
-    return HidDevice(which, door);
+    ports.open = [pad](const std::string&) { return port_of(pad); };
+    ports.claim = [](const HidActuator&) { return ActuatorLock(); };
+    return HidDevice(which, ports);
 }
 
 inline Drive tone(double duration_s) {

@@ -10,9 +10,9 @@
 #include <memory>
 #include <numbers>
 
+#include "devices/hid/emergency_packet.h"
 #include "devices/hid/haptic_page.h"
 #include "devices/hid/hid_device.h"
-#include "devices/hid/last_words.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/haptic_descriptor.h"
 #include "tests/umockdev/pads.h"
@@ -233,8 +233,8 @@ TEST_CASE(
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
-        LastWords last_words("/dev/hidraw0");
-        last_words.set(neutral);
+        EmergencyPacket emergency_packet("/dev/hidraw0");
+        emergency_packet.set(neutral);
         raise(SIGHUP);  // doctest has the signals of crashes for itself
         _exit(0);
     }

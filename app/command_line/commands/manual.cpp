@@ -48,13 +48,13 @@ struct ManualView {
     double at_s;
     int width;
     int height;
-    void (*arrange)(StillView&) = nullptr;
+    void (*arrange)(ViewSnapshot&) = nullptr;
 };
 
-void show_editor(StillView& still) { still.app.layout.maximised = Pane::editor; }
+void show_editor(ViewSnapshot& still) { still.app.layout.maximised = Pane::editor; }
 
 // Its answer is computed in the background, as always.
-void show_subset(StillView& still) {
+void show_subset(ViewSnapshot& still) {
     still.app.layout.maximised = Pane::matrix;
     still.app.layout.bench = BenchTab::subset;
     still.app.picking.count = 4;

@@ -109,7 +109,7 @@ TEST_CASE("unsaved: an autosave that the disk has no room for is told once it ha
     Edited program;
     App& app = program.app;
     program.lock_folder();
-    while (app.work.told_unkept.empty()) program.frame();
+    while (app.work.autosave_error.empty()) program.frame();
     CHECK(app.ui.status.is_error);
     CHECK(contains(app.ui.status.text, "Unsaved changes cannot be kept aside"));
 }

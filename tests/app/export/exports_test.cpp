@@ -38,7 +38,7 @@ struct Exporting {
         exports.picture_size.height = exports.frame_size.height = 400;
         App& app = program.app;
         app.work.document.open({app.work.document.set, set_file, app.work.document.saved});
-        app.physiology.stages = still_view(app)->app.physiology.stages;
+        app.physiology.stages = snapshot_of(app)->app.physiology.stages;
         program.settle();
     }
 
@@ -134,7 +134,7 @@ std::map<std::string, std::string> noted(const std::string& lines) {
 
 // Both windows are drawn in one frame, as they share their fonts.
 std::map<std::string, std::string> still_window(Program& program) {
-    const auto still = still_view(program.app);
+    const auto still = snapshot_of(program.app);
     still->app.ui.theme = program.app.ui.theme;
     still->app.ui.rects = {};
     still->app.ui.rects.file = "/dev/null/no such file";
@@ -195,7 +195,7 @@ TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {
     Exporting exporting;
     App& app = exporting.program.app;
     const auto draw = [&app] {
-        const auto still = still_view(app);
+        const auto still = snapshot_of(app);
         PictureSize size{300, 400, 1.0F, app.ui.dark, PictureFormat::png};
         return std::get<Image>(view_picture(*still, PictureView::physiology, 0.02, size));
     };

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "devices/device/crash_signals.h"
-#include "devices/hid/last_words.h"
+#include "devices/hid/emergency_packet.h"
 #include "model/text/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -43,7 +43,7 @@ void take_as_a_library(int signal) {
 
 void crash_beside_a_library(const std::filesystem::path& controller, int signal) {
     take_as_a_library(signal);
-    LastWords words(controller);
+    EmergencyPacket words(controller);
     words.set(std::vector<std::uint8_t>{'o', 'f', 'f'});
     std::raise(signal);
 }
@@ -76,7 +76,7 @@ TEST_CASE("crash report: a controller is told to be still before it is written")
     const auto controller = folder.path / "controller";
     REQUIRE(write_atomically(controller, "......"));
     end_of_child(file, [&] {
-        LastWords words(controller);
+        EmergencyPacket words(controller);
         words.set(std::vector<std::uint8_t>{'o', 'f', 'f'});
         std::abort();
     });

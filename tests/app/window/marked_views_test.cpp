@@ -36,7 +36,7 @@ std::string lines_of_nobody() {
 }
 
 std::string svg_of(const App& app, PictureView view) {
-    const auto still = still_view(app);
+    const auto still = snapshot_of(app);
     PictureSize size;
     size.format = PictureFormat::svg;
     return std::get<Svg>(view_picture(*still, view, 0.02, size)).text;

@@ -71,7 +71,7 @@ std::vector<std::string> texts_on_screen(SceneWindow& window) {
 }
 
 std::vector<std::string> texts_in_picture(const App& app, PictureView view, ImVec2 size) {
-    const auto still = still_view(app);
+    const auto still = snapshot_of(app);
     PictureSize of;
     of.width = static_cast<int>(size.x);
     of.height = static_cast<int>(size.y);

@@ -51,7 +51,7 @@ TEST_CASE(
     frame.low = 0.5;
     CHECK(
         std::equal(packets[6].begin() + 2, packets[6].end(), switch_rumble(0, frame).begin() + 2));
-    CHECK(pad->last_words == switch_rumble(0, {}));
+    CHECK(pad->emergency_packet == switch_rumble(0, {}));
     CHECK(device.status().trouble.empty());
 }
 
@@ -310,15 +310,15 @@ TEST_CASE(
     const auto pad = std::make_shared<FakePad>();
     const HidActuator which = actuator(ActuatorKind::joy_con, HidBus::bluetooth);
     std::atomic<bool> is_taken = true;
-    HidDoor door;
-    door.list = [which] { return std::vector{which}; };
-    door.may_be_opened = [](const HidActuator&) -> Expected<Done> { return Done{}; };
-    door.open = [pad](const std::string&) { return port_of(pad); };
-    door.claim = [&is_taken, which](const HidActuator& asked) -> Expected<ActuatorLock> {
+    HidPorts ports;
+    ports.list = [which] { return std::vector{which}; };
+    ports.may_be_opened = [](const HidActuator&) -> Expected<Done> { return Done{}; };
+    ports.open = [pad](const std::string&) { return port_of(pad); };
+    ports.claim = [&is_taken, which](const HidActuator& asked) -> Expected<ActuatorLock> {
         CHECK(asked == which);
         return is_taken ? Expected<ActuatorLock>(Error{"it is another's"}) : ActuatorLock();
     };
-    HidDevice device(which, door);
+    HidDevice device(which, ports);
     REQUIRE(device.play(tone(0.1), false));
     CHECK(ended(device));
     CHECK(device.status().trouble == "it is another's");

@@ -56,12 +56,12 @@ HidPort port_of_bad(const std::shared_ptr<BadPad>& bad) {
 
 std::unique_ptr<HidDevice> device_on_bad(const std::shared_ptr<BadPad>& bad, ActuatorKind kind) {
     const HidActuator which = actuator(kind, HidBus::usb);
-    HidDoor door;
-    door.list = [which] { return std::vector{which}; };
-    door.may_be_opened = [](const HidActuator&) -> Expected<Done> { return Done{}; };
-    door.open = [bad](const std::string&) { return port_of_bad(bad); };
-    door.claim = [](const HidActuator&) { return ActuatorLock(); };
-    return std::make_unique<HidDevice>(which, door);
+    HidPorts ports;
+    ports.list = [which] { return std::vector{which}; };
+    ports.may_be_opened = [](const HidActuator&) -> Expected<Done> { return Done{}; };
+    ports.open = [bad](const std::string&) { return port_of_bad(bad); };
+    ports.claim = [](const HidActuator&) { return ActuatorLock(); };
+    return std::make_unique<HidDevice>(which, ports);
 }
 
 bool is_at_rest(const BadPad& bad) {

@@ -3,7 +3,8 @@
 // it, on pads that umockdev makes: run by umockdev-wrapper, with the program's path in
 // TACTSPACE_PROGRAM.
 //
-// Left out  SIGKILL and SIGSTOP, which no program hears (devices/hid/last_words.h); a driver that
+// Left out  SIGKILL and SIGSTOP, which no program hears (devices/hid/emergency_packet.h); a driver
+// that
 //           never takes a packet again.
 #include <doctest/doctest.h>
 #include <fcntl.h>

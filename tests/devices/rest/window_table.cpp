@@ -2,7 +2,7 @@
 // comes within 100 ms, as tests/devices/rest/rest_table.cpp has it for the command line. Every
 // ending meets another kind of controller; a display of its own, Xvfb, and xdotool for the keys.
 //
-// Left out  SIGKILL, which no program hears (devices/hid/last_words.h)
+// Left out  SIGKILL, which no program hears (devices/hid/emergency_packet.h)
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "devices/hid/last_words.h"
+#include "devices/hid/emergency_packet.h"
 
 #include <fcntl.h>
 #include <sys/time.h>
@@ -35,10 +35,10 @@ std::array<Place, 16> places;
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGTERM, SIGHUP,
                               SIGINT,  SIGQUIT, SIGSYS, SIGXCPU, SIGXFSZ, SIGALRM, SIGPIPE};
 
-// What answered each signal before, and does so once the words are said.
+// What answered each signal before, and does so once the packets are sent.
 std::array<struct sigaction, kSignals.size()> others{};
 
-void say_all() {
+void send_all() {
     for (const Place& place : places) {
         const std::size_t size = place.size.load();
         const int descriptor = place.descriptor.load();
@@ -55,21 +55,21 @@ std::atomic<bool> is_over = false;
 // A driver that hangs keeps a write for good; the program is to end all the same.
 constexpr int kAnswerMs = 200;
 
-bool has_something_to_say() {
+bool has_packet_to_send() {
     return std::ranges::any_of(places, [](const Place& place) { return place.size.load() > 0; });
 }
 
 void say_at_exit() {
     is_over = true;
-    if (!has_something_to_say()) return;
+    if (!has_packet_to_send()) return;
     static std::atomic<bool> is_said = false;
     try {
         std::thread([] {
-            say_all();
+            send_all();
             is_said = true;
         }).detach();
     } catch (const std::system_error&) {
-        return say_all();
+        return send_all();
     }
     constexpr timespec kMillisecond{0, 1'000'000};
     for (int k = 0; k < kAnswerMs && !is_said; ++k) nanosleep(&kMillisecond, nullptr);
@@ -108,19 +108,19 @@ void set_time_limit(int limit_ms) {
     setitimer(ITIMER_REAL, &limit, nullptr);
 }
 
-void say_last_words(int signal) {
+void send_emergency_packets(int signal) {
     is_over = true;
     dying_of = signal;
-    if (has_something_to_say()) {
+    if (has_packet_to_send()) {
         set_time_limit(kAnswerMs);
-        say_all();
+        send_all();
         const itimerval none{};
         setitimer(ITIMER_REAL, &none, nullptr);
     }
     die();
 }
 
-// What answers a crash by writing a report, and by nothing else, comes after the last words.
+// What answers a crash by writing a report, and by nothing else, comes after the packets.
 bool comes_after(const struct sigaction& before) {
     return (before.sa_flags & SA_SIGINFO) == 0 && before.sa_handler != SIG_IGN &&
            (before.sa_flags & SA_RESETHAND) != 0;
@@ -131,17 +131,17 @@ void listen() {
     const std::lock_guard lock(one_at_a_time);
     // A library that gives up calls exit(): Xlib does where its display dies.
     [[maybe_unused]] static const int at_exit = std::atexit(say_at_exit);
-    call_before_halts(say_all);
+    call_before_halts(send_all);
     rest_before_halts();
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         struct sigaction before {};
         if (sigaction(kSignals[k], nullptr, &before) != 0) continue;
-        if (before.sa_handler == say_last_words) continue;
+        if (before.sa_handler == send_emergency_packets) continue;
         if (!comes_after(before) && !may_be_taken(before)) continue;
         others[k] = before;
         if (is_a_librarys(before)) others[k] = {};
         struct sigaction action {};
-        action.sa_handler = say_last_words;
+        action.sa_handler = send_emergency_packets;
         action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
         sigemptyset(&action.sa_mask);
         sigaction(kSignals[k], &action, nullptr);
@@ -150,9 +150,9 @@ void listen() {
 
 }  // namespace
 
-bool has_said_last_words() { return is_over.load(); }
+bool has_sent_emergency_packets() { return is_over.load(); }
 
-LastWords::LastWords(const std::string& path) {
+EmergencyPacket::EmergencyPacket(const std::string& path) {
     listen();
     for (std::size_t k = 0; k < places.size(); ++k) {
         bool free = false;
@@ -163,7 +163,7 @@ LastWords::LastWords(const std::string& path) {
     }
 }
 
-LastWords::~LastWords() {
+EmergencyPacket::~EmergencyPacket() {
     if (place_ < 0) return;
     Place& place = places[static_cast<std::size_t>(place_)];
     place.size = 0;
@@ -172,7 +172,7 @@ LastWords::~LastWords() {
     place.taken = false;
 }
 
-void LastWords::set(std::span<const std::uint8_t> packet) {
+void EmergencyPacket::set(std::span<const std::uint8_t> packet) {
     if (place_ < 0) return;
     Place& place = places[static_cast<std::size_t>(place_)];
     place.size = 0;
