@@ -9,6 +9,7 @@
 #include "devices/calibration/rendering.h"
 #include "model/ask/gap_candidates.h"
 #include "model/pattern/same_vibration.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -3,13 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/document/pattern_looks.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "model/set/named_place.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -52,8 +52,7 @@ Vibration mixed_vibration(const PadState& pad) {
 void take_pad_mouse(Ui& ui, Workspace& work, PadState& pad, const Rect& square) {
     ImGui::SetCursorScreenPos(square.min);
     ImGui::InvisibleButton("pad", square.size());
-    char place[48];
-    std::snprintf(place, sizeof place, "%.3f %.3f", pad.right, pad.down);
+    const std::string place = fixed_digits(pad.right, 3) + " " + fixed_digits(pad.down, 3);
     note_item(ui.rects, "pad", place);
     if (!ImGui::IsItemActive()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -118,8 +117,7 @@ void draw_wave(Ui& ui, Workspace& work, const PadState& pad, ImVec2 corner, floa
     draw_thumbnail(ui, work, picture, mixed_vibration(pad), theme.series, shown_reach_g(work));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = picture.max.y + 0.5F * theme.gap_px;
-    char end[32];
-    std::snprintf(end, sizeof end, "%.3g s", pad.mix.duration_s);
+    const std::string end = significant_digits(pad.mix.duration_s, 3) + " s";
     draw_text(list, theme.fonts.small, {picture.min.x, y}, theme.dim_text, "0");
     draw_text(list, theme.fonts.small, {picture.max.x - text_size(theme.fonts.small, end).x, y},
               theme.dim_text, end);

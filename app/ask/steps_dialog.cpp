@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "app/ask/steps_follow.h"
 #include "app/document/editing.h"
@@ -12,6 +11,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/ask/steps_set.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -142,7 +142,7 @@ void draw_step_rows(Ui& ui, Workspace& work, const StepsState& state, const Even
         if (k == 0) draw_tooltip(ui, kHoldHelp);
         ImGui::PopID();
         ImGui::TableNextColumn();
-        dim_text(ui, significant(100.0 * steps.shares[k], 3) + " %");
+        dim_text(ui, percent(steps.shares[k]));
         const bool last = k + 1 == steps.patterns.size();
         ImGui::TableNextColumn();
         if (!last) dim_text(ui, significant(steps.apart[k], 3));

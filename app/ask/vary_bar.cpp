@@ -1,7 +1,6 @@
 #include "app/ask/vary_bar.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/ask/gap_follow.h"
 #include "app/ask/proposals_follow.h"
@@ -103,7 +102,8 @@ void draw_vary_bar(Ui& ui, const Workspace& work, ProposalsState& state) {
         draw_tooltip(ui, help);
         return pressed;
     };
-    if (word("vary again", "Others (V)", "Eight others, as far away.")) ++state.vary_seed;
+    const std::string others = std::to_string(VaryQuestion{}.count) + " others, as far away.";
+    if (word("vary again", "Others (V)", others.c_str())) ++state.vary_seed;
     draw_free_numbers(ui, state);
     if (word("vary stop", "Done", "The pattern does not change.")) return stop_varying(state);
 }

@@ -5,7 +5,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "app/progress/failure.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/charts/response_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -40,8 +40,6 @@ void heading(const Ui& ui, const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
 }
-
-std::string percent(double share) { return significant(100.0 * share, 2) + " %"; }
 
 double signal_s(const CalibrationParams& params) {
     const Drive drive = calibration_plan(params).drive;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -23,6 +22,7 @@
 #include "model/io/set/model_file.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 
 namespace tact {
@@ -66,20 +66,6 @@ class AtomicBuffer final : public std::streambuf {
     std::string pending_;
     Expected<Done> state_ = Done{};
 };
-
-std::string time_text(double seconds) {
-    char text[32];
-    const std::int64_t whole = std::llround(seconds);
-    if (whole < 60) {
-        std::snprintf(text, sizeof text, "%" PRId64 " s", whole);
-    } else if (whole < 3600) {
-        std::snprintf(text, sizeof text, "%" PRId64 " min %02" PRId64 " s", whole / 60, whole % 60);
-    } else {
-        std::snprintf(text, sizeof text, "%" PRId64 " h %02" PRId64 " min", whole / 3600,
-                      whole / 60 % 60);
-    }
-    return text;
-}
 
 // The count first, then a line for each file; an Error where that is not to be borne.
 Expected<Done> tell_left_out(const Loaded& loaded, bool strict) {
@@ -301,7 +287,7 @@ std::function<void(double)> progress_line(const std::string& what) {
         }
         const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
         std::fprintf(stderr, terminal ? "\r%s: %.0f %%, %s left\033[K" : "%s: %.0f %%, %s left\n",
-                     what.c_str(), 100.0 * share, time_text(left_s).c_str());
+                     what.c_str(), 100.0 * share, duration_text(std::ceil(left_s)).c_str());
     };
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 
 #include "model/io/tables/matrix_file.h"
 #include "model/text/numbers.h"
@@ -30,15 +29,6 @@ std::string aligned(const std::vector<TextRow>& exact) {
     }
     return text;
 }
-
-std::string fixed_digits(double value, int digits) {
-    if (std::isnan(value)) return "-";
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
-std::string six_digits(double value) { return significant_digits(value, 6); }
 
 std::string range_text(double low, double high, int digits) {
     if (std::isnan(low) || std::isnan(high)) return "-";

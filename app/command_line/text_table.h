@@ -12,12 +12,6 @@ using TextRow = std::vector<std::string>;
 // between. No blanks at the ends of lines.
 std::string aligned(const std::vector<TextRow>& rows);
 
-// A number with `digits` digits after the point; "-" for NaN.
-std::string fixed_digits(double value, int digits);
-
-// Six digits that count.
-std::string six_digits(double value);
-
 // "-0.11 to 0.78"; "-" for NaN.
 std::string range_text(double low, double high, int digits);
 

@@ -11,6 +11,7 @@
 #include "app/document/editing.h"
 #include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "model/textbook/noticed.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
@@ -83,9 +84,9 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
     const Dissimilarity& people = comparison.people->said.rated.people.dissimilarity;
     const std::vector<double>& rank = row.ranks;
     const NumberMark mark = mark_of(comparison);
-    std::string corner = of_people("rho ", mark) + digits(row.evaluation->rho, 2);
+    std::string corner = of_people("rho ", mark) + with_decimals(row.evaluation->rho, 2);
     const double ceiling = comparison.people->said.ceilings.of_mean;
-    if (!std::isnan(ceiling)) corner += ", at most " + digits(ceiling, 2);
+    if (!std::isnan(ceiling)) corner += ", at most " + with_decimals(ceiling, 2);
     const std::string y_title = of_people("rated dissimilarity", mark);
     const std::string rated = of_people("rated ", mark);
     const std::string x_title = "rank by " + row.name;

@@ -12,6 +12,7 @@
 #include "app/progress/failure.h"
 #include "app/progress/progress_line.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -93,9 +94,9 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     const RatedPeople& people = comparison.people->said;
     const AlienationChance& chance = people.rated.k_chance;
     const PatternSet& set = *comparison.request.map->request.set;
-    const std::string text = people_text(set, people) + ". K by chance " + digits(chance.mean, 2) +
-                             " (" + digits(chance.middle.low, 2) + " to " +
-                             digits(chance.middle.high, 2) + ").";
+    const std::string text =
+        people_text(set, people) + ". K by chance " + with_decimals(chance.mean, 2) + " (" +
+        with_decimals(chance.middle.low, 2) + " to " + with_decimals(chance.middle.high, 2) + ").";
     std::string ceiling = ceiling_text(people.reliability, people.mark);
     const std::string single = single_ceiling_text(people.ceilings, people.mark);
     if (!single.empty()) ceiling += " " + single;

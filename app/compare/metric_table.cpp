@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/compare/compare_panels.h"
 #include "app/compare/metric_choice.h"
 #include "app/compare/people_text.h"
 #include "app/compare/reading_text.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -50,31 +50,30 @@ void draw_cell(const Ui& ui, const std::string& text, Mark mark) {
 
 // All digits: tests compare them with the command line.
 std::string row_value(const ComparedMetric& row) {
-    if (!row.evaluation) return digits(row.rho_with_pm, 17);
+    if (!row.evaluation) return with_decimals(row.rho_with_pm, 17);
     const Evaluation& e = *row.evaluation;
     std::string text;
     for (const double value :
          {e.rho, e.rho_interval.low, e.rho_interval.high, e.rho_p, e.k, e.k_p}) {
-        char cell[40];
-        std::snprintf(cell, sizeof cell, "%.17g ", value);
-        text += cell;
+        text += shortest_digits(value) + " ";
     }
     return text;
 }
 
 std::string interval_text(const Evaluation& e) {
-    return digits(e.rho_interval.low, 2) + " to " + digits(e.rho_interval.high, 2);
+    return with_decimals(e.rho_interval.low, 2) + " to " + with_decimals(e.rho_interval.high, 2);
 }
 
 std::string tip_of(const ComparedMetric& row, const NumberMark& mark) {
     std::string tip = row.help;
     if (!row.evaluation) return tip;
     const Evaluation& e = *row.evaluation;
-    tip += "\n" + of_people("rho ", mark) + digits(e.rho, 2) + ", 95 % " + interval_text(e) +
-           ", p of K " + digits(e.k_p, 4) + ".\n" + of_people("tau-b ", mark) + digits(e.tau_b, 3) +
-           ", K over maps that fit as well " + digits(e.k_spread.low, 2) + " to " +
-           digits(e.k_spread.high, 2) + ", 1 - K/chance " + digits(e.k_corrected, 2) +
-           ", stress-1 " + digits(e.stress1, 3);
+    tip += "\n" + of_people("rho ", mark) + with_decimals(e.rho, 2) + ", 95 % " + interval_text(e) +
+           ", p of K " + with_decimals(e.k_p, 4) + ".\n" + of_people("tau-b ", mark) +
+           with_decimals(e.tau_b, 3) + ", K over maps that fit as well " +
+           with_decimals(e.k_spread.low, 2) + " to " + with_decimals(e.k_spread.high, 2) +
+           ", 1 - K/chance " + with_decimals(e.k_corrected, 2) + ", stress-1 " +
+           with_decimals(e.stress1, 3);
     for (const std::string& remark : e.remarks) tip += "\n" + remark;
     return tip;
 }
@@ -107,45 +106,70 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
         const auto best_if = [](bool is_best, Mark as) { return is_best ? as : Mark::none; };
-        draw_cell(ui, digits(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
+        draw_cell(ui, with_decimals(e.rho, 2), best_if(e.rho == best.rho, Mark::best));
         draw_cell(ui, interval_text(e), Mark::none);
-        draw_cell(ui, digits(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
-        draw_cell(ui, e.is_failed_map ? "no map" : digits(e.k, 2),
+        draw_cell(ui, with_decimals(e.rho_p, 4), best_if(e.rho_p == best.rho_p, Mark::shared));
+        draw_cell(ui, e.is_failed_map ? "no map" : with_decimals(e.k, 2),
                   best_if(e.k == best.k, Mark::best));
-        draw_cell(ui, digits(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
+        draw_cell(ui, with_decimals(e.k_p, 4), best_if(e.k_p == best.k_p, Mark::shared));
     }
-    draw_cell(ui, digits(row.rho_with_pm, 2), Mark::none);
+    draw_cell(ui, with_decimals(row.rho_with_pm, 2), Mark::none);
+}
+
+struct Column {
+    const char* name;
+    const char* tip;
+    Columns from;  // up to here; without ratings, the first and the last column
+    float weight;
+};
+constexpr std::array<Column, 7> kColumns{
+    {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 2.4F},
+     {"rho",
+      "Spearman's rank correlation with the ratings, pair by pair: 1 the same order. Bold: the "
+      "highest.",
+      Columns::least, 1.0F},
+     {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
+      Columns::all, 1.6F},
+     {"p",
+      "How often patterns under exchanged names agree as well: Mantel's test. Bold: the least, "
+      "which many share where no draw agreed as well.",
+      Columns::all, 1.0F},
+     {"K",
+      "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1. Bold: the "
+      "lowest.",
+      Columns::least, 1.0F},
+     {"p of K",
+      "How often maps under exchanged names are as close in shape. Bold: the least, which many "
+      "share where no draw came as close.",
+      Columns::all, 1.0F},
+     {"with PM", "Spearman's rank correlation with PM: how much the metric is another one.",
+      Columns::most, 1.0F}}};
+
+void draw_heading(Ui& ui, const Column& column, const NumberMark& mark) {
+    const std::string name = column.name;
+    // An interval and a p stand to the right of their number.
+    const std::string of = words_of(mark);
+    const bool labelled = !of.empty() && (name == "rho" || name == "K");
+    const bool is_with_pm = &column == &kColumns.back();
+    // Columns are narrow: the second line of a heading says what the number is about.
+    const std::string below = labelled ? of : is_with_pm ? "with PM" : "";
+    const auto head = [&](const std::string& words, bool is_left) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
+        is_left ? ImGui::TextUnformatted(words.c_str()) : right_aligned(words);
+        ImGui::PopStyleColor();
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    head(is_with_pm ? "rho" : name, &column == &kColumns.front());
+    note_item(ui.rects, "compare:head " + name, of_people(name, labelled ? mark : NumberMark{}));
+    draw_tooltip(ui, column.tip);
+    if (!below.empty()) {
+        head(below, false);
+        draw_tooltip(ui, column.tip);
+    }
+    ImGui::PopStyleVar();
 }
 
 void draw_head(Ui& ui, Columns columns, const NumberMark& mark) {
-    struct Column {
-        const char* name;
-        const char* tip;
-        Columns from;  // up to here; without ratings, the first and the last column
-        float weight;
-    };
-    constexpr std::array<Column, 7> kColumns{
-        {{"metric", "Click one for its pairs and its Shepard diagram.", Columns::least, 2.4F},
-         {"rho",
-          "Spearman's rank correlation with the ratings, pair by pair: 1 the same order. Bold: the "
-          "highest.",
-          Columns::least, 1.0F},
-         {"95 %", "Interval of rho if other patterns had been drawn: bootstrap over patterns.",
-          Columns::all, 1.6F},
-         {"p",
-          "How often patterns under exchanged names agree as well: Mantel's test. Bold: the least, "
-          "which many share where no draw agreed as well.",
-          Columns::all, 1.0F},
-         {"K",
-          "Alienation of the two maps: 0 one shape; unrelated maps have about .5, not 1. Bold: the "
-          "lowest.",
-          Columns::least, 1.0F},
-         {"p of K",
-          "How often maps under exchanged names are as close in shape. Bold: the least, which many "
-          "share where no draw came as close.",
-          Columns::all, 1.0F},
-         {"with PM", "Spearman's rank correlation with PM: how much the metric is another one.",
-          Columns::most, 1.0F}}};
     const auto is_left_out = [&](const Column& column) {
         return columns == Columns::few && &column != &kColumns.front() &&
                &column != &kColumns.back();
@@ -163,28 +187,7 @@ void draw_head(Ui& ui, Columns columns, const NumberMark& mark) {
     for (const Column& column : kColumns) {
         if (is_left_out(column)) continue;
         ImGui::TableNextColumn();
-        // An interval and a p stand to the right of their number.
-        const std::string name = column.name;
-        const std::string of = words_of(mark);
-        const bool labelled = !of.empty() && (name == "rho" || name == "K");
-        const bool is_with_pm = &column == &kColumns.back();
-        // Columns are narrow: the second line of a heading says what the number is about.
-        const std::string below = labelled ? of : is_with_pm ? "with PM" : "";
-        const auto head = [&](const std::string& words, bool is_left) {
-            ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
-            is_left ? ImGui::TextUnformatted(words.c_str()) : right_aligned(words);
-            ImGui::PopStyleColor();
-        };
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
-        head(is_with_pm ? "rho" : name, &column == &kColumns.front());
-        note_item(ui.rects, "compare:head " + name,
-                  of_people(name, labelled ? mark : NumberMark{}));
-        draw_tooltip(ui, column.tip);
-        if (!below.empty()) {
-            head(below, false);
-            draw_tooltip(ui, column.tip);
-        }
-        ImGui::PopStyleVar();
+        draw_heading(ui, column, mark);
     }
     ImGui::PopFont();
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -17,15 +18,6 @@ NumberMark mark_of(const std::vector<Ratings>& ratings) {
 }
 
 }  // namespace
-
-std::string digits(double value, int decimals) {
-    if (std::isnan(value)) return "\u2013";
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string result = text;
-    if (result.front() == '-') result.replace(0, 1, "\u2212");
-    return result;
-}
 
 std::string of_people(const std::string& quantity, const NumberMark& mark) {
     const std::string words = words_of(mark);
@@ -74,15 +66,16 @@ std::string ceiling_text(const Reliability& reliability, const NumberMark& mark)
                                  : voices + " participants";
     const std::string one = reliability.is_of_one_person ? "repetition" : "participant";
     return "Noise ceiling: a metric can reach " + of_people("rho ", mark) +
-           digits(reliability.ceiling_of_mean, 2) + " with the mean of " + mean + " (reliability " +
-           digits(reliability.spearman_brown, 2) + "); one " + one + " reaches " +
-           digits(reliability.one_with_others, 2) + " with the mean of the others.";
+           with_decimals(reliability.ceiling_of_mean, 2) + " with the mean of " + mean +
+           " (reliability " + with_decimals(reliability.spearman_brown, 2) + "); one " + one +
+           " reaches " + with_decimals(reliability.one_with_others, 2) +
+           " with the mean of the others.";
 }
 
 std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark) {
     if (ceilings.voices < 2) return {};
     const auto bound = [](const Spread& spread) {
-        return digits(spread.mean, 2) + " (median " + digits(spread.median, 2) + ")";
+        return with_decimals(spread.mean, 2) + " (median " + with_decimals(spread.median, 2) + ")";
     };
     return std::string("With one ") + (ceilings.is_of_one_person ? "repetition" : "participant") +
            " the best metric there could be has a mean " + of_people("rho", mark) + " of " +

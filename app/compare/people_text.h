@@ -13,9 +13,6 @@
 
 namespace tact {
 
-// "0.87", with a true minus; a dash for NaN.
-std::string digits(double value, int decimals);
-
 // "rho", or "synthetic rho", "stale rho", "synthetic, stale rho".
 std::string of_people(const std::string& quantity, const NumberMark& mark);
 // "rating (2 participants left out)", for places that do not name the raters otherwise.

@@ -13,6 +13,7 @@
 #include "app/progress/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/smacof.h"
+#include "model/text/numbers.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -54,10 +55,8 @@ std::optional<ShownFit> shown_fit(const Workspace& work, const ShownMap& shown_m
 }
 
 std::string corner_text(const ShownFit& fit) {
-    char text[96];
-    std::snprintf(text, sizeof text, "stress-1 %.3f, %s, %d-D", fit.space->stress1,
-                  fit_label(*fit.space).c_str(), static_cast<int>(fit.space->points.cols()));
-    return text;
+    return "stress-1 " + with_decimals(fit.space->stress1, 3) + ", " + fit_label(*fit.space) +
+           ", " + std::to_string(fit.space->points.cols()) + "-D";
 }
 
 // Sorting the pairs of a large set takes longer than a frame: a job does it, and until it is done

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/compare_panels.h"
@@ -16,6 +15,7 @@
 #include "app/progress/failure.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "model/textbook/noticed.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -26,13 +26,6 @@ namespace tact {
 namespace {
 
 constexpr const char* kMinus = "\u2212";
-
-std::string percent(double share) {
-    const double rounded = std::round(100.0 * share);
-    char text[24];
-    std::snprintf(text, sizeof text, "%s%.0f %%", rounded < 0.0 ? kMinus : "", std::abs(rounded));
-    return text;
-}
 
 // The next `height_px` of the pane, in full width.
 Rect take_row(float height_px) {

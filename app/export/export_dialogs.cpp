@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <string>
 
@@ -205,14 +204,11 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
     const bool is_good = exports.from_s >= 0.0 && exports.from_s < exports.to_s &&
                          exports.to_s <= duration_s && exports.frames >= 1 &&
                          exports.frames <= kMostFrames;
-    char text[128];
-    if (is_good) {
-        std::snprintf(text, sizeof text, "a film of %.3g s",
-                      exports.frames / frames_per_s(exports));
-    } else {
-        std::snprintf(text, sizeof text, "times from 0 to %.4g s, frames from 1 to %d", duration_s,
-                      kMostFrames);
-    }
+    const std::string text =
+        is_good
+            ? "a film of " + significant_digits(exports.frames / frames_per_s(exports), 3) + " s"
+            : "times from 0 to " + significant_digits(duration_s, 4) + " s, frames from 1 to " +
+                  std::to_string(kMostFrames);
     ImGui::SameLine();
     dim_text(ui, text);
     draw_size(ui, work, exports.moving_view, exports.frame_size);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
@@ -38,12 +37,6 @@ Unit unit_of(Parameter parameter) {
         default:
             return {"", 1.0};
     }
-}
-
-std::string short_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 std::vector<std::string> words_in(const std::string& text) {
@@ -91,7 +84,7 @@ void draw_number(Ui& ui, const std::string& id, double& value, Range allowed, co
     if (enter_number(ui, entry, shown)) {
         value = std::clamp(shown / unit.times, allowed.low, allowed.high);
     }
-    note_item(ui.rects, "generate:" + id, short_digits(shown));
+    note_item(ui.rects, "generate:" + id, significant_digits(shown, 6));
 }
 
 void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed) {

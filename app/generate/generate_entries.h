@@ -18,9 +18,6 @@ struct Unit {
 
 Unit unit_of(Parameter parameter);
 
-// As few digits as a person wants to see of a number, six at most.
-std::string short_digits(double value);
-
 // What stands between blanks, commas and semicolons.
 std::vector<std::string> words_in(const std::string& text);
 

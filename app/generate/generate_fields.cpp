@@ -54,8 +54,8 @@ Expected<std::vector<double>> levels_in(const std::string& text, Range allowed, 
         const auto number = finite_number_in(word);
         if (!number) return Error{"\"" + word + "\" is no number"};
         if (!allowed.contains(*number / unit.times)) {
-            return Error{short_digits(allowed.low * unit.times) + " to " +
-                         short_digits(allowed.high * unit.times) + " " + unit.name};
+            return Error{significant_digits(allowed.low * unit.times, 6) + " to " +
+                         significant_digits(allowed.high * unit.times, 6) + " " + unit.name};
         }
         levels.push_back(*number / unit.times);
     }
@@ -71,7 +71,7 @@ std::string level_words(const std::vector<double>& levels, const Unit& unit) {
     for (const double level : levels) {
         const auto times = std::ranges::count(levels, level);
         if (times < 2) continue;
-        return words + ", " + short_digits(unit.times * level) + " of them " +
+        return words + ", " + significant_digits(unit.times * level, 6) + " of them " +
                std::to_string(times) + " times";
     }
     return words;
@@ -81,7 +81,7 @@ void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
                  std::vector<double>& levels, Range allowed, const Unit& unit) {
     std::string shown;
     for (const double level : levels) {
-        shown += (shown.empty() ? "" : ", ") + short_digits(unit.times * level);
+        shown += (shown.empty() ? "" : ", ") + significant_digits(unit.times * level, 6);
     }
     const auto typed = draw_entry(ui, generating, id, shown, 300.0F * ui.theme.scale);
     draw_tooltip(ui, "One number is fixed; several, with commas between them, are levels.");
@@ -99,7 +99,7 @@ void draw_levels(Ui& ui, GenerateState& generating, const std::string& id,
 void draw_multiple(Ui& ui, GenerateState& generating, const std::string& id, double& multiple,
                    const Unit& unit) {
     constexpr const char* kAny = "any";
-    const std::string shown = multiple == 0.0 ? kAny : short_digits(unit.times * multiple);
+    const std::string shown = multiple == 0.0 ? kAny : significant_digits(unit.times * multiple, 6);
     const auto typed = draw_entry(ui, generating, id, shown, 62.0F * ui.theme.scale);
     draw_tooltip(ui,
                  "Values are moved to the nearest multiple of this. Multiples of 1 / duration "
@@ -309,7 +309,7 @@ bool limit_box(Ui& ui, const char* id, const char* words, const std::string& wou
 void draw_limit(Ui& ui, std::optional<double>& limit, const LimitRow& row) {
     draw_label(ui, row.label);
     if (limit) reset_by_label(ui, row.first, *limit);
-    const std::string would_be = short_digits(row.first) + " " + row.words;
+    const std::string would_be = significant_digits(row.first, 6) + " " + row.words;
     if (limit_box(ui, row.id, row.before, would_be, limit.has_value(), row.help)) {
         limit = limit ? std::nullopt : std::optional(row.first);
     }
@@ -372,8 +372,8 @@ void draw_constraint_rows(Ui& ui, GenerateState& generating) {
     constexpr Range kNormalHz{40.0, 400.0};
     draw_label(ui, "Device band");
     if (limits_of.band_hz && is_reset_asked(ui)) limits_of.band_hz = kNormalHz;
-    const std::string would_be =
-        short_digits(kNormalHz.low) + " to " + short_digits(kNormalHz.high) + " Hz";
+    const std::string would_be = significant_digits(kNormalHz.low, 6) + " to " +
+                                 significant_digits(kNormalHz.high, 6) + " Hz";
     if (limit_box(ui, "band", "within", would_be, limits_of.band_hz.has_value(),
                   "Carriers and the sidebands of their modulation must lie in it.")) {
         limits_of.band_hz = limits_of.band_hz ? std::nullopt : std::optional(kNormalHz);

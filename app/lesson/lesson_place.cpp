@@ -1,9 +1,9 @@
 #include "app/lesson/lesson_place.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/lesson/lesson_question.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -114,10 +114,7 @@ std::optional<double> place_off_by(const LessonState& state, const ShownMap& sho
 std::string place_text(const LessonState& state, const ShownMap& shown_map) {
     const auto off = place_off_by(state, shown_map);
     if (!off) return {};
-    char text[80];
-    std::snprintf(text, sizeof text, "The cross is off by %.0f %% of the map's width.",
-                  100.0 * *off);
-    return text;
+    return "The cross is off by " + percent(*off) + " of the map's width.";
 }
 
 void count_place(LessonState& state, const ShownMap& shown_map) {

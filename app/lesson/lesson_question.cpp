@@ -1,7 +1,6 @@
 #include "app/lesson/lesson_question.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "app/lesson/lesson_card.h"

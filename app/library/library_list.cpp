@@ -33,8 +33,6 @@ void draw_shape(const Theme& theme, const Rect& area, const StrengthShape& shape
     }
 }
 
-std::string number_words(double value) { return significant_digits(value, 3); }
-
 struct Column {
     LibraryColumn which;
     const char* id;
@@ -111,11 +109,11 @@ std::string cell_words(const LibraryEntry& entry, const LibraryRow& row, Library
                        bool is_pm) {
     switch (column) {
         case LibraryColumn::duration:
-            return number_words(entry.duration_s);
+            return significant_digits(entry.duration_s, 3);
         case LibraryColumn::peak:
-            return number_words(entry.peak_g);
+            return significant_digits(entry.peak_g, 3);
         case LibraryColumn::frequency:
-            return entry.mean_hz ? number_words(*entry.mean_hz) : "-";
+            return entry.mean_hz ? significant_digits(*entry.mean_hz, 3) : "-";
         case LibraryColumn::ticks:
             return entry.ticks > 0 ? std::to_string(entry.ticks) : "";
         case LibraryColumn::match:

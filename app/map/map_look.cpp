@@ -10,6 +10,7 @@
 #include "model/map/clusters.h"
 #include "model/map/explained_share.h"
 #include "model/set/parameter_paths.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -11,6 +10,7 @@
 #include "app/progress/failure.h"
 #include "app/ui/widgets.h"
 #include "model/map/clusters.h"
+#include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -137,12 +137,12 @@ void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optiona
     const std::string shown_names = shortened(theme.fonts.semibold, names, 0.5F * area.width());
     draw_text(list, theme.fonts.semibold, area.min, theme.text, shown_names);
     const ImVec2 taken = text_size(theme.fonts.semibold, shown_names);
-    char numbers[160];
-    std::snprintf(numbers, sizeof numbers, "PM %s of %s    NC %.3g, rank %s    OC %.4g, rank %s",
-                  grouped(prediction.pm.condensed[k], 4).c_str(),
-                  grouped(static_cast<double>(m), 4).c_str(), prediction.nc.condensed[k],
-                  grouped(prediction.nc_rank[k], 4).c_str(), prediction.oc.condensed[k],
-                  grouped(prediction.oc_rank[k], 4).c_str());
+    const std::string numbers = "PM " + grouped(prediction.pm.condensed[k], 4) + " of " +
+                                grouped(static_cast<double>(m), 4) + "    NC " +
+                                significant_digits(prediction.nc.condensed[k], 3) + ", rank " +
+                                grouped(prediction.nc_rank[k], 4) + "    OC " +
+                                significant_digits(prediction.oc.condensed[k], 4) + ", rank " +
+                                grouped(prediction.oc_rank[k], 4);
     const float left = area.min.x + taken.x + 1.5F * theme.gap_px;
     const float lower = 0.8F * (taken.y - text_size(theme.fonts.small, numbers).y);
     draw_text(list, theme.fonts.small, {left, area.min.y + lower}, theme.dim_text,

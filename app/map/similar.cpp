@@ -6,6 +6,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -287,10 +286,10 @@ float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& ar
     float x = area.min.x;
     if (map.space.verdict != MdsVerdict::trivial) {
         // One of a preview would be read as that of the map.
-        char stress[16] = "preview";
+        std::string stress = "preview";
         std::string what = "stress-1 follows";
         if (state != MapState::preview) {
-            std::snprintf(stress, sizeof stress, "%.3f", map.space.stress1);
+            stress = with_decimals(map.space.stress1, 3);
             what = "stress-1, " + fit_label(map.space);
         } else if (exact_waits(work, shown_map)) {
             what = "has no stress-1";

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "app/progress/failure.h"
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -67,21 +67,20 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
     changed |= draw_pattern_choice(ui, work, importing.patterns[k], k);
     ImGui::TableNextColumn();
     const ImportedFile* file = answer_of(importing, k);
-    char text[64] = "";
+    std::string text;
     if (file == nullptr) {
-        const bool failed = !importing.import_job.failure().empty();
-        std::snprintf(text, sizeof text, "%s", failed ? "not read" : "reading\u2026");
+        text = importing.import_job.failure().empty() ? "reading\u2026" : "not read";
     } else if (!file->fault.empty()) {
-        std::snprintf(text, sizeof text, "cannot be read");
+        text = "cannot be read";
     } else if (file->twin) {
-        std::snprintf(text, sizeof text, "alike %.2f", file->twin->alignment.correlation);
+        text = "alike " + with_decimals(file->twin->alignment.correlation, 2);
     }
     const bool odd =
         file != nullptr &&
         (!file->fault.empty() || (file->twin && file->twin->alignment.correlation < kLeastAlike));
     if (odd) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(text.c_str());
     if (odd) ImGui::PopStyleColor();
     note_item(ui.rects, "import:result " + std::to_string(k), text);
     draw_tooltip(ui,

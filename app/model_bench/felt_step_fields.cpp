@@ -1,7 +1,6 @@
 // The least change of each number that people are taken to feel, with its source.
 
 #include <cmath>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/model_bench/felt_step_fields.h"

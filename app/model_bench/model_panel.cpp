@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 
 #include "app/document/editing.h"
@@ -10,6 +9,8 @@
 #include "app/model_bench/model_panel.h"
 #include "app/model_bench/model_rows.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
+#include "model/text/typed_number.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -53,10 +54,9 @@ void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& o
     ImGui::EndGroup();
     if (edit.changed) change_model(work, [&](Model& m) { row.set(m, value); });
     if (edit.finished) commit_model(ui, work, row.field.label);
-    char text[32];
-    std::snprintf(text, sizeof text, row.field.format, known);
     if (before == known) return;
-    const bool goes_back = link_beside_field(ui, "back", row.field.id, text);
+    const std::string text = shown_number(row.field.format, known);
+    const bool goes_back = link_beside_field(ui, "back", row.field.id, text.c_str());
     note_item(ui.rects, std::string("reset:") + row.field.id, text);
     draw_tooltip(ui, kWayBackHelp);
     if (goes_back) {
@@ -127,11 +127,10 @@ void draw_summary(Ui& ui, Workspace& work, const Model& original) {
         ImGui::PopTextWrapPos();
         return;
     }
-    char text[96];
-    std::snprintf(text, sizeof text,
-                  changed == 1 ? "%d parameter changed." : "%d parameters changed.", changed);
+    const std::string text =
+        counted(static_cast<std::size_t>(changed), "parameter", "parameters") + " changed.";
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     note_item(ui.rects, "model:changed", std::to_string(changed));
     constexpr const char* kBack = "Back to the paper's";

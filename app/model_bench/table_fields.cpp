@@ -2,13 +2,14 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/model_bench/model_panel.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
+#include "model/text/typed_number.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -46,11 +47,10 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     const ModelPanelState& state = model_bench.panel;
     const Curve& curve =
         curve_of(work.document.set.model.coding.tables, state.threshold, state.type);
-    char label[32];
-    std::snprintf(label, sizeof label, "%.4g Hz", curve.frequency_hz[k]);
+    const std::string label = significant_digits(curve.frequency_hz[k], 4) + " Hz";
     const std::string id = "knot_" + std::to_string(k);
     Field field{.id = id.c_str(),
-                .label = label,
+                .label = label.c_str(),
                 .format = state.threshold ? "%.3f" : "%.4g",
                 .slider = state.threshold ? Range{-3.0, 4.0} : Range{0.0, 400.0},
                 .typed = state.threshold ? kThresholdLog10Um : kSlope,
@@ -76,9 +76,8 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     if (edit.changed) write(value);
     if (edit.finished) commit_step(ui, work, step);
     if (!known || before == original.value[k]) return;
-    char text[32];
-    std::snprintf(text, sizeof text, field.format, original.value[k]);
-    if (link_beside_field(ui, "back", id, text)) {
+    const std::string text = shown_number(field.format, original.value[k]);
+    if (link_beside_field(ui, "back", id, text.c_str())) {
         write(original.value[k]);
         commit_step(ui, work, step);
     }

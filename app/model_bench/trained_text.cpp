@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -11,13 +12,6 @@ namespace {
 constexpr std::size_t kLayerParameters = 2;
 constexpr std::size_t kMixParameters = 2;  // the last ones
 
-std::string fixed(double value, int digits) {
-    if (std::isnan(value)) return "-";
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
 }  // namespace
 
 std::string weight_text(double weight, double step) {
@@ -25,13 +19,13 @@ std::string weight_text(double weight, double step) {
     for (double ten = 10.0; digits < 3; ++digits, ten *= 10.0) {
         if (std::abs(step * ten - std::round(step * ten)) < 1e-9) break;
     }
-    return fixed(weight, digits);
+    return fixed_digits(weight, digits);
 }
 
 std::vector<std::string> parameter_texts(const PerceptualModelParams& model, double step) {
     std::vector<std::string> texts;
     for (const double value : trained_values(model)) {
-        texts.push_back(texts.size() < kLayerParameters ? fixed(value, 0)
+        texts.push_back(texts.size() < kLayerParameters ? fixed_digits(value, 0)
                                                         : weight_text(value, step));
     }
     return texts;

@@ -153,9 +153,11 @@ void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
 
 void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     ImGui::BeginChild("training", ImGui::GetContentRegionAvail());
-    draw_hint(ui, "training",
-              "Tries every combination of the model's eight trained numbers, and finds those whose "
-              "prediction orders the pairs most as people did.");
+    const std::string hint = "Tries every combination of the model's " +
+                             std::to_string(kTrainedParameters) +
+                             " trained numbers, and finds those whose prediction orders the pairs "
+                             "most as people did.";
+    draw_hint(ui, "training", hint.c_str());
     draw_sets(ui, work, model_bench);
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {

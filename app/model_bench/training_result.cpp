@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "app/compare/people_text.h"
@@ -24,13 +23,6 @@ namespace {
 
 constexpr std::size_t kListedTies = 20;
 constexpr Range kShownDrop{0.02, 0.1};  // of the objective, from head to foot of the profiles
-
-std::string digits(double value) {
-    if (std::isnan(value)) return "\u2013";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    return text;
-}
 
 const char* objective_name(const Training& training) {
     return training.objective == TrainingObjective::mean_rho ? "mean rho" : "mean |rho|";
@@ -53,23 +45,22 @@ void draw_headline(Ui& ui, const FoundTraining& found) {
     const Training& training = found.training;
     const std::string headline =
         of_people(objective_name(training), {.synthetic = is_partly_synthetic(found.record)}) +
-        " " + digits(training.best.value);
+        " " + with_decimals(training.best.value, 3);
     draw_heading(ui, headline.c_str());
-    note_item(ui.rects, "train:result", digits(training.best.value));
+    note_item(ui.rects, "train:result", with_decimals(training.best.value, 3));
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    dim_text(ui, "was " + digits(training.value_before));
+    dim_text(ui, "was " + with_decimals(training.value_before, 3));
     const std::string remark = remark_on_synthetic({training.model, found.record});
     if (!remark.empty()) {
         coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
         note_item(ui.rects, "train:synthetic", headline);
     }
     const std::uint64_t equal = training.best.combinations;
-    char near[32];
-    std::snprintf(near, sizeof near, "%.2g %%", 100.0 * training.share_near_best);
+    const std::string near = percent(training.share_near_best);
     small_text(ui, (equal == 1 ? std::string("No other combination is as good; ")
                                : grouped_digits(equal) + " combinations are equally good, shown "
                                                          "is the one nearest to yours; ") +
-                       near + " of all come within " + digits(kNearBest).substr(0, 4) +
+                       near + " of all come within " + with_decimals(kNearBest, 2) +
                        " of it. How well it does on what it was fitted to says little of others.");
 }
 
@@ -123,10 +114,9 @@ void draw_profile_of(Ui& ui, const Training& training, std::size_t p, const Rect
     ProfileScene scene;
     const std::string title = std::string(kTrainedNames[p]) + "  " + texts[p];
     const bool changed = std::abs(now[p] - before[p]) > 1e-9;
-    char was[32];
-    std::snprintf(was, sizeof was, "was %.4g", before[p]);
+    const std::string was = "was " + significant_digits(before[p], 4);
     scene.title = title;
-    scene.detail = changed ? was : "";
+    scene.detail = changed ? std::string_view(was) : "";
     scene.best = training.best_of[p];
     scene.shown = shown_range(training);
     scene.chosen = place_of_value(now[p], p, training.grid.units).value_or(scene.best.size());
@@ -137,7 +127,7 @@ void draw_profile_of(Ui& ui, const Training& training, std::size_t p, const Rect
         const double best = training.best_of[p][k];
         return std::vector<std::string>{
             std::string(kTrainedNames[p]) + " = " + value,
-            std::isfinite(best) ? "at best " + digits(best) : "no order with it"};
+            std::isfinite(best) ? "at best " + with_decimals(best, 3) : "no order with it"};
     };
     draw_profile(kTrainedNames[p], ui.theme, area, scene);
     note_rect(ui.rects, std::string("profile:") + kTrainedNames[p], area.min, area.max, texts[p]);
@@ -147,8 +137,8 @@ void draw_profiles(Ui& ui, const Training& training) {
     const Range range = shown_range(training);
     draw_heading(ui, "How sharply the ratings tell each");
     small_text(ui, std::string("The best ") + objective_name(training) +
-                       " that each value allows, the others free: " + digits(range.high) +
-                       " at the head, " + digits(range.low) +
+                       " that each value allows, the others free: " + with_decimals(range.high, 3) +
+                       " at the head, " + with_decimals(range.low, 3) +
                        " or less at the foot. Flat: any value would do.");
     const float gap = 1.5F * ui.theme.gap_px;
     const float width = ImGui::GetContentRegionAvail().x;
@@ -200,10 +190,11 @@ void draw_sets(Ui& ui, const Training& training) {
     draw_heads(ui, heads);
     for (std::size_t k = 0; k < training.sets.size(); ++k) {
         const TrainedSet& set = training.sets[k];
-        std::vector<std::string> cells{set.name, digits(set.rho_before), digits(set.rho_after)};
-        if (several) cells.push_back(digits(training.without_set[k].rho_after));
+        std::vector<std::string> cells{set.name, with_decimals(set.rho_before, 3),
+                                       with_decimals(set.rho_after, 3)};
+        if (several) cells.push_back(with_decimals(training.without_set[k].rho_after, 3));
         draw_cells(cells);
-        note_item(ui.rects, "trained set:" + set.name, digits(set.rho_after));
+        note_item(ui.rects, "trained set:" + set.name, with_decimals(set.rho_after, 3));
     }
     ImGui::EndTable();
 }
@@ -213,15 +204,15 @@ void draw_people(Ui& ui, const Training& training) {
     draw_heading(ui, "Person by person");
     const LeftOutMean mean = mean_of(training.without_participant);
     if (!std::isnan(mean.rho_after)) {
-        small_text(ui, "On average rho " + digits(mean.rho_after) +
+        small_text(ui, "On average rho " + with_decimals(mean.rho_after, 3) +
                            " with a person that the fit had not seen, on the same vibrations; " +
-                           digits(mean.rho_before) + " with the parameters before.");
+                           with_decimals(mean.rho_before, 3) + " with the parameters before.");
     }
     if (!ImGui::BeginTable("people", 3, kTable)) return;
     draw_heads(ui, {"rho with one person", "before", "trained without"});
     for (const LeftOut& one : training.without_participant) {
-        draw_cells({one.name, digits(one.rho_before), digits(one.rho_after)});
-        note_item(ui.rects, "left out:" + one.name, digits(one.rho_after));
+        draw_cells({one.name, with_decimals(one.rho_before, 3), with_decimals(one.rho_after, 3)});
+        note_item(ui.rects, "left out:" + one.name, with_decimals(one.rho_after, 3));
     }
     ImGui::EndTable();
 }

@@ -36,10 +36,10 @@ bool leaks(const Pattern& pattern) {
 void draw_leak_warning(Ui& ui, Workspace& work, const Pattern& pattern) {
     if (!leaks(pattern) || !pattern.rhythm.text.empty()) return;
     constexpr const char* kNotWhole = "not a whole number of cycles:";
-    char label[64];
-    std::snprintf(label, sizeof label, "snap to steps of %.4g Hz", 1.0 / pattern.duration_s);
+    const std::string label =
+        "snap to steps of " + significant_digits(1.0 / pattern.duration_s, 4) + " Hz";
     const float gap = ui.theme.gap_px;
-    const float snap = ImGui::CalcTextSize(label).x;
+    const float snap = ImGui::CalcTextSize(label.c_str()).x;
     const float both = ImGui::CalcTextSize(kNotWhole).x + gap + snap;
     if (!flow_on(both, 2.0F * gap)) draw_label(ui, "", both);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.warning));

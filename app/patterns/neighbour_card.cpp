@@ -1,7 +1,6 @@
 #include "app/patterns/neighbour_card.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "app/document/editing.h"
@@ -9,6 +8,7 @@
 #include "app/map/pair.h"
 #include "app/ui/widgets.h"
 #include "model/subset/confusable.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -27,13 +27,13 @@ std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Nei
 }
 
 std::string verdict_help(const FeltSteps& steps, PairVerdict verdict) {
-    char text[320];
-    std::snprintf(text, sizeof text,
-                  "%s A felt step is what people are taken to feel: of an amplitude %.0f %%, of a "
-                  "carrier %.0f %% (Model, What people feel).",
-                  sentence_of(verdict), 100.0 * (step_of(steps, PatternParameter::amplitude) - 1.0),
-                  100.0 * (step_of(steps, PatternParameter::carrier) - 1.0));
-    return text;
+    const auto step = [&](PatternParameter parameter) {
+        return percent(step_of(steps, parameter) - 1.0);
+    };
+    return std::string(sentence_of(verdict)) +
+           " A felt step is what people are taken to feel: of an amplitude " +
+           step(PatternParameter::amplitude) + ", of a carrier " + step(PatternParameter::carrier) +
+           " (Model, What people feel).";
 }
 
 ImU32 colour_of(const Ui& ui, PairVerdict verdict) {

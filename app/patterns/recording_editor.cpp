@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <variant>
 
 #include "app/document/editing.h"
@@ -261,19 +260,17 @@ Waveform cut(const Waveform& recording, const RecordingCut& how) {
 
 std::string cut_note(const RecordingCut& how, double length_s, const std::string& path) {
     std::vector<std::string> parts;
-    char text[96];
     if (how.gain_db != 0.0) {
-        std::snprintf(text, sizeof text, "%+.4g dB", how.gain_db);
-        parts.emplace_back(text);
+        parts.push_back((how.gain_db > 0.0 ? "+" : "") + significant_digits(how.gain_db, 4) +
+                        " dB");
     }
     if (how.part_s != Range{0.0, length_s}) {
-        std::snprintf(text, sizeof text, "%.6g to %.6g s", how.part_s.low, how.part_s.high);
-        parts.emplace_back(text);
+        parts.push_back(significant_digits(how.part_s.low, 6) + " to " +
+                        significant_digits(how.part_s.high, 6) + " s");
     }
     if (how.fade_in_s > 0.0 || how.fade_out_s > 0.0) {
-        std::snprintf(text, sizeof text, "fades of %.4g and %.4g ms", kMsPerS * how.fade_in_s,
-                      kMsPerS * how.fade_out_s);
-        parts.emplace_back(text);
+        parts.push_back("fades of " + significant_digits(kMsPerS * how.fade_in_s, 4) + " and " +
+                        significant_digits(kMsPerS * how.fade_out_s, 4) + " ms");
     }
     if (parts.empty()) return {};
     std::string note = "Cut" + (path.empty() ? std::string() : " from " + path) + ": ";

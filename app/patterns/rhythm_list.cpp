@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/ui/dialog.h"
 #include "app/ui/number_field.h"
@@ -125,8 +124,7 @@ void draw_row(Ui& ui, const std::string& text, bool lit, RhythmListAction& actio
         list.AddRectFilled(corner, corner + size, lit ? faded(theme.accent, 0.28F) : theme.hover,
                            theme.rounding_px);
     }
-    char number[16];
-    std::snprintf(number, sizeof number, "%.2f", evenness(text));
+    const std::string number = with_decimals(evenness(text), 2);
     const ImVec2 extent = text_size(theme.fonts.small, number);
     draw_text(list, theme.fonts.small,
               {corner.x + width - extent.x - 8.0F * s, corner.y + (size.y - extent.y) / 2.0F},
@@ -205,11 +203,8 @@ void draw_rhythm_cells(const Theme& theme, const Rect& area, const std::string& 
 }
 
 std::string rhythm_summary(const std::string& text) {
-    const std::size_t count = onsets(text).size();
-    char words[80];
-    std::snprintf(words, sizeof words, "%zu %s on %zu steps, evenness %.2f", count,
-                  count == 1 ? "note" : "notes", text.size(), evenness(text));
-    return words;
+    return counted(onsets(text).size(), "note", "notes") + " on " +
+           counted(text.size(), "step", "steps") + ", evenness " + with_decimals(evenness(text), 2);
 }
 
 RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& pattern,

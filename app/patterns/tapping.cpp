@@ -1,7 +1,6 @@
 #include "app/patterns/tapping.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "app/document/editing.h"
@@ -83,18 +82,15 @@ void draw_words(Ui& ui, const TappingState& tapping, const TappedRhythm& tapped,
         dim_text(ui, "Nothing was tapped yet.");
         return;
     }
-    char text[160];
-    std::snprintf(text, sizeof text, "%s; taps are %.0f ms off the grid (rms)",
-                  rhythm_summary(tapped.rhythm.text).c_str(), 1000.0 * tapped.rms_error_s);
-    std::string words = text;
+    std::string words = rhythm_summary(tapped.rhythm.text) + "; taps are " +
+                        with_decimals(1000.0 * tapped.rms_error_s, 0) + " ms off the grid (rms)";
     if (tapped.left_out > 0) {
         words += "; " + std::to_string(tapped.left_out) +
                  " left out: two in one step, or behind step " + grouped_digits(kMaxRhythmSteps);
     }
     if (tapped.length_s > least_s) {
-        std::snprintf(text, sizeof text, ". The pattern becomes %.4g s long",
-                      std::min(tapped.length_s, limits::kDurationS.high));
-        words += text;
+        const double length_s = std::min(tapped.length_s, limits::kDurationS.high);
+        words += ". The pattern becomes " + significant_digits(length_s, 4) + " s long";
     }
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, words + ".");

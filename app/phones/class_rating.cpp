@@ -80,8 +80,9 @@ std::string class_rating_obstacle(const PatternSet& set) {
     const std::size_t count = study_patterns(set).size();
     if (count < kLeastRatedTogether) return "Rating together takes three patterns at least.";
     if (count <= kMostRatedTogether) return {};
-    return "The study has " + std::to_string(count) +
-           " patterns, and at most ten are rated together: select up to ten.";
+    const std::string most = std::to_string(kMostRatedTogether);
+    return "The study has " + std::to_string(count) + " patterns, and at most " + most +
+           " are rated together: select up to " + most + ".";
 }
 
 Expected<ClassRating> class_rating(const PatternSet& set, std::vector<PhonePattern> patterns,

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/session/folders.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -9,6 +9,7 @@
 #include "app/rendering/labels.h"
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
+#include "model/text/numbers.h"
 #include "viz/charts/receptor_curves.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

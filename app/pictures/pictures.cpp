@@ -1,12 +1,12 @@
 #include "app/pictures/pictures.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/document/pattern_looks.h"
 #include "app/pictures/picture_parts.h"
 #include "app/rendering/labels.h"
 #include "model/signal/spectrum.h"
+#include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/charts/spectrum_view.h"
 #include "viz/charts/wave_view.h"
@@ -43,9 +43,7 @@ void draw_map(const Theme& theme, const Rect& area, const PatternSet& set, const
 }
 
 std::string stress_text(const PerceptualSpace& space) {
-    char text[64];
-    std::snprintf(text, sizeof text, "stress-1 %.3f, ", space.stress1);
-    return text + fit_label(space);
+    return "stress-1 " + with_decimals(space.stress1, 3) + ", " + fit_label(space);
 }
 
 // Mark and name of every pattern, in as many columns as fit; the rest of the area above.

@@ -116,11 +116,7 @@ void draw_assumed(Ui& ui, const PatternSet& set, PlanChoice& choice) {
 }
 
 std::string half_width_text(double half) {
-    return std::isnan(half) ? "–" : "±" + stepped(half, 0.01);
-}
-
-std::string percent_text(double share) {
-    return std::isnan(share) ? "–" : std::to_string(std::lround(100.0 * share)) + " %";
+    return std::isnan(half) ? with_decimals(half, 2) : "±" + with_decimals(half, 2);
 }
 
 // A row a number of people; one of them is chosen for the preregistration.
@@ -141,7 +137,7 @@ void draw_studies(Ui& ui, const SetPlan& plan, std::optional<std::size_t>& chose
         const std::string people = std::to_string(one.people);
         if (draw_radio(ui, people.c_str(), chosen == k)) chosen = k;
         note_item(ui.rects, "plan row:" + people,
-                  percent_text(one.power[static_cast<std::size_t>(Resampled::both)]));
+                  percent(one.power[static_cast<std::size_t>(Resampled::both)]));
         for (const double half : one.half_width) {
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
@@ -151,7 +147,7 @@ void draw_studies(Ui& ui, const SetPlan& plan, std::optional<std::size_t>& chose
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
             const bool is_enough = power >= kEnoughPower;
-            coloured_text(is_enough ? ui.theme.text : ui.theme.dim_text, percent_text(power));
+            coloured_text(is_enough ? ui.theme.text : ui.theme.dim_text, percent(power));
         }
     }
     ImGui::EndTable();

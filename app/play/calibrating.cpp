@@ -13,6 +13,7 @@
 #include "devices/device/protection.h"
 #include "devices/phone/phone_device.h"
 #include "model/set/layers.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

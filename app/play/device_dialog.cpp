@@ -1,6 +1,5 @@
 // The dialog of devices: a list, the chosen one, and its settings.
 
-#include <cstdio>
 
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
@@ -8,6 +7,7 @@
 #include "app/ui/dialog.h"
 #include "app/ui/widgets.h"
 #include "devices/device_list.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -14,19 +13,13 @@
 #include "app/progress/failure.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {
 
 namespace {
-
-std::string percent(double share) {
-    char text[24];
-    std::snprintf(text, sizeof text, share > 0.0 && share < 0.01 ? "< 1 %%" : "%.0f %%",
-                  100.0 * share);
-    return text;
-}
 
 // Maximum width of a table, so that a row's numbers stay close together.
 float read_width(const Theme& theme) {
@@ -95,7 +88,7 @@ void take_level(Workspace& work, RenderingState& rendered, double level) {
 }
 
 void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlayState& play) {
-    const std::string words = "At the playback level, " + percent(play.level);
+    const std::string words = "At the playback level, " + exact_percent(play.level);
     if (draw_check(ui.theme, (words + "###level").c_str(), rendered.at_bar_level)) {
         take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
     }
@@ -143,15 +136,10 @@ void draw_waves(Ui& ui, const Workspace& work, Timeline& timeline, const LiveRen
 }
 
 std::string band_words(const BandEnergy& band, bool is_last) {
-    char text[48];
-    if (band.low_hz <= 0.0) {
-        std::snprintf(text, sizeof text, "below %.0f Hz", band.high_hz);
-    } else if (is_last) {
-        std::snprintf(text, sizeof text, "above %.0f Hz", band.low_hz);
-    } else {
-        std::snprintf(text, sizeof text, "%.0f\u2013%.0f Hz", band.low_hz, band.high_hz);
-    }
-    return text;
+    const std::string low = with_decimals(band.low_hz, 0);
+    const std::string high = with_decimals(band.high_hz, 0);
+    if (band.low_hz <= 0.0) return "below " + high + " Hz";
+    return is_last ? "above " + low + " Hz" : low + "\u2013" + high + " Hz";
 }
 
 void draw_band(Ui& ui, const BandEnergy& band, double whole_g2, bool is_last) {
@@ -244,7 +232,7 @@ void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
         std::string("This kind keeps ") + traits(rendering.by.kind).keeps +
         (is_calibrated(rendering.by) ? ". Computed from its measured response"
                                      : ". Computed from how it is told, not measured") +
-        ", at a level of " + percent(rendering.by.level) +
+        ", at a level of " + exact_percent(rendering.by.level) +
         (at_bar_level ? ", the playback level." : ", not the playback level.");
     dim_text(ui, unbroken(origin));
     note_item(ui.rects, "rendering:origin", origin);

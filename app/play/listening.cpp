@@ -1,13 +1,13 @@
 #include "app/play/listening.h"
 
 #include <chrono>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/map/pair.h"
 #include "app/play/calibrating.h"
 #include "app/play/playing.h"
 #include "app/play/sounding.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -20,9 +20,7 @@ void note_edit(Ui& ui, PlayState& play, bool is_edit) {
         const auto now = std::chrono::steady_clock::now().time_since_epoch();
         play.edited_s = std::chrono::duration<double>(now).count();
     }
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6f", play.edited_s);
-    note_rect(ui.rects, "heard edit", {}, {}, text);
+    note_rect(ui.rects, "heard edit", {}, {}, fixed_digits(play.edited_s, 6));
 }
 
 // Another protection, full scale or calibration applies to playing drives: a loop changes to its

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "app/document/editing.h"
@@ -14,6 +13,7 @@
 #include "devices/device/ledger.h"
 #include "devices/device_list.h"
 #include "devices/phone/phone_device.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -202,12 +202,9 @@ void follow_gaps(Ui& ui, PlayState& play) {
     if (!has_gaps || play.opened.buffer_s != play.live_buffer_s) return;
     if (play.live_buffer_s >= kBufferS) return;
     play.live_buffer_s = std::min(2.0 * play.live_buffer_s, kBufferS);
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "The sound had gaps: from its next start it is rendered %.0f ms ahead, and edits "
-                  "are heard that much later.",
-                  1e3 * play.live_buffer_s);
-    say(ui, text);
+    say(ui, "The sound had gaps: from its next start it is rendered " +
+                with_decimals(1e3 * play.live_buffer_s, 0) +
+                " ms ahead, and edits are heard that much later.");
 }
 
 // A play is limited by earlier ones: the person is told once per play.

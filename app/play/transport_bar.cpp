@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -12,6 +11,7 @@
 #include "app/play/playing.h"
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"
@@ -74,13 +74,11 @@ TimeTexts time_texts(const Workspace& work, const Timeline& timeline) {
     const TimeRange range = shown_range(timeline, duration_s);
     const double step_s = std::min(1e-3, range.length_s() / 500.0);
     const std::string at = stepped(timeline.playhead.at_s, step_s > 0.0 ? step_s : 1e-3) + " s";
-    char whole[48];
-    std::snprintf(whole, sizeof whole, "of %.3f s", duration_s);
-    char shown[64] = "";
-    if (is_zoomed_in(timeline, duration_s)) {
-        std::snprintf(shown, sizeof shown, "%.4g\u2013%.4g s shown", range.start_s, range.end_s);
-    }
-    return {at, whole, shown};
+    const std::string shown = is_zoomed_in(timeline, duration_s)
+                                  ? significant_digits(range.start_s, 4) + "\u2013" +
+                                        significant_digits(range.end_s, 4) + " s shown"
+                                  : "";
+    return {at, "of " + with_decimals(duration_s, 3) + " s", shown};
 }
 
 // The running computation, in a long and a short form; empty: none.
@@ -92,12 +90,10 @@ struct ComputingTexts {
 
 ComputingTexts computing_texts(const Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     if (shown_map.progress && work.document.set.vibrations.size() > 1) {
-        const std::string percent =
-            std::to_string(static_cast<int>(100.0F * shown_map.progress->share)) + " %";
+        const std::string done = percent_done(double{shown_map.progress->share});
         const std::string left =
             time_left_text(ui.time_s - shown_map.progress->since_s, shown_map.progress->share);
-        return {"Computing the map, " + percent + (left.empty() ? "" : ", " + left), percent,
-                "Cancel"};
+        return {"Computing the map, " + done + (left.empty() ? "" : ", " + left), done, "Cancel"};
     }
     if (shown_map.cancelled) return {"Map not computed", "No map", "Compute"};
     return {};

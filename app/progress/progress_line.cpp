@@ -6,6 +6,7 @@
 
 #include "app/progress/time_left.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -20,8 +21,8 @@ std::string progress_text(Ui& ui, const ProgressLine& line) {
     seen.share = line.share;
     seen.last_s = ui.time_s;
     const std::string left = time_left_text(ui.time_s - seen.since_s, double{line.share});
-    return std::string(line.doing) + ", " + std::to_string(static_cast<int>(100.0F * line.share)) +
-           " %" + (left.empty() ? "" : ", " + left);
+    return std::string(line.doing) + ", " + percent_done(double{line.share}) +
+           (left.empty() ? "" : ", " + left);
 }
 
 // Behind the widest words that the line may have: it stays under the pointer while they change.

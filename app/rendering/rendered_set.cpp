@@ -42,8 +42,7 @@ std::string words_on_motors(const RenderedBy& by) {
 }  // namespace
 
 std::string words_on(const RenderedBy& by) {
-    const std::string level =
-        by.level == 1.0 ? "" : " at a level of " + significant_digits(100.0 * by.level, 3) + " %";
+    const std::string level = by.level == 1.0 ? "" : " at a level of " + exact_percent(by.level);
     return std::string("as a ") + traits(by.kind).name + " plays them" + level + ", " +
            (is_calibrated(by) ? "calibrated" : "uncalibrated");
 }

@@ -36,13 +36,12 @@ std::string chain_remark(const Report& report) {
 }
 
 std::string step_words(const Report& report) {
-    const auto percent = [&](PatternParameter parameter) {
-        return significant_digits(100.0 * (step_of(report.set.felt_steps, parameter) - 1.0), 2) +
-               " %";
+    const auto step = [&](PatternParameter parameter) {
+        return percent(step_of(report.set.felt_steps, parameter) - 1.0);
     };
     return "no number of theirs differs by as much as people are taken to feel (an amplitude by " +
-           percent(PatternParameter::amplitude) + ", a carrier by " +
-           percent(PatternParameter::carrier) + "), and nothing but numbers differs";
+           step(PatternParameter::amplitude) + ", a carrier by " + step(PatternParameter::carrier) +
+           "), and nothing but numbers differs";
 }
 
 std::string threshold_sentence(const Report& report) {
@@ -96,7 +95,6 @@ std::string labels_html(const Report& report) {
 std::string sure_html(const Report& report) {
     if (report.stability == nullptr) return {};
     const Stability& sure = *report.stability;
-    const auto percent = [](double share) { return significant_digits(100.0 * share, 3) + " %"; };
     std::string html =
         "<h3>How sure</h3>\n<p>In " + counted(sure.draws, "draw", "draws") +
         " of what is uncertain in the model (thresholds of the skin by 6 dB either way, choices "

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <utility>
@@ -173,11 +172,7 @@ std::string persons_table(const StudyReport& report) {
 }  // namespace
 
 std::string shown(double value, int decimals) {
-    if (std::isnan(value)) return kUnknown;
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
-    const bool is_below = value < 0.0 && std::strtod(text, nullptr) > 0.0;
-    return (is_below ? "\u2212" : "") + std::string(text);
+    return std::isnan(value) ? kUnknown : with_decimals(value, decimals);
 }
 
 std::string shown(const Interval& interval) {

@@ -1,6 +1,5 @@
 #include "app/report/weights_html.h"
 
-#include <cstdio>
 #include <span>
 
 #include "app/report/html.h"
@@ -14,14 +13,9 @@ namespace {
 constexpr double kRadius = 38.0;  // of a weight of 1
 constexpr double kHalf = 44.0;    // of the picture
 
-std::string decimal(double value, int decimals) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
 std::string at(ImVec2 place) {
-    return decimal(kHalf + kRadius * place.x, 1) + "," + decimal(kHalf + kRadius * place.y, 1);
+    return fixed_digits(kHalf + kRadius * place.x, 1) + "," +
+           fixed_digits(kHalf + kRadius * place.y, 1);
 }
 
 std::string outline(std::span<const double> weights, const char* kind) {
@@ -35,12 +29,12 @@ std::string star(const PersonWeights& person, std::span<const double> mean) {
     std::string rays;
     std::string said = person.participant + ":";
     for (std::size_t r = 0; r < person.weights.size(); ++r) {
-        const std::string middle = decimal(kHalf, 1);
+        const std::string middle = fixed_digits(kHalf, 1);
         rays += "<path class=\"ray\" d=\"M" + middle + "," + middle + "L" +
                 at(star_ray(r, person.weights.size())) + "\"/>";
-        said += " " + decimal(person.weights[r], 2);
+        said += " " + fixed_digits(person.weights[r], 2);
     }
-    const std::string side = decimal(2.0 * kHalf, 0);
+    const std::string side = fixed_digits(2.0 * kHalf, 0);
     return "<figure class=\"star\"><svg role=\"img\" aria-label=\"" + html_escaped(said) +
            "\" viewBox=\"0 0 " + side + " " + side + "\">" + rays + outline(person.weights, "own") +
            outline(mean, "mean") + "</svg><figcaption>" + html_escaped(person.participant) +
@@ -55,8 +49,8 @@ HtmlTable table_of(const IndividualWeights& weights) {
     table.columns.push_back({"explained", true});
     for (const PersonWeights& person : weights.people) {
         std::vector<std::string> row{html_escaped(person.participant)};
-        for (const double weight : person.weights) row.push_back(decimal(weight, 3));
-        row.push_back(decimal(person.explained, 3));
+        for (const double weight : person.weights) row.push_back(fixed_digits(weight, 3));
+        row.push_back(fixed_digits(person.explained, 3));
         table.rows.push_back(row);
     }
     return table;

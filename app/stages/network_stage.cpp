@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/stages/receptor_readout.h"
 #include "app/stages/stage_pictures.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/network_view.h"
@@ -77,9 +77,10 @@ void draw_one_network(Ui& ui, const Timeline& timeline, Physiology& physiology,
         "column " + std::to_string(cell.column) + ", row " + std::to_string(cell.row)};
     draw_readout(*ImGui::GetForegroundDrawList(), ui.theme,
                  {{0.0F, 0.0F}, ImGui::GetIO().DisplaySize}, ImGui::GetIO().MousePos, lines);
-    char exact[128];
-    std::snprintf(exact, sizeof exact, "%s %zu %zu %d %d %.17g", traits(type).afferent,
-                  step_at(timeline, shown), cell.layer, cell.column, cell.row, value);
+    const std::string exact = std::string(traits(type).afferent) + " " +
+                              std::to_string(step_at(timeline, shown)) + " " +
+                              std::to_string(cell.layer) + " " + std::to_string(cell.column) + " " +
+                              std::to_string(cell.row) + " " + shortest_digits(value);
     note_rect(ui.rects, "under the mouse:network", area.min, area.max, exact);
 }
 

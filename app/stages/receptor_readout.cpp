@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -46,9 +46,10 @@ void draw_receptor_readout(Ui& ui, const Timeline& timeline, const ShownStages& 
     lines[3] = "rate by Eq. 2: " + significant(receptor.rate_hz) + " imp/s";
     lines[4] = "wave at " + significant(100.0 * fall) + " % of the probe's";
     draw_readout(*ImGui::GetForegroundDrawList(), ui.theme, bounds, at, lines);
-    char exact[160];
-    std::snprintf(exact, sizeof exact, "%s %zu %.17g %.17g %d", traits(place.type).afferent,
-                  place.index, receptor.distance_mm, receptor.rate_hz, total_spikes(train));
+    const std::string exact =
+        std::string(traits(place.type).afferent) + " " + std::to_string(place.index) + " " +
+        shortest_digits(receptor.distance_mm) + " " + shortest_digits(receptor.rate_hz) + " " +
+        std::to_string(total_spikes(train));
     note_rect(ui.rects, "under the mouse:receptor", bounds.min, bounds.max, exact);
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/stages/receptor_readout.h"
 #include "app/stages/stage_pictures.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/receptor_legend.h"
 #include "viz/skin/receptor_view.h"
@@ -113,9 +113,9 @@ void draw_one_grid(Ui& ui, const Timeline& timeline, Physiology& physiology,
     scene.stale = shown.stale;
     const std::string id = id_of(shown, std::string("grid ") + traits(type).afferent);
     const ReceptorAction action = draw_receptors(id.c_str(), ui.theme, area, scene);
-    char rate[64];
-    std::snprintf(rate, sizeof rate, "%.17g %zu %.17g", scene.activation.rate_hz,
-                  channel.grid.activated, scene.activation.radius_mm);
+    const std::string rate = shortest_digits(scene.activation.rate_hz) + " " +
+                             std::to_string(channel.grid.activated) + " " +
+                             shortest_digits(scene.activation.radius_mm);
     const Rect map = receptor_layout(ui.theme, area, scene).map;
     note_rect(ui.rects, id, map.min, map.max, rate);
     if (action.clicked) physiology.view.selected = ReceptorPlace{type, *action.clicked};

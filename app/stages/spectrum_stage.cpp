@@ -1,10 +1,10 @@
 // Components over thresholds; in the large spectrum the thresholds can be moved.
 
-#include <cstdio>
 
 #include "app/stages/stage_pictures.h"
 #include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/charts/spectrum_view.h"
 
 namespace tact {
@@ -29,8 +29,8 @@ void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& show
     }
     if (!action.hovered) return;
     const Component& component = scene.components[*action.hovered];
-    char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g", component.frequency_hz, component.skin_um);
+    const std::string text =
+        shortest_digits(component.frequency_hz) + " " + shortest_digits(component.skin_um);
     note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
 }
 

@@ -8,6 +8,7 @@
 #include "app/stages/stage_remarks.h"
 #include "app/timeline/time_rows.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

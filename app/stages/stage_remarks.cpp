@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "model/physiology/firing.h"
+#include "model/text/numbers.h"
 #include "model/textbook/textbook.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/fingertip.h"
@@ -41,11 +41,8 @@ std::string shares_text(const LiveStages& live, double (*share)(const LiveStages
     for (const Receptor receptor : kReceptors) {
         const double part = share(live, receptor);
         if (part <= 0.0) continue;
-        char one[64];
-        std::snprintf(one, sizeof one, "%s%s %.3g %%%s", text.empty() ? "" : ", ",
-                      traits(receptor).name, 100.0 * part,
-                      leaks_impulses(live, receptor) ? " (filter leak)" : "");
-        text += one;
+        text += std::string(text.empty() ? "" : ", ") + traits(receptor).name + " " +
+                percent(part) + (leaks_impulses(live, receptor) ? " (filter leak)" : "");
     }
     return text;
 }

@@ -1,7 +1,6 @@
 #include "app/stages/stage_strip.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/stages/stage_views.h"
@@ -150,9 +149,7 @@ StagesAction draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool to
         flow_on(chip_width(ui, text.short_name), gap);
         draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
                         difference.a ? difference.stages[index_of(stage)] : std::nullopt);
-        char tip[160];
-        std::snprintf(tip, sizeof tip, "%s: %s", text.name, text.detail);
-        draw_tooltip(ui, tip);
+        draw_tooltip(ui, (std::string(text.name) + ": " + text.detail).c_str());
     }
     if (ui.presenting) return StagesAction::none;
 

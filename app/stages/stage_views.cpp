@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "app/document/editing.h"
@@ -174,15 +173,12 @@ void draw_signals(Ui& ui, const Workspace& work, Timeline& timeline, const Physi
 void draw_difference_text(const Ui& ui, const Rect& area, Stage stage,
                           std::optional<double> difference) {
     if (!difference) return;
-    char text[64];
+    const bool is_spectrum = stage == Stage::spectrum;
     // Bars at different frequencies share nothing, however close: a number would add nothing.
-    if (stage == Stage::spectrum && *difference > 0.995) {
-        std::snprintf(text, sizeof text, "no frequency in common");
-    } else {
-        const char* of = stage == Stage::spectrum ? "amplitudes" : "firing";
-        std::snprintf(text, sizeof text, "%.0f %% of the %s not in common", 100.0 * *difference,
-                      of);
-    }
+    const std::string text = is_spectrum && *difference > 0.995
+                                 ? "no frequency in common"
+                                 : percent(*difference) + " of the " +
+                                       (is_spectrum ? "amplitudes" : "firing") + " not in common";
     const ImVec2 size = text_size(ui.theme.fonts.small, text);
     draw_text(*ImGui::GetWindowDrawList(), ui.theme.fonts.small,
               {area.centre().x - size.x / 2.0F, area.centre().y - size.y / 2.0F}, ui.theme.dim_text,

@@ -8,6 +8,7 @@
 #include "app/study/study_follow.h"
 #include "devices/device/clip.h"
 #include "devices/device/playback.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

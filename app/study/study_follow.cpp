@@ -24,6 +24,7 @@
 #include "model/study/synthetic_study.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -6,6 +6,7 @@
 #include "app/study/study_follow.h"
 #include "devices/device_list.h"
 #include "model/signal/pink_noise.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

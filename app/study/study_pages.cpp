@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/study/study_actuator.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/imgui_versions.h"
@@ -27,10 +27,8 @@ constexpr float kEntryPx = 172.0F;
 const StudyRun& run_of(const StudyState& studying) { return *studying.run; }
 
 std::string time_left_text(double minutes) {
-    char text[48];
     if (minutes < 1.0) return "less than a minute left";
-    std::snprintf(text, sizeof text, "about %.0f min left", std::ceil(minutes));
-    return text;
+    return "about " + with_decimals(std::ceil(minutes), 0) + " min left";
 }
 
 const char* keys_of(const StudyRun& run) {

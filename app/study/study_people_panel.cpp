@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/compare/people_text.h"
 #include "app/compare/reading_text.h"
@@ -12,6 +11,7 @@
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -92,12 +92,13 @@ std::string raters_text(const StudyAnswers& answers) {
     std::string text;
     if (raters.people > 1) {
         text = "Agreement: " + of_people("ICC(2,1) ", answers.results->mark) +
-               digits(raters.single.value, 2) + ", ICC(3,k) " + digits(raters.mean.value, 2) +
-               ", Krippendorff's alpha " + digits(raters.alpha, 2) + ".";
+               with_decimals(raters.single.value, 2) + ", ICC(3,k) " +
+               with_decimals(raters.mean.value, 2) + ", Krippendorff's alpha " +
+               with_decimals(raters.alpha, 2) + ".";
     }
     const auto add = [&text](const char* what, const Shift& shift) {
         if (shift.comparisons == 0 || std::isnan(shift.p)) return;
-        const std::string p = shift.p < 0.001 ? "p < 0.001" : "p = " + digits(shift.p, 3);
+        const std::string p = shift.p < 0.001 ? "p < 0.001" : "p = " + with_decimals(shift.p, 3);
         text += text.empty() ? "" : " ";
         text += shift.p < 0.05 ? "Ratings shift with " : "No sign that ratings shift with ";
         text += std::string(what) + " (" + p + ").";

@@ -9,6 +9,7 @@
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/charts/star_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -93,9 +94,10 @@ std::string weights_text(const StudyAnswers& answers, const PersonWeights& perso
     std::string text = person.participant + " goes by dimensions of one common map (INDSCAL):";
     for (std::size_t r = 0; r < person.weights.size(); ++r) {
         const DimensionEnds ends = ends_of(answers.weights, r);
-        text += "\n" + digits(person.weights[r], 2) + "  from " + ends.low + " to " + ends.high;
+        text +=
+            "\n" + with_decimals(person.weights[r], 2) + "  from " + ends.low + " to " + ends.high;
     }
-    return text + "\n" + digits(100.0 * person.explained, 0) +
+    return text + "\n" + with_decimals(100.0 * person.explained, 0) +
            " % of their ratings explained; thin line: the mean of all. Not tested.";
 }
 
@@ -108,7 +110,7 @@ void draw_weights_cell(Ui& ui, const StudyAnswers& answers, const std::string& c
     if (person == nullptr) return dim_text(ui, "\u2013");
     const auto most = std::ranges::max_element(person->weights);
     const std::string words =
-        "D" + std::to_string(most - person->weights.begin() + 1) + "  " + digits(*most, 2);
+        "D" + std::to_string(most - person->weights.begin() + 1) + "  " + with_decimals(*most, 2);
     ImVec2 corner = ImGui::GetCursorScreenPos();
     if (has_stars) {
         const Rect star = rect_at({corner.x, corner.y - text_inset_px(row_px)}, {row_px, row_px});

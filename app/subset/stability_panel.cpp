@@ -1,7 +1,6 @@
 // How sure the picked subset is, when what is uncertain in the model is drawn at random.
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/compare/reading_text.h"
 #include "app/document/editing.h"
@@ -10,18 +9,13 @@
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_views.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
 
 namespace {
-
-std::string percent(double share) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
-    return text;
-}
 
 constexpr const char* kTestVariants = "Test 100 variants";
 

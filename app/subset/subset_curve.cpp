@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/subset/subset_state.h"
 #include "app/subset/subset_views.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -154,9 +154,7 @@ void draw_curve(Ui& ui, const ShownMap& shown_map, SubsetState& picking, const R
         return;
     }
     if (!is_busy(picking)) return;
-    char text[32];
-    std::snprintf(text, sizeof text, "%d %% done",
-                  static_cast<int>(100.0F * picking.curve_job.progress()));
+    const std::string text = percent_done(picking.curve_job.progress()) + " done";
     draw_empty(list, ui.theme, area, "Trying other counts", text);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "app/compare/compare_follow.h"
 #include "app/compare/metric_choice.h"
@@ -23,6 +22,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/subset/set_subset.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/drawing/words_and_picture.h"
@@ -199,9 +199,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     const double worth = by_sum ? subset.sum : subset.weakest_dissimilarity;
     ImGui::TextUnformatted(worth_text(worth).c_str());
     ImGui::PopFont();
-    char exact[40];
-    std::snprintf(exact, sizeof exact, "%.17g", worth);
-    note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", exact);
+    note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", shortest_digits(worth));
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float lower = ui.theme.fonts.headline->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);

@@ -1,7 +1,6 @@
 // Pairs that people may confuse, and what would separate them.
 
 #include <algorithm>
-#include <cstdio>
 #include <string_view>
 #include <vector>
 
@@ -95,7 +94,7 @@ std::string felt_steps_text(double steps) {
 
 // Which pairs are listed: what "too close" means here.
 std::string criterion_of(const TooClosePairs& pairs, const SubsetState& picking) {
-    const std::string share = significant_digits(100.0 * pairs.share, 3) + " %";
+    const std::string share = exact_percent(pairs.share);
     switch (pairs.by) {
         case TooClose::felt:
             return "within a felt step";

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -16,12 +16,6 @@ namespace {
 
 // Left of the curves where a large view has values: enough for "-0.0025".
 constexpr float kValueRoomPx = 52.0F;
-
-std::string full_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
-}
 
 }  // namespace
 
@@ -74,7 +68,7 @@ void draw_time_row(Ui& ui, const Workspace& work, Timeline& timeline, const Rect
     if (action.hovered_sample) {
         const std::size_t sample = *action.hovered_sample;
         note_rect(ui.rects, "under the mouse:" + row.id, area.min, area.max,
-                  std::to_string(sample) + " " + full_digits(row.samples[sample]));
+                  std::to_string(sample) + " " + shortest_digits(row.samples[sample]));
     }
     take_time_gesture(work, timeline, area, {action.hovered_s, action.scrubbed_s});
 }

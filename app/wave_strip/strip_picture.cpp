@@ -258,7 +258,7 @@ std::string reading(const Pattern& pattern, const Grip& grip) {
             const std::string times = at(note.onset_s) + " to " + at(note.onset_s + note.length_s);
             std::string words = times;
             if (note.velocity < 1.0) {
-                words += ", strength " + significant(100.0 * note.velocity) + " %";
+                words += ", strength " + exact_percent(note.velocity);
             }
             if (note.pitch != 1.0) words += ", pitch " + significant(note.pitch) + " x";
             return words;

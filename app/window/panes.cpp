@@ -46,43 +46,31 @@
 #include "app/window/commands.h"
 #include "app/window/frame.h"
 #include "model/map/mds.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
 
-// "0.8 s", "4.7 min".
-std::string time_taken(double seconds) {
-    char text[32];
-    const bool minutes = seconds >= 99.5;
-    const double value = minutes ? seconds / 60.0 : seconds;
-    std::snprintf(text, sizeof text, minutes ? "%.2g min" : "%.2g s", value);
-    return text;
-}
-
 // State of the numbers on screen: "exact, computed in 0.8 s", "preview", "computing 40 %".
 std::string map_state_text(const App& app) {
-    char text[96];
     const bool busy = is_computing(app);
-    const int percent = busy ? static_cast<int>(100.0F * app.shown_map.full_job.progress()) : 0;
+    const std::string done = percent_done(busy ? app.shown_map.full_job.progress() : 0.0);
     const bool another = shows_another_set(app.work, app.shown_map);
     switch (another ? MapState::none : map_state(app.work, app.shown_map)) {
         case MapState::none:
             if (!busy) return {};
-            std::snprintf(text, sizeof text, "computing, %d %%", percent);
-            return text;
+            return "computing, " + done;
         case MapState::too_large:
             return "not computed";
         case MapState::exact:
             if (app.shown_map.transition.shown->seconds <= 0.0) return "exact";
-            return "exact, computed in " + time_taken(app.shown_map.transition.shown->seconds);
+            return "exact, computed in " + duration_text(app.shown_map.transition.shown->seconds);
         case MapState::preview:
             if (exact_waits(app.work, app.shown_map)) return "preview; exact waits";
-            std::snprintf(text, sizeof text, "preview; exact %d %%", percent);
-            return text;
+            return "preview; exact " + done;
         case MapState::stale:
-            std::snprintf(text, sizeof text, "before the edit; computing, %d %%", percent);
-            return text;
+            return "before the edit; computing, " + done;
     }
     return {};
 }
@@ -102,12 +90,11 @@ std::vector<std::string> space_title_right(const App& app) {
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
     if (space.verdict == MdsVerdict::constant || app.shown_map.has_headline)
         return map_state_forms(app);
-    char stress[32];
-    std::snprintf(stress, sizeof stress, "stress-1 %.3f", space.stress1);
-    const std::string worded = std::string(stress) + ", " + fit_label(space);
+    const std::string stress = "stress-1 " + with_decimals(space.stress1, 3);
+    const std::string worded = stress + ", " + fit_label(space);
     const std::vector<std::string> state = map_state_forms(app);
-    return {worded + "    " + state[0], worded + "    " + state[1],
-            std::string(stress) + "    " + state[1], worded, stress};
+    return {worded + "    " + state[0], worded + "    " + state[1], stress + "    " + state[1],
+            worded, stress};
 }
 
 std::vector<std::string> together_forms(const App& app) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <tuple>
 
 #include "app/document/editing.h"
@@ -20,6 +19,7 @@
 #include "app/window/frame.h"
 #include "app/workspaces/workspaces.h"
 #include "devices/device/memory_device.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -85,10 +85,8 @@ PaneTitle physiology_title(const App& app) {
         title.detail += "   compared with   " + app.work.selection.pinned;
     if (!app.work.document.set.name.empty()) title.detail += "   " + app.work.document.set.name;
     add_origin(app, title);
-    char at[64];
-    std::snprintf(at, sizeof at, "at %.3f s of %.3f s", app.timeline.playhead.at_s,
-                  shown_duration_s(app.work));
-    title.right = {at};
+    title.right = {"at " + with_decimals(app.timeline.playhead.at_s, 3) + " s of " +
+                   with_decimals(shown_duration_s(app.work), 3) + " s"};
     return title;
 }
 
@@ -111,10 +109,8 @@ PaneTitle space_title(const App& app) {
         app.shown_map.transition.shown->space.verdict == MdsVerdict::constant)
         return title;
     const PerceptualSpace& space = app.shown_map.transition.shown->space;
-    char text[96];
-    std::snprintf(text, sizeof text, "predicted by PM, stress-1 %.3f, %s", space.stress1,
-                  fit_label(space).c_str());
-    title.right = {text};
+    title.right = {"predicted by PM, stress-1 " + with_decimals(space.stress1, 3) + ", " +
+                   fit_label(space)};
     return title;
 }
 

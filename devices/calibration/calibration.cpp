@@ -223,10 +223,6 @@ double share_lost(const Waveform& waveform, const Calibration& calibration) {
     return meant > 0.0 ? lost / meant : 0.0;
 }
 
-std::string percent(double share) {
-    return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
-}
-
 // The nearer of the measured neighbours, in octaves.
 double largest_drive(const Calibration& calibration, double frequency_hz) {
     const auto& points = calibration.points;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <numbers>
 
@@ -14,6 +13,7 @@
 #include "devices/calibration/resonance.h"
 #include "devices/calibration/ringing.h"
 #include "devices/calibration/tone_fit.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -102,20 +102,14 @@ std::string remark_on_left_out(const std::vector<MeasuredTone>& tones) {
            " tones were left out: " + words_on_left_out();
 }
 
-std::string short_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 void tell_ringing(const std::vector<Resonance>& sharp, std::vector<std::string>& remarks) {
     for (const Resonance& one : sharp) {
         if (one.corrected_db < kToldRingingDb) continue;
-        remarks.push_back("at " + short_digits(one.f0_hz) + " Hz it rings (Q " +
-                          short_digits(one.q) +
+        remarks.push_back("at " + significant_digits(one.f0_hz, 3) + " Hz it rings (Q " +
+                          significant_digits(one.q, 3) +
                           ") for longer than the signal stays there: strengths around it are "
                           "those of that resonance, by up to " +
-                          short_digits(one.corrected_db) + " dB other than was measured");
+                          significant_digits(one.corrected_db, 3) + " dB other than was measured");
     }
 }
 
@@ -172,9 +166,6 @@ CalibrationPlan calibration_plan(const CalibrationParams& params) {
 }
 
 std::string words_on_left_out() {
-    const auto percent = [](double share) {
-        return std::to_string(std::lround(100.0 * share)) + " %";
-    };
     return percent(kMostThd) +
            " of harmonic distortion or more, or so much noise that the standard error of the "
            "amplitude is " +
@@ -233,8 +224,8 @@ Expected<CalibrationResult> calibration_from(const CalibrationPlan& plan,
     if (result.clock_off != 0.0) {
         result.remarks.insert(result.remarks.begin(),
                               "the clock of this recording runs " +
-                                  short_digits(100.0 * std::abs(result.clock_off)) + " % " +
-                                  (result.clock_off > 0.0 ? "slow" : "fast") +
+                                  significant_digits(100.0 * std::abs(result.clock_off), 3) +
+                                  " % " + (result.clock_off > 0.0 ? "slow" : "fast") +
                                   ", by the signal itself: taken out");
     }
     return result;

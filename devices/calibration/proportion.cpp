@@ -123,7 +123,7 @@ std::vector<MeasuredPoint> in_proportion(const std::vector<MeasuredTone>& tones)
 }
 
 std::vector<std::string> words_on_proportion(const std::vector<MeasuredPoint>& measured) {
-    const std::string limit = std::to_string(std::lround(100.0 * kMostOffProportion)) + " %";
+    const std::string limit = percent(kMostOffProportion);
     Extent lowered_hz;
     Extent followed_g;
     Extent raised_hz;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -130,19 +131,15 @@ Bend bend_of(const std::vector<ResponsePoint>& points, std::size_t k) {
 }
 
 std::string doubt_about(const ResponsePoint& a, const ResponsePoint& b, double told_db) {
-    std::array<char, 160> text{};
+    const std::string where = "between " + fixed_digits(a.frequency_hz, 0) + " and " +
+                              fixed_digits(b.frequency_hz, 0) + " Hz ";
     if (told_db > kMostToldDb) {
-        std::snprintf(text.data(), text.size(),
-                      "between %.0f and %.0f Hz the response bends too much for the points there: "
-                      "strengths are not known, and nothing is sent there",
-                      a.frequency_hz, b.frequency_hz);
-    } else {
-        std::snprintf(text.data(), text.size(),
-                      "between %.0f and %.0f Hz strengths may be wrong by %.1f dB, and are taken "
-                      "as high as they may be",
-                      a.frequency_hz, b.frequency_hz, told_db);
+        return where +
+               "the response bends too much for the points there: strengths are not known, and "
+               "nothing is sent there";
     }
-    return text.data();
+    return where + "strengths may be wrong by " + fixed_digits(told_db, 1) +
+           " dB, and are taken as high as they may be";
 }
 
 // A peak beside a point that gives out cannot be known.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
+
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -48,12 +49,9 @@ std::string words_on_held(double kept, bool is_warm) {
                "rest as long";
     }
     if (kept >= 1.0) return {};
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "was held back to %.0f %% of its level: with what was played just before, the "
-                  "actuator would have got more in one second, or moved farther, than it may",
-                  std::floor(100.0 * kept));
-    return text;
+    return "was held back to " + percent_done(kept) +
+           " of its level: with what was played just before, the actuator would have got more in "
+           "one second, or moved farther, than it may";
 }
 
 bool note(Ledger& ledger, double sample, double duration_s, bool is_driven) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <numbers>
 
 #include "model/signal/spectrum.h"
 #include "model/signal/waveform.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -92,19 +92,6 @@ void soften_ends(Drive& drive) {
     }
 }
 
-// A share above 99.5 % would read 1e+02 % with two digits.
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, share < 0.0995 ? "%.2g %%" : "%.0f %%", 100.0 * share);
-    return text;
-}
-
-std::string words(const char* format, double value) {
-    char text[160];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
 }  // namespace
 
 ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
@@ -128,9 +115,9 @@ ProtectedDrive protected_drive(const Drive& drive, bool loop, bool is_on,
     }
     const double length_s = static_cast<double>(drive.samples.size()) / drive.rate_hz;
     if (!loop && length_s > longest_s) {
-        made.remark +=
-            std::string(made.remark.empty() ? "" : ", and ") +
-            words("ends after %g s, as nobody knows how warm the actuator gets", longest_s);
+        made.remark += std::string(made.remark.empty() ? "" : ", and ") + "ends after " +
+                       significant_digits(longest_s, 6) +
+                       " s, as nobody knows how warm the actuator gets";
     }
     return made;
 }

@@ -1,22 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "model/ask/steps.h"
 #include "model/morph/morph.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
-namespace {
-
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, share < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * share);
-    return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 double unevenness(const std::vector<double>& values) {
     if (values.empty()) return 0.0;
@@ -62,12 +54,10 @@ std::string sentence_on(const StepsQuestion& question, const EvenSteps& steps) {
 
 std::string pm_sentence_on(const EvenSteps& steps) {
     const auto [least, most] = std::ranges::minmax_element(steps.pm);
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "PM of neighbours, in the set of these patterns: %.3g to %.3g, of at most %.3g. "
-                  "PM counts ranks, so neighbours cannot be equal in it.",
-                  *least, *most, steps.largest_pm);
-    return text;
+    return "PM of neighbours, in the set of these patterns: " + significant_digits(*least, 3) +
+           " to " + significant_digits(*most, 3) + ", of at most " +
+           significant_digits(steps.largest_pm, 3) +
+           ". PM counts ranks, so neighbours cannot be equal in it.";
 }
 
 std::optional<Pattern> end_along(const Pattern& from, const Pattern& to,

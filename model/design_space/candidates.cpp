@@ -80,12 +80,10 @@ Shares shares_of(const DesignSpace& space, const std::vector<Factor>& varied) {
     return factorial(space, varied);
 }
 
-std::string digits(double value) { return significant_digits(value, 4); }
-
 std::string joined(const Pattern& pattern, double Carrier::*field, const char* between) {
     std::string text;
     for (const Carrier& carrier : pattern.carriers) {
-        text += (text.empty() ? "" : between) + digits(carrier.*field);
+        text += (text.empty() ? "" : between) + significant_digits(carrier.*field, 4);
     }
     return text;
 }
@@ -94,29 +92,29 @@ std::string word_of(const Pattern& pattern, Factor factor) {
     const Modulation& modulation = pattern.modulation;
     switch (factor.parameter) {
         case Parameter::amplitude:
-            return digits(pattern.amplitude_g) + " g";
+            return significant_digits(pattern.amplitude_g, 4) + " g";
         case Parameter::frequency:
             return joined(pattern, &Carrier::frequency_hz, "+") + " Hz";
         case Parameter::weight:
             return "w " + joined(pattern, &Carrier::weight, ":");
         case Parameter::mix:
-            return "mix " + digits(pattern.carriers[1].weight);
+            return "mix " + significant_digits(pattern.carriers[1].weight, 4);
         case Parameter::kind:
             return modulation.kind == ModulationKind::am ? "tremolo" : "ring";
         case Parameter::modulation:
-            return "mod " + digits(modulation.frequency_hz) + " Hz";
+            return "mod " + significant_digits(modulation.frequency_hz, 4) + " Hz";
         case Parameter::depth:
-            return "depth " + digits(modulation.depth);
+            return "depth " + significant_digits(modulation.depth, 4);
         case Parameter::rhythm:
             return pattern.rhythm.text.empty() ? "steady" : pattern.rhythm.text;
         case Parameter::unit:
-            return "step " + digits(1000.0 * pattern.rhythm.unit_s) + " ms";
+            return "step " + significant_digits(1000.0 * pattern.rhythm.unit_s, 4) + " ms";
         case Parameter::attack:
-            return "attack " + digits(1000.0 * pattern.attack_s) + " ms";
+            return "attack " + significant_digits(1000.0 * pattern.attack_s, 4) + " ms";
         case Parameter::release:
-            return "release " + digits(1000.0 * pattern.release_s) + " ms";
+            return "release " + significant_digits(1000.0 * pattern.release_s, 4) + " ms";
         case Parameter::duration:
-            return digits(pattern.duration_s) + " s";
+            return significant_digits(pattern.duration_s, 4) + " s";
     }
     return {};
 }

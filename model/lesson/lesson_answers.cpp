@@ -7,6 +7,7 @@
 #include "model/lesson/number_words.h"
 #include "model/set/set_ratings.h"
 #include "model/study/ratings.h"
+#include "model/text/numbers.h"
 #include "model/textbook/textbook.h"
 
 namespace tact {

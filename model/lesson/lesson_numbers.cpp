@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "model/common/portable.h"
@@ -245,16 +244,6 @@ std::string value_of_type(const std::string& word, Receptor receptor, const Code
 }
 
 }  // namespace
-
-std::string plain_digits(double value, int count) {
-    if (std::abs(value) < portable::pow(10.0, count)) {
-        const std::string text = significant_digits(value, count);
-        if (text.find("e+") == std::string::npos) return text;
-    }
-    char whole[64];
-    std::snprintf(whole, sizeof whole, "%.0f", value);
-    return whole;
-}
 
 std::vector<std::string> placeholders_in(std::string_view text) {
     std::vector<std::string> found;

@@ -13,10 +13,6 @@
 
 namespace tact {
 
-// This many significant digits, and all digits before the decimal point, as in pictures: "2414"
-// with three.
-std::string plain_digits(double value, int count);
-
 struct CodedPattern {
     NeuralCodingStages stages;  // without layers
     PerReceptor<Firing> firing{};

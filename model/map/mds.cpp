@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -14,6 +13,7 @@
 #include "model/common/parallel.h"
 #include "model/common/random.h"
 #include "model/map/principal_axes.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -406,10 +406,10 @@ std::string remark_on(const PerceptualSpace& space) {
             break;
     }
     if (space.is_interval) {
-        char stress[32] = "";
-        if (!std::isnan(space.collapsed_stress1)) {
-            std::snprintf(stress, sizeof stress, " (stress-1 %.3f)", space.collapsed_stress1);
-        }
+        const std::string stress =
+            std::isnan(space.collapsed_stress1)
+                ? ""
+                : " (stress-1 " + fixed_digits(space.collapsed_stress1, 3) + ")";
         return std::string("groups of patterns collapse in the best map by order") + stress +
                ", which meets the order without showing it: this map is of interval scaling, by "
                "the size of the dissimilarities";

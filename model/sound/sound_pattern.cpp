@@ -40,11 +40,6 @@ void keep_within(Pattern& pattern, Range band_hz) {
     if (std::ranges::all_of(pattern.frequency_curve, is_steady)) pattern.frequency_curve.clear();
 }
 
-std::string percent(double share) {
-    return share < 0.005 ? "less than 1 %"
-                         : significant_digits(std::round(100.0 * share), 3) + " %";
-}
-
 std::string hz_text(Range band_hz) {
     return significant_digits(band_hz.low, 4) + " to " + significant_digits(band_hz.high, 4) +
            " Hz";

@@ -42,7 +42,7 @@ std::string fault_of_speed(const StudyRecord& record, const ConductRule& rule) {
     if (is_at_most_share(fast, rule.fast_share, times.size())) return {};
     return grouped_digits(fast) + " of " + grouped_digits(times.size()) + " answers in under " +
            shortest_digits(*rule.fast_below_s) + " s, expected at most " +
-           significant_digits(100.0 * rule.fast_share, 3) + " %";
+           exact_percent(rule.fast_share);
 }
 
 }  // namespace

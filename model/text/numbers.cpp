@@ -1,10 +1,52 @@
 #include "model/text/numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
+#include <string>
+#include <system_error>
 
 namespace tact {
+
+namespace {
+
+constexpr const char* kNoNumber = "\u2013";
+constexpr const char* kMinus = "\u2212";
+
+// As printf in the C locale, whatever the locale of the program.
+std::string printed(double value, std::chars_format format, int digits) {
+    std::array<char, 400> text{};
+    const auto [end, fault] =
+        std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+    return {text.data(), fault == std::errc{} ? end : text.data()};
+}
+
+void group_thousands(std::string& digits) {
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    const std::size_t first = digits.find_first_of("0123456789");
+    if (first == std::string::npos) return;
+    for (std::size_t at = point; at > first + 3;) digits.insert(at -= 3, 1, ',');
+}
+
+std::string two_places(std::int64_t number) {
+    return (number < 10 ? "0" : "") + std::to_string(number);
+}
+
+// Percent of a share from 0 on, without the unit.
+std::string percent_digits(double share) {
+    constexpr double kRounding = 1e-9;
+    constexpr double kLeastTold = 0.001;
+    const double value = 100.0 * share;
+    if (value < kRounding) return "0";
+    if (value < kLeastTold) return "< 0.001";
+    if (value < 9.95) return significant_digits(value, 2);
+    if (value < 99.5 || value > 100.0 - kRounding) return fixed_digits(std::round(value), 0);
+    return value < 99.95 ? fixed_digits(value, 1) : "> 99.9";
+}
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r";
@@ -38,9 +80,19 @@ std::string shortest_digits(double value) {
 }
 
 std::string significant_digits(double value, int digits) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
+    return printed(value, std::chars_format::general, digits);
+}
+
+std::string plain_digits(double value, int digits) {
+    if (std::abs(value) < std::pow(10.0, digits)) {
+        std::string text = significant_digits(value, digits);
+        if (text.find("e+") == std::string::npos) return text;
+    }
+    return printed(value, std::chars_format::fixed, 0);
+}
+
+std::string fixed_digits(double value, int digits) {
+    return std::isnan(value) ? "-" : printed(value, std::chars_format::fixed, digits);
 }
 
 double multiple_of(double step, double count) {
@@ -51,12 +103,65 @@ double multiple_of(double step, double count) {
 
 std::string grouped_digits(std::size_t number) {
     std::string digits = std::to_string(number);
-    for (std::size_t place = digits.size(); place > 3;) digits.insert(place -= 3, 1, ',');
+    group_thousands(digits);
     return digits;
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {
     return grouped_digits(count) + " " + (count == 1 ? one : many);
+}
+
+std::string with_true_minus(std::string digits) {
+    if (digits.starts_with('-')) digits.replace(0, 1, kMinus);
+    return digits;
+}
+
+std::string with_decimals(double value, int decimals) {
+    if (!std::isfinite(value)) return kNoNumber;
+    std::string text = fixed_digits(value, decimals);
+    const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+    if (is_zero && text.starts_with('-')) text.erase(0, 1);
+    return with_true_minus(std::move(text));
+}
+
+std::string significant(double value, int digits) {
+    if (!std::isfinite(value)) return kNoNumber;
+    const double size = std::abs(value);
+    const int lead = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
+    return with_true_minus(fixed_digits(value, std::clamp(digits - 1 - lead, 0, 12)));
+}
+
+std::string grouped(double value, int digits) {
+    std::string text = significant(value, digits);
+    group_thousands(text);
+    return text;
+}
+
+std::string percent(double share) {
+    if (!std::isfinite(share)) return kNoNumber;
+    const std::string digits = percent_digits(std::abs(share));
+    return (share < 0.0 && digits != "0" ? kMinus : "") + digits + " %";
+}
+
+std::string percent_range(double low, double high) {
+    const std::string from = percent(low);
+    return from.substr(0, from.find(" %")) + " to " + percent(high);
+}
+
+std::string exact_percent(double share) {
+    if (!std::isfinite(share)) return kNoNumber;
+    return with_true_minus(plain_digits(100.0 * share, 3)) + " %";
+}
+
+std::string percent_done(double share) { return fixed_digits(std::floor(100.0 * share), 0) + " %"; }
+
+std::string duration_text(double seconds) {
+    if (!std::isfinite(seconds)) return kNoNumber;
+    if (seconds < 9.95) return significant_digits(seconds, 2) + " s";
+    const std::int64_t whole = std::llround(seconds);
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string(whole / 60) + " min " + two_places(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + two_places(whole / 60 % 60) + " min";
 }
 
 }  // namespace tact

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kAtOnce = 2.0;  // times the noticeable difference
 
-std::string digits(double value, int count) { return significant_digits(value, count); }
-
 // Frequency of the only carrier; nullopt: it has several, or its frequency is a curve.
 std::optional<double> frequency_hz(const Pattern& pattern) {
     if (pattern.carriers.size() != 1) return std::nullopt;
@@ -41,17 +39,18 @@ double apart_percent(double a, double b) { return 100.0 * (std::max(a, b) / std:
 std::string of_frequency(double a_hz, double b_hz) {
     const TextbookFact& fact = *fact_named("frequency jnd");
     const double ratio = std::max(a_hz, b_hz) / std::min(a_hz, b_hz);
-    std::string what = digits(a_hz, 4) + " against " + digits(b_hz, 4) + " Hz, ";
-    what +=
-        ratio >= 2.0 ? digits(ratio, 3) + " times" : digits(apart_percent(a_hz, b_hz), 3) + " %";
+    std::string what =
+        significant_digits(a_hz, 4) + " against " + significant_digits(b_hz, 4) + " Hz, ";
+    what += ratio >= 2.0 ? significant_digits(ratio, 3) + " times"
+                         : significant_digits(apart_percent(a_hz, b_hz), 3) + " %";
     return said(what, verdict(apart_percent(a_hz, b_hz), fact), fact);
 }
 
 std::string of_amplitude(double a_g, double b_g) {
     const TextbookFact& fact = *fact_named("amplitude jnd");
     const double db = std::abs(20.0 * std::log10(a_g / b_g));
-    const std::string what =
-        digits(a_g, 3) + " against " + digits(b_g, 3) + " g, " + digits(db, 3) + " dB";
+    const std::string what = significant_digits(a_g, 3) + " against " + significant_digits(b_g, 3) +
+                             " g, " + significant_digits(db, 3) + " dB";
     return said(what, verdict(db, fact), fact);
 }
 

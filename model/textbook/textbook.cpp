@@ -97,23 +97,22 @@ TextbookFact fact_of(JsonObject& object) {
     return fact;
 }
 
-std::string exact_digits(double value) { return significant_digits(value, 4); }
-
 std::string number_text(const TextbookFact& fact) {
     if (!fact.points.empty()) {
         std::string text;
         for (std::size_t k = 0; k < fact.points.size(); ++k) {
             if (k > 0) text += k + 1 == fact.points.size() ? " and " : ", ";
-            text += exact_digits(fact.points[k].second);
+            text += significant_digits(fact.points[k].second, 4);
             if (k + 1 == fact.points.size()) text += " " + fact.unit;
-            text += " at " + exact_digits(fact.points[k].first);
+            text += " at " + significant_digits(fact.points[k].first, 4);
         }
         return text + " " + fact.over;
     }
-    if (!fact.high) return "at least " + exact_digits(*fact.low) + " " + fact.unit;
-    if (!fact.low) return "less than " + exact_digits(*fact.high) + " " + fact.unit;
-    if (*fact.low == *fact.high) return exact_digits(*fact.low) + " " + fact.unit;
-    return exact_digits(*fact.low) + " to " + exact_digits(*fact.high) + " " + fact.unit;
+    if (!fact.high) return "at least " + significant_digits(*fact.low, 4) + " " + fact.unit;
+    if (!fact.low) return "less than " + significant_digits(*fact.high, 4) + " " + fact.unit;
+    if (*fact.low == *fact.high) return significant_digits(*fact.low, 4) + " " + fact.unit;
+    return significant_digits(*fact.low, 4) + " to " + significant_digits(*fact.high, 4) + " " +
+           fact.unit;
 }
 
 }  // namespace

@@ -20,8 +20,6 @@ constexpr double kLowestHz = 1.0;
 constexpr double kHighestHz = 500.0;
 constexpr double kSame = 1e-9;
 
-std::string three_digits(double value) { return significant_digits(value, 3); }
-
 bool fires(const BesideInput& input, Receptor receptor) {
     return input.firing[index_of(receptor)] == Firing::fires;
 }
@@ -184,11 +182,11 @@ std::string measured_text(const BesideFact& beside) {
     const TextbookFact& fact = *beside.fact;
     const std::string name =
         fact.receptor ? std::string(traits(*fact.receptor).name) + " " : std::string();
-    if (beside.measured) return name + three_digits(*beside.measured);
-    if (!fact.high) return name + "at least " + three_digits(*fact.low);
-    if (!fact.low) return name + "less than " + three_digits(*fact.high);
-    if (*fact.low == *fact.high) return name + three_digits(*fact.low);
-    return name + three_digits(*fact.low) + " to " + three_digits(*fact.high);
+    if (beside.measured) return name + significant_digits(*beside.measured, 3);
+    if (!fact.high) return name + "at least " + significant_digits(*fact.low, 3);
+    if (!fact.low) return name + "less than " + significant_digits(*fact.high, 3);
+    if (*fact.low == *fact.high) return name + significant_digits(*fact.low, 3);
+    return name + significant_digits(*fact.low, 3) + " to " + significant_digits(*fact.high, 3);
 }
 
 bool share_a_line(const BesideFact& a, const BesideFact& b) {
@@ -214,11 +212,11 @@ BesideLine line_of(const std::vector<const BesideFact*>& group) {
         const bool is_named = one->receptor && !one->fact->receptor;
         here += here.empty() ? "" : ", ";
         if (is_named) here += std::string(traits(*one->receptor).name) + " ";
-        here += three_digits(*one->model);
+        here += significant_digits(*one->model, 3);
     }
     line.text = first.fact->what + ": " + measured + " " + first.fact->unit;
     if (first.at_hz && !first.fact->receptor)
-        line.text += " at " + three_digits(*first.at_hz) + " Hz";
+        line.text += " at " + significant_digits(*first.at_hz, 3) + " Hz";
     line.text += " (" + source_text(*first.fact) + "); here " + here;
     return line;
 }

@@ -79,15 +79,13 @@ std::string pm_digits(double pm) {
     return grouped_digits(static_cast<std::size_t>(std::llround(pm)));
 }
 
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
 std::string share_words(const ToldApartResults& results) {
     if (results.trials == 0) return "No trial was answered.";
     const double share = static_cast<double>(results.right) / static_cast<double>(results.trials);
-    const std::string low = std::to_string(std::lround(100.0 * results.interval.low));
     return grouped_digits(results.right) + " of " + trials_words(results.trials) +
-           (results.right == 1 ? " was right: " : " were right: ") + percent(share) + " (" + low +
-           " to " + percent(results.interval.high) + "). A guess is right in a third of trials.";
+           (results.right == 1 ? " was right: " : " were right: ") + percent(share) + " (" +
+           percent_range(results.interval.low, results.interval.high) +
+           "). A guess is right in a third of trials.";
 }
 
 std::string threshold_words(const ToldApartResults& results) {

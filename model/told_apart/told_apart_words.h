@@ -14,9 +14,6 @@ namespace tact {
 // "12", "1,200", "0.45".
 std::string pm_digits(double pm);
 
-// "62 %".
-std::string percent(double share);
-
 // "15 of 20 trials were right: 75 % (53 to 89 %). A guess is right in a third of trials."
 std::string share_words(const ToldApartResults& results);
 

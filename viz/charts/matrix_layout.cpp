@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/text/numbers.h"
 #include "viz/charts/matrix_parts.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

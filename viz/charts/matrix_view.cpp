@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/text/numbers.h"
 #include "viz/charts/matrix_parts.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"

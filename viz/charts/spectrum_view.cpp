@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/common/units.h"
+#include "model/text/numbers.h"
 #include "viz/charts/threshold_curves.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

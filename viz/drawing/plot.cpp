@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -57,15 +57,6 @@ std::vector<double> logarithmic_ticks(double low, double high) {
         if (few_enough(ticks.size())) return ticks;
     }
     return linear_ticks(low, high);
-}
-
-// A true minus sign is as wide as a plus and is not taken for a hyphen.
-std::string printed(const char* format, int digits, double value) {
-    std::array<char, 400> text{};
-    std::snprintf(text.data(), text.size(), format, digits, value);
-    std::string result = text.data();
-    if (result.front() == '-') result.replace(0, 1, "−");
-    return result;
 }
 
 // 1, 2, 2.5 or 5 times a power of ten, of a positive value.
@@ -119,40 +110,22 @@ std::vector<double> round_ticks(double low, double high, Scale scale) {
     return linear_ticks(low, high);
 }
 
-std::string tick_text(double value) { return printed("%.*g", 6, value); }
+std::string tick_text(double value) { return with_true_minus(significant_digits(value, 6)); }
 
 std::string tick_text(double value, double step) {
     const double steps = step > 0.0 ? std::abs(value) / step : 0.0;
     // Steps of 2.5 take a digit more.
     const int digits = steps > 1.0 ? static_cast<int>(std::ceil(std::log10(steps))) + 2 : 6;
-    return printed("%.*g", std::clamp(digits, 6, 15), value);
+    return with_true_minus(significant_digits(value, std::clamp(digits, 6, 15)));
 }
 
 std::string stepped(double value, double step) {
     const double decimals = step > 0.0 ? std::ceil(-std::log10(step) - 1e-9) : 0.0;
-    return printed("%.*f", static_cast<int>(std::clamp(decimals, 0.0, 12.0)), value);
+    return with_true_minus(fixed_digits(value, static_cast<int>(std::clamp(decimals, 0.0, 12.0))));
 }
 
 std::string place_text(const Axis& axis, double value) {
     return stepped(value, std::abs(axis.high - axis.low) / 500.0);
-}
-
-std::string significant(double value, int digits) {
-    if (!std::isfinite(value)) return "–";
-    const double size = std::abs(value);
-    const int lead = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
-    const int decimals = std::clamp(digits - 1 - lead, 0, 12);
-    return printed("%.*f", decimals, value);
-}
-
-std::string grouped(double value, int digits) {
-    std::string text = significant(value, digits);
-    const std::size_t point = std::min(text.find('.'), text.size());
-    const std::size_t first = text.find_first_of("0123456789");
-    if (first == std::string::npos) return text;
-    // No-break spaces: a plain one would let the number be broken in two.
-    for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, "\u00a0");
-    return text;
 }
 
 std::vector<double> ticks_apart(const Axis& axis, float apart_px) {

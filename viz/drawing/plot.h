@@ -51,12 +51,6 @@ std::string stepped(double value, double step);
 // A place on an axis as a read-out says it: to about a five-hundredth of what is in view.
 std::string place_text(const Axis& axis, double value);
 
-// `digits` significant digits without an exponent: "31.2", "0.0304".
-std::string significant(double value, int digits = 3);
-
-// The same with the thousands apart: "61.8", "499 500".
-std::string grouped(double value, int digits = 3);
-
 // Where the curves go, and the axes that span it.
 struct Plot {
     Rect outer;  // with the labels

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

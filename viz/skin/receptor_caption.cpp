@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

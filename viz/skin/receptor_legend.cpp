@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/space/label_placement.h"

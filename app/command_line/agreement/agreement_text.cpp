@@ -10,6 +10,7 @@
 #include "app/command_line/rated_sets.h"
 #include "app/command_line/text_table.h"
 #include "model/evaluation/said_once.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 
 namespace tact {

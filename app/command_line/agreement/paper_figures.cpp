@@ -16,6 +16,7 @@
 #include "model/set/parameter_paths.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 
 namespace tact {

@@ -1,7 +1,6 @@
 // tactspace calibrate: the signal that an actuator is measured with, and the table that a recording
 // of it gives.
 
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -13,28 +12,23 @@
 #include "model/io/recordings/acceleration_file.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
 
-std::string digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
 std::string table_of(const CalibrationResult& result) {
     std::vector<TextRow> rows{
         {"Hz", "g per full scale", "up to", "distortion", "nonlinearity", ""}};
     for (const ResponsePoint& point : result.points) {
-        rows.push_back({fixed_digits(point.frequency_hz, 1), digits(point.g_per_full_scale),
-                        fixed_digits(point.largest_drive, 2),
-                        fixed_digits(100.0 * point.thd, 1) + " %",
-                        fixed_digits(100.0 * point.nonlinearity, 1) + " %",
-                        point.unknown   ? "not known"
-                        : point.between ? "worked out"
-                                        : "measured"});
+        rows.push_back(
+            {fixed_digits(point.frequency_hz, 1), significant_digits(point.g_per_full_scale, 3),
+             fixed_digits(point.largest_drive, 2), fixed_digits(100.0 * point.thd, 1) + " %",
+             fixed_digits(100.0 * point.nonlinearity, 1) + " %",
+             point.unknown   ? "not known"
+             : point.between ? "worked out"
+                             : "measured"});
     }
     return aligned(rows);
 }
@@ -84,7 +78,8 @@ Expected<Done> run(const CalibrateCommand& command) {
     params.low_hz = command.low_hz;
     params.high_hz = command.high_hz;
     if (params.high_hz < params.low_hz) {
-        return Error{"--high: expected " + digits(params.low_hz) + " Hz or more, as --low is"};
+        return Error{"--high: expected " + significant_digits(params.low_hz, 3) +
+                     " Hz or more, as --low is"};
     }
     if (!command.signal.empty()) return write_signal(command, calibration_plan(params));
 

@@ -9,6 +9,7 @@
 #include "app/command_line/text_table.h"
 #include "devices/device_list.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 

@@ -48,7 +48,7 @@ std::string rhythm_words(const Pattern& pattern) {
     constexpr std::size_t kShown = 32;
     const std::string& text = pattern.rhythm.text;
     return text.substr(0, kShown) + (text.size() > kShown ? "..., " : ", ") +
-           six_digits(pattern.rhythm.unit_s) + " s a step";
+           significant_digits(pattern.rhythm.unit_s, 6) + " s a step";
 }
 
 // "2 layers", "recording": of what is no pattern made of parameters.
@@ -63,14 +63,15 @@ std::string text_of(const std::vector<const Vibration*>& all) {
     for (const Vibration* vibration : all) {
         const auto* pattern = std::get_if<Pattern>(&vibration->source);
         if (pattern == nullptr) {
-            rows.push_back({vibration->name, six_digits(own_duration_s(*vibration)), "", "",
-                            kind_words(*vibration)});
+            rows.push_back({vibration->name, significant_digits(own_duration_s(*vibration), 6), "",
+                            "", kind_words(*vibration)});
             continue;
         }
         const std::size_t points =
             pattern->amplitude_curve.size() + pattern->frequency_curve.size();
-        rows.push_back({vibration->name, six_digits(pattern->duration_s), std::to_string(points),
-                        std::to_string(pattern->transients.size()), rhythm_words(*pattern)});
+        rows.push_back({vibration->name, significant_digits(pattern->duration_s, 6),
+                        std::to_string(points), std::to_string(pattern->transients.size()),
+                        rhythm_words(*pattern)});
     }
     return aligned(rows);
 }

@@ -13,6 +13,7 @@
 #include "app/compare/model_variants.h"
 #include "model/evaluation/metric_comparison.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 

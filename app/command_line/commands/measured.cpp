@@ -1,6 +1,5 @@
 // tactspace import, tactspace measure: recordings of patterns, and simulated ones, beside them.
 
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 
@@ -84,10 +84,10 @@ Expected<Imported> import_one(PatternSet& set, const ImportCommand& command, con
 std::string text_of(const std::vector<Imported>& all) {
     std::string text;
     for (const Imported& one : all) {
-        char numbers[128];
-        std::snprintf(numbers, sizeof numbers,
-                      "lag %.4g s, correlation %.3f, gain %+.1f dB, peak %.3g g", one.lag_s,
-                      one.correlation, one.gain_db, one.peak_g);
+        const std::string numbers = "lag " + significant_digits(one.lag_s, 4) + " s, correlation " +
+                                    fixed_digits(one.correlation, 3) + ", gain " +
+                                    (one.gain_db < 0.0 ? "" : "+") + fixed_digits(one.gain_db, 1) +
+                                    " dB, peak " + significant_digits(one.peak_g, 3) + " g";
         text += shown_text(one.name) + ": " +
                 (one.recording.empty() ? "" : shown_text(one.recording) + ", ") + numbers;
         for (const std::string& remark : one.remarks) text += "; " + remark;

@@ -143,10 +143,7 @@ Expected<PlanAnswer> plan_answer(const PlanCommand& command, std::stop_token sto
     return PlanAnswer{*std::move(plan), name, ground->mark};
 }
 
-std::string share_text(double share) {
-    if (std::isnan(share)) return "-";
-    return std::to_string(std::lround(100.0 * share)) + " %";
-}
+std::string share_text(double share) { return std::isnan(share) ? "-" : percent(share); }
 
 std::string table_of(const PlanAnswer& answer) {
     std::vector<TextRow> rows{{"people", "rho", "95 % interval over patterns", "over people",

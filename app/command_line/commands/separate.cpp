@@ -9,6 +9,7 @@
 #include "app/command_line/text_table.h"
 #include "model/ask/parted_pair.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 
 namespace tact {
@@ -71,8 +72,8 @@ Expected<PartedPair> parted(const SeparateCommand& command, const FeltSet& sets,
 std::string text_of(const PartedPair& result, const Labels& labels,
                     const std::vector<std::string>& names) {
     std::string text = text_of(labels) + "PM of " + names[result.a] + " and " + names[result.b] +
-                       "  " + six_digits(result.dissimilarity) + "\nto be exceeded  " +
-                       six_digits(result.threshold) + "\n\n";
+                       "  " + significant_digits(result.dissimilarity, 6) + "\nto be exceeded  " +
+                       significant_digits(result.threshold, 6) + "\n\n";
     if (result.changes.empty()) {
         return text +
                "no change of a single number is enough: change the rhythm, or add a carrier\n";
@@ -82,9 +83,9 @@ std::string text_of(const PartedPair& result, const Labels& labels,
     for (const auto& [place, one] : result.changes) {
         const ParameterTraits& about = traits(one.parameter);
         const std::string unit = *about.unit == '\0' ? "" : std::string(", ") + about.unit;
-        rows.push_back({names[place], about.name + unit, six_digits(one.from), six_digits(one.to),
-                        fixed_digits(one.steps, 1), six_digits(one.nearest),
-                        names[one.nearest_to]});
+        rows.push_back({names[place], about.name + unit, significant_digits(one.from, 6),
+                        significant_digits(one.to, 6), fixed_digits(one.steps, 1),
+                        significant_digits(one.nearest, 6), names[one.nearest_to]});
     }
     return text + aligned(rows) +
            "\na felt step is the least change that people are taken to feel: 1.5 dB, 20 % of a "

@@ -16,6 +16,7 @@
 #include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -69,9 +70,9 @@ std::string text_of(const AnsweredSteps& answer) {
     std::vector<TextRow> rows{{"pattern", "of the way, %", "to the next", "PM to the next"}};
     for (std::size_t k = 0; k < names.size(); ++k) {
         const bool last = k + 1 == names.size();
-        rows.push_back({names[k], six_digits(100.0 * steps.shares[k]),
-                        last ? "" : six_digits(steps.apart[k]),
-                        last ? "" : six_digits(steps.pm[k])});
+        rows.push_back({names[k], significant_digits(100.0 * steps.shares[k], 6),
+                        last ? "" : significant_digits(steps.apart[k], 6),
+                        last ? "" : significant_digits(steps.pm[k], 6)});
     }
     return text_of(labels_of(answer)) + aligned(rows) + "\n" + sentence_on(answer.question, steps) +
            "\n" + pm_sentence_on(steps) + "\n";

@@ -31,6 +31,7 @@
 #include "model/study/synthetic_study.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 

@@ -203,7 +203,8 @@ std::string proof_text(const SubsetResult& result) {
             break;
     }
     return "time ran out: the best found so far; no " +
-           std::string(by_sum ? "sum" : "weakest pair") + " is above " + six_digits(answer.bound);
+           std::string(by_sum ? "sum" : "weakest pair") + " is above " +
+           significant_digits(answer.bound, 6);
 }
 
 // What an alternative has that the best has not: "- a + b".
@@ -234,9 +235,9 @@ std::string text_of(const SubsetResult& result, const Names& names) {
     const Subset& best = answer.best;
     std::string text;
     for (const std::size_t member : best.members) text += names[member] + "\n";
-    text += "\nweakest pair  " + six_digits(best.weakest_dissimilarity) + "  " +
+    text += "\nweakest pair  " + significant_digits(best.weakest_dissimilarity, 6) + "  " +
             names[best.weakest.first] + " and " + names[best.weakest.second] + "\nsum           " +
-            six_digits(best.sum) + "\n" + proof_text(result) + "\n";
+            significant_digits(best.sum, 6) + "\n" + proof_text(result) + "\n";
     if (!result.left_out.empty()) {
         text += left_out_words(result.left_out.size()) + " (--include-unfelt):";
         for (const std::size_t k : result.left_out) text += " " + names[k];
@@ -246,7 +247,8 @@ std::string text_of(const SubsetResult& result, const Names& names) {
         std::vector<TextRow> rows{{"alternatives", "weakest", "sum"}};
         for (const Subset& other : answer.alternatives) {
             rows.push_back({exchange_text(best, other, names),
-                            six_digits(other.weakest_dissimilarity), six_digits(other.sum)});
+                            significant_digits(other.weakest_dissimilarity, 6),
+                            significant_digits(other.sum, 6)});
         }
         text += "\n" + aligned(rows);
         if (!answer.are_alternatives_proven) text += "time ran out: others may lie between\n";
@@ -254,8 +256,8 @@ std::string text_of(const SubsetResult& result, const Names& names) {
     if (!result.curve.empty()) {
         std::vector<TextRow> rows{{"k", "weakest", "at most"}};
         for (const CurvePoint& point : result.curve) {
-            rows.push_back(
-                {std::to_string(point.count), six_digits(point.weakest), six_digits(point.bound)});
+            rows.push_back({std::to_string(point.count), significant_digits(point.weakest, 6),
+                            significant_digits(point.bound, 6)});
         }
         text += "\n" + aligned(rows);
     }

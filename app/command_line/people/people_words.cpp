@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/text_table.h"
+#include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utf8.h"
 

@@ -13,8 +13,6 @@ namespace tact {
 
 namespace {
 
-std::string four_digits(double value) { return significant_digits(value, 4); }
-
 AmplitudeCurve band_shares(const ActuatorMap& map, const FrequencyCurve& curve) {
     constexpr double kToleranceHz = 0.1;
     const double width_hz = map.frequency_hz.high - map.frequency_hz.low;
@@ -83,8 +81,9 @@ void Changes::note(double asked, double got, double tolerance) {
 void Changes::remark(const std::string& what, const std::string& unit,
                      std::vector<std::string>& remarks) const {
     if (count == 0) return;
-    remarks.push_back(transients_text(count) + ": " + what + ", the first " + four_digits(to) +
-                      unit + " in place of " + four_digits(from));
+    remarks.push_back(transients_text(count) + ": " + what + ", the first " +
+                      significant_digits(to, 4) + unit + " in place of " +
+                      significant_digits(from, 4));
 }
 
 double intensity_01(const ActuatorMap& map, double share_of_full_scale) {
@@ -115,12 +114,13 @@ FrequencyCurve in_band(FrequencyCurve curve, Range band_hz, std::vector<std::str
     const double high_hz = high.frequency_hz;
     if (low_hz >= band_hz.low - kRoundingHz && high_hz <= band_hz.high + kRoundingHz) return curve;
     const auto inside = [&](double hz) { return std::clamp(hz, band_hz.low, band_hz.high); };
-    remarks.push_back(low_hz == high_hz
-                          ? four_digits(low_hz) + " Hz is out of the band, written as " +
-                                four_digits(inside(low_hz)) + " Hz"
-                          : four_digits(low_hz) + " to " + four_digits(high_hz) +
-                                " Hz is out of the band, moved into " + four_digits(band_hz.low) +
-                                " to " + four_digits(band_hz.high) + " Hz");
+    remarks.push_back(
+        low_hz == high_hz
+            ? significant_digits(low_hz, 4) + " Hz is out of the band, written as " +
+                  significant_digits(inside(low_hz), 4) + " Hz"
+            : significant_digits(low_hz, 4) + " to " + significant_digits(high_hz, 4) +
+                  " Hz is out of the band, moved into " + significant_digits(band_hz.low, 4) +
+                  " to " + significant_digits(band_hz.high, 4) + " Hz");
     const AmplitudeCurve hz = heights_of(curve);
     curve.clear();
     for (const AmplitudePoint& point : mapped(hz, inside, 0.1)) {

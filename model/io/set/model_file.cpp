@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "model/common/fingerprint.h"
@@ -98,13 +97,6 @@ Json json_of(const TrainingRecord& record) {
 
 constexpr std::size_t kNamedSets = 3;
 
-std::string rho_text(double rho) {
-    if (std::isnan(rho)) return "-";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", rho);
-    return text;
-}
-
 std::string words_on(const TrainingRecord& record) {
     std::string sets;
     for (std::size_t k = 0; k < std::min(record.sets.size(), kNamedSets); ++k) {
@@ -122,8 +114,8 @@ std::string words_on(const TrainingRecord& record) {
     const std::string day = record.date.substr(0, record.date.find('T'));
     const bool absolute = record.objective == TrainingObjective::mean_absolute_rho;
     return "Trained on " + sets + (day.empty() ? "" : ", " + day) + ": mean " +
-           (absolute ? "|rho| " : "rho ") + rho_text(record.value) + ", was " +
-           rho_text(record.value_before) + ".";
+           (absolute ? "|rho| " : "rho ") + fixed_digits(record.value, 3) + ", was " +
+           fixed_digits(record.value_before, 3) + ".";
 }
 
 }  // namespace

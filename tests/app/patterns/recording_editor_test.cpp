@@ -12,6 +12,7 @@
 #include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "model/io/set/set_file.h"
+#include "model/text/numbers.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 #include "viz/drawing/plot.h"

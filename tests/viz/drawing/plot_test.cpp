@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "model/text/numbers.h"
 #include "tests/support/drawn_svg.h"
 #include "tests/support/svg_elements.h"
 #include "viz/drawing/marks.h"
@@ -106,15 +107,6 @@ TEST_CASE("plot: numbers read as a person would write them") {
     CHECK(tick_text(0.25) == "0.25");
     CHECK(tick_text(1000.0) == "1000");
     CHECK(tick_text(-20.0) == "−20");
-    CHECK(significant(31.2345) == "31.2");
-    CHECK(significant(0.030449) == "0.0304");
-    CHECK(significant(1234.5) == "1234");
-    CHECK(significant(0.0) == "0.00");
-    CHECK(significant(NAN) == "–");
-    CHECK(grouped(61.749) == "61.7");
-    CHECK(grouped(999.6) == "1\u00a0000");
-    CHECK(grouped(499500.0) == "499\u00a0500");
-    CHECK(grouped(-1234567.0) == "−1\u00a0234\u00a0567");
 }
 
 // Deep in a long signal steps are small beside the values.
