@@ -38,6 +38,84 @@ void add_study_design(CLI::App& study, StudyCommand& command) {
                     "patterns sorted into groups, not rated by pairs");
 }
 
+// What is to be done: one task, or collecting with a report.
+void add_study_tasks(CLI::App& study, StudyCommand& command) {
+    CLI::App& task = *study.add_option_group("Task");
+    CLI::Option* simulate =
+        task.add_option("--simulate", command.simulate,
+                        "writes this many synthetic participants into --out DIR")
+            ->check(within(1, 1000));
+    task.add_option("--collect", command.collect,
+                    "a folder of participants' files: who counts, how far they agree, their mean "
+                    "matrix; default for --report: the folder beside the set, \"NAME study\"")
+        ->excludes(simulate);
+    task.add_option("--report", command.report,
+                    "folder for all of a study: participants, answers, reliability, metrics and "
+                    "maps as CSV, a page, scripts in R and Python that compute its numbers again")
+        ->excludes(simulate);
+    CLI::Option* pack =
+        task.add_option("--pack", command.pack,
+                        "writes the study into --out DIR for another program to ask: stimuli, "
+                        "trials and a script, jspsych or psychopy")
+            ->check(CLI::IsMember({"jspsych", "psychopy"}))
+            ->excludes("--report", "--collect", "--simulate");
+    task.add_option("--unpack", command.unpack,
+                    "turns answers of a packed study, files or folders of .csv, into participants "
+                    "in --out DIR")
+        ->excludes(pack)
+        ->excludes("--report", "--collect", "--simulate");
+    study
+        .add_option("--participants", command.participants,
+                    "that a pack has trials for; default: 40")
+        ->check(within(1, 1000))
+        ->needs(pack);
+    task.require_option(1, 2);
+}
+
+void add_simulated_participants(CLI::App& study, StudyCommand& command) {
+    CLI::App& crowd = *study.add_option_group("Simulated", "participants made up by the model");
+    crowd.add_option("--noise", command.noise, "standard deviation of a rating, points of 100")
+        ->check(within(0.0, 100.0));
+    crowd.add_option("--bias", command.bias, "points added to every similarity")
+        ->check(within(-100.0, 100.0));
+    crowd.add_option("--lapses", command.lapses, "share of trials that each answers blindly")
+        ->check(within(0.0, 1.0));
+    crowd
+        .add_option("--inattentive", command.inattentive,
+                    "share of participants who answer blindly throughout")
+        ->check(within(0.0, 1.0));
+    auto* map = crowd.add_option("--from-map", command.from_map,
+                                 "coordinates that they feel by, as of tactspace space");
+    crowd.add_option("--from-matrix", command.from_matrix, "dissimilarities that they feel by")
+        ->excludes(map);
+    add_table_hints(crowd, command.written);
+}
+
+void add_collected_answers(CLI::App& study, StudyCommand& command) {
+    CLI::App& rule = *study.add_option_group("Collected", "who counts, and what is written");
+    rule.add_option("--above", command.attention_above,
+                    "similarity that identical patterns must exceed; the publication: 80")
+        ->check(within(0.0, 100.0));
+    rule.add_option("--failures", command.failures_allowed, "identical pairs that may be missed")
+        ->check(within(0, 100));
+    rule.add_flag("--unfinished", command.unfinished, "count who did not come to the end, too");
+    add_who_counts(rule, command.who);
+    rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
+    rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
+        ->check(CLI::IsMember({"none", "min-max", "standard"}));
+    rule.add_option("--weights", command.weights,
+                    "how much each participant uses every dimension of a common map of this many "
+                    "(INDSCAL); in --report 3")
+        ->check(within(1, kMostWeightedDimensions));
+    rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
+    rule.add_option("--psych-ds", command.psych_ds,
+                    "folder for a Psych-DS dataset, as archives of psychology read it: answers and "
+                    "participants with every column described, and the set");
+    rule.add_option("--rdms", command.rdms,
+                    "file for the matrix of each person as NumPy arrays, .npz, as rsatoolbox takes "
+                    "them");
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& app, CompareCommand& options, Chosen& chosen) {
@@ -143,81 +221,17 @@ void add_study_command(CLI::App& app, StudyCommand& command, Chosen& chosen) {
     CLI::App& study = add_command(
         app, "study", "a rating study: simulate participants, or collect what they said", command,
         chosen);
-    CLI::App& task = *study.add_option_group("Task");
-    CLI::Option* simulate =
-        task.add_option("--simulate", command.simulate,
-                        "writes this many synthetic participants into --out DIR")
-            ->check(within(1, 1000));
-    task.add_option("--collect", command.collect,
-                    "a folder of participants' files: who counts, how far they agree, their mean "
-                    "matrix; default for --report: the folder beside the set, \"NAME study\"")
-        ->excludes(simulate);
-    task.add_option("--report", command.report,
-                    "folder for all of a study: participants, answers, reliability, metrics and "
-                    "maps as CSV, a page, scripts in R and Python that compute its numbers again")
-        ->excludes(simulate);
-    CLI::Option* pack =
-        task.add_option("--pack", command.pack,
-                        "writes the study into --out DIR for another program to ask: stimuli, "
-                        "trials and a script, jspsych or psychopy")
-            ->check(CLI::IsMember({"jspsych", "psychopy"}))
-            ->excludes("--report", "--collect", "--simulate");
-    task.add_option("--unpack", command.unpack,
-                    "turns answers of a packed study, files or folders of .csv, into participants "
-                    "in --out DIR")
-        ->excludes(pack)
-        ->excludes("--report", "--collect", "--simulate");
-    study
-        .add_option("--participants", command.participants,
-                    "that a pack has trials for; default: 40")
-        ->check(within(1, 1000))
-        ->needs(pack);
-    task.require_option(1, 2);
+    add_study_tasks(study, command);
     study.add_option("--planned", command.planned,
                      "the preregistration.json of \"plan --preregister\": the report marks what "
                      "departs from it");
-    simulate->needs(
-        study.add_option("--out", command.out,
-                         "folder for simulated participants; file for collected ratings, .csv"));
+    study.get_option("--simulate")
+        ->needs(study.add_option("--out", command.out,
+                                 "folder for simulated participants; file for collected ratings, "
+                                 ".csv"));
     add_study_design(study, command);
-    CLI::App& crowd = *study.add_option_group("Simulated", "participants made up by the model");
-    crowd.add_option("--noise", command.noise, "standard deviation of a rating, points of 100")
-        ->check(within(0.0, 100.0));
-    crowd.add_option("--bias", command.bias, "points added to every similarity")
-        ->check(within(-100.0, 100.0));
-    crowd.add_option("--lapses", command.lapses, "share of trials that each answers blindly")
-        ->check(within(0.0, 1.0));
-    crowd
-        .add_option("--inattentive", command.inattentive,
-                    "share of participants who answer blindly throughout")
-        ->check(within(0.0, 1.0));
-    auto* map = crowd.add_option("--from-map", command.from_map,
-                                 "coordinates that they feel by, as of tactspace space");
-    crowd.add_option("--from-matrix", command.from_matrix, "dissimilarities that they feel by")
-        ->excludes(map);
-    add_table_hints(crowd, command.written);
-    CLI::App& rule = *study.add_option_group("Collected", "who counts, and what is written");
-    rule.add_option("--above", command.attention_above,
-                    "similarity that identical patterns must exceed; the publication: 80")
-        ->check(within(0.0, 100.0));
-    rule.add_option("--failures", command.failures_allowed, "identical pairs that may be missed")
-        ->check(within(0, 100));
-    rule.add_flag("--unfinished", command.unfinished, "count who did not come to the end, too");
-    add_who_counts(rule, command.who);
-    rule.add_flag("--everyone", command.everyone, "write excluded participants as well, marked");
-    rule.add_option("--scaling", command.scaling, "of each participant: none, min-max or standard")
-        ->check(CLI::IsMember({"none", "min-max", "standard"}));
-    rule.add_option("--weights", command.weights,
-                    "how much each participant uses every dimension of a common map of this many "
-                    "(INDSCAL); in --report 3")
-        ->check(within(1, kMostWeightedDimensions));
-    rule.add_option("--matrix", command.matrix, "file for the mean matrix, .csv");
-    rule.add_option("--psych-ds", command.psych_ds,
-                    "folder for a Psych-DS dataset, as archives of psychology read it: answers and "
-                    "participants with every column described, and the set");
-    rule.add_option("--rdms", command.rdms,
-                    "file for the matrix of each person as NumPy arrays, .npz, as rsatoolbox takes "
-                    "them");
+    add_simulated_participants(study, command);
+    add_collected_answers(study, command);
 }
 
 void add_train_command(CLI::App& app, TrainCommand& command, Chosen& chosen) {

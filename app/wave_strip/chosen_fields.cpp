@@ -16,6 +16,7 @@
 #include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/wave_strip.h"
+#include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -152,12 +153,9 @@ void draw_note_number(Ui& ui, Workspace& work, StripState& strip, const Field& f
     if (edit.finished) commit_step(ui, work, "Change " + of_selection(work, "notes"));
 }
 
-// The number of the first note; the others keep their offsets from it.
-void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern) {
-    const std::vector<NoteSteps> all = steps_of_notes(pattern);
-    const auto found = std::ranges::find(all, strip.notes.onsets.front(), &NoteSteps::first);
-    if (found == all.end()) return;
-    const NoteSteps first = *found;
+// Each field has the number of the first note; the others keep their offsets from it.
+void draw_note_times(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
+                     const NoteSteps& first) {
     const double unit_ms = kMs * pattern.rhythm.unit_s;
     const Range ms{0.0, kMs * pattern.duration_s};
     const auto steps_of = [unit_ms](double value) {
@@ -192,6 +190,10 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                          const auto steps = std::max<std::ptrdiff_t>(1, steps_of(to));
                          return with_notes_held(p, strip.notes, static_cast<std::size_t>(steps));
                      });
+}
+
+void draw_note_kind(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern,
+                    const NoteSteps& first) {
     const std::string& text = pattern.rhythm.text;
     const NoteKind kind = kind_of(pattern.rhythm, text[first.first % text.size()]);
     constexpr double kNinth = 100.0 / 9.0;
@@ -222,9 +224,12 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
                      kind.pitch, [&](const Pattern& p, double to) {
                          return with_notes_changed(p, strip.notes, 0.0, to / kind.pitch);
                      });
+}
+
+void draw_note_actions(Ui& ui, Workspace& work, StripState& strip) {
     ImGui::TableNextColumn();
     const std::size_t count = strip.notes.onsets.size();
-    const std::string words = std::to_string(count) + (count == 1 ? " note" : " notes");
+    const std::string words = counted(count, "note", "notes");
     ImGui::AlignTextToFramePadding();
     dim_text(ui, words);
     note_item(ui.rects, "notes chosen", words);
@@ -237,6 +242,16 @@ void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& patte
         draw_tooltip(ui, help);
         if (strip.notes.empty()) return;
     }
+}
+
+void draw_notes(Ui& ui, Workspace& work, StripState& strip, const Pattern& pattern) {
+    const std::vector<NoteSteps> all = steps_of_notes(pattern);
+    const auto found = std::ranges::find(all, strip.notes.onsets.front(), &NoteSteps::first);
+    if (found == all.end()) return;
+    const NoteSteps first = *found;
+    draw_note_times(ui, work, strip, pattern, first);
+    draw_note_kind(ui, work, strip, pattern, first);
+    draw_note_actions(ui, work, strip);
 }
 
 int columns_in(const Ui& ui, float width_px) {
