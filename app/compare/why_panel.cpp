@@ -25,8 +25,6 @@ namespace tact {
 
 namespace {
 
-constexpr const char* kMinus = "\u2212";
-
 // The next `height_px` of the pane, in full width.
 Rect take_row(float height_px) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -176,7 +174,7 @@ void draw_channels(Ui& ui, const LiveDifference& live) {
         least = std::min(least, term.share);
         names_px = std::max(names_px, text_size(theme.fonts.small, term.name).x);
     }
-    const float number_px = text_size(theme.fonts.small, "\u2212100 %").x + theme.gap_px;
+    const float number_px = text_size(theme.fonts.small, "> \u22120.001 %").x + theme.gap_px;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const Term& term : terms) {
         const Rect row = take_row(1.15F * text_size(theme.fonts.small, "N").y);

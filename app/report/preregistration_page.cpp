@@ -39,7 +39,7 @@ HtmlTable expected_of(const Preregistration& plan) {
     for (std::size_t r = 0; r < kResampledCount; ++r) {
         width.push_back(shown(plan.expected.half_width[r], 2));
         const double share = plan.expected.power[r];
-        power.push_back(percent(share));
+        power.push_back(html_escaped(percent(share)));
     }
     table.rows = {width, power};
     return table;

@@ -99,11 +99,12 @@ std::string sure_html(const Report& report) {
         "<h3>How sure</h3>\n<p>In " + counted(sure.draws, "draw", "draws") +
         " of what is uncertain in the model (thresholds of the skin by 6 dB either way, choices "
         "that the publication leaves open) this very subset stays the best in <b>" +
-        percent(sure.share_same) + "</b>, its weakest pair the weakest in " +
-        percent(sure.share_weakest) + ".</p>\n";
+        html_escaped(percent(sure.share_same)) + "</b>, its weakest pair the weakest in " +
+        html_escaped(percent(sure.share_weakest)) + ".</p>\n";
     HtmlTable table{{{"pattern"}, {"picked in", true}}, {}, "narrow"};
     for (const std::size_t place : ever_picked(sure)) {
-        table.rows.push_back({name_html(report, place), percent(sure.share_picked[place])});
+        table.rows.push_back(
+            {name_html(report, place), html_escaped(percent(sure.share_picked[place]))});
     }
     return html + html_of(table);
 }

@@ -140,7 +140,11 @@ std::string grouped(double value, int digits) {
 std::string percent(double share) {
     if (!std::isfinite(share)) return kNoNumber;
     const std::string digits = percent_digits(std::abs(share));
-    return (share < 0.0 && digits != "0" ? kMinus : "") + digits + " %";
+    if (share >= 0.0 || digits == "0") return digits + " %";
+    // Below zero a bound points the other way.
+    const bool is_bound = digits.front() == '<' || digits.front() == '>';
+    if (!is_bound) return kMinus + digits + " %";
+    return (digits.front() == '<' ? "> " : "< ") + (kMinus + digits.substr(2)) + " %";
 }
 
 std::string percent_range(double low, double high) {

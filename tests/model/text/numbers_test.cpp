@@ -102,6 +102,8 @@ TEST_CASE("numbers: a measured share is never rounded to none or to all") {
     CHECK(percent(0.99999) == "> 99.9 %");
     CHECK(percent(1e-9) == "< 0.001 %");
     CHECK(percent(-0.12) == "\u221212 %");
+    CHECK(percent(-1e-9) == "> \u22120.001 %");
+    CHECK(percent(-1e-15) == "0 %");
     CHECK(percent(5.25) == "525 %");
     for (double share = 1e-10; share < 1.0; share += 0.00037) {
         CHECK(percent(share) != "0 %");
