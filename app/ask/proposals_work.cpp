@@ -10,7 +10,7 @@ namespace tact {
 
 namespace {
 
-constexpr Eigen::Index kMostAnew = 60;  // points of a map that is computed for each pattern
+constexpr Eigen::Index kMostMappedAgain = 60;  // points of a map that is computed for each pattern
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::optional<FoundProposals> ProposalsWork::operator()(const ProposalsRequest& 
     const auto count = static_cast<Eigen::Index>(found.patterns.size());
     found.places.resize(count, request.points.cols());
     const auto& by = request.map->request.rendered_by;
-    const bool anew = request.exact && request.points.rows() <= kMostAnew;
+    const bool maps_again = request.exact && request.points.rows() <= kMostMappedAgain;
     // A map computed again for each pattern uses all cores by itself; quick places use one core
     // each.
     std::atomic<Eigen::Index> done = 0;
@@ -35,11 +35,12 @@ std::optional<FoundProposals> ProposalsWork::operator()(const ProposalsRequest& 
         Waveform waveform = render(found.patterns[k]);
         if (by) waveform = rendering(*by, waveform).waveform;
         waveform = padded(std::move(waveform), point_->length());
-        const auto place = anew ? point_->anew(waveform, stop) : (*point_)(waveform, stop, 1);
+        const auto place =
+            maps_again ? point_->mapped_again(waveform, stop) : (*point_)(waveform, stop, 1);
         if (place) found.places.row(static_cast<Eigen::Index>(k)) = place->at;
         progress = static_cast<float>(++done) / static_cast<float>(count);
     };
-    const bool all = parallel_for(found.patterns.size(), anew ? 1 : 0, stop, place_one);
+    const bool all = parallel_for(found.patterns.size(), maps_again ? 1 : 0, stop, place_one);
     if (!all || stop.stop_requested()) return std::nullopt;
     return found;
 }

@@ -23,7 +23,7 @@ namespace {
 
 // Each of these functions returns the state for a document that was just opened. It lists the
 // members that stay; a new member belongs to the document, and is reset with it.
-ShownMap anew(const ShownMap& was) {
+ShownMap for_another_document(const ShownMap& was) {
     ShownMap fresh;
     fresh.look.show_pairs = was.look.show_pairs;
     fresh.look.show_spread = was.look.show_spread;
@@ -34,7 +34,7 @@ ShownMap anew(const ShownMap& was) {
     return fresh;
 }
 
-Physiology anew(const Physiology& was) {
+Physiology for_another_document(const Physiology& was) {
     Physiology fresh;
     fresh.view.open = was.view.open;
     fresh.view.textbook = was.view.textbook;
@@ -43,7 +43,7 @@ Physiology anew(const Physiology& was) {
     return fresh;
 }
 
-PatternPanes anew(const PatternPanes& was) {
+PatternPanes for_another_document(const PatternPanes& was) {
     PatternPanes fresh;
     fresh.strip.height = was.strip.height;
     fresh.strip.tool = was.strip.tool;
@@ -52,7 +52,7 @@ PatternPanes anew(const PatternPanes& was) {
 }
 
 // Findings of the paper are about its own sets.
-Comparing anew(const Comparing& was) {
+Comparing for_another_document(const Comparing& was) {
     Comparing fresh;
     fresh.findings = was.findings;
     fresh.foreign = was.foreign;
@@ -61,20 +61,20 @@ Comparing anew(const Comparing& was) {
     return fresh;
 }
 
-SubsetState anew(const SubsetState& was) {
+SubsetState for_another_document(const SubsetState& was) {
     SubsetState fresh;
     fresh.view = was.view;
     return fresh;
 }
 
-CandidatesState anew(const CandidatesState& was) {
+CandidatesState for_another_document(const CandidatesState& was) {
     CandidatesState fresh;
     fresh.by = was.by;
     fresh.descending = was.descending;
     return fresh;
 }
 
-RenderingState anew(const RenderingState& was) {
+RenderingState for_another_document(const RenderingState& was) {
     RenderingState fresh;
     fresh.on = was.on;
     fresh.by = was.by;
@@ -82,13 +82,13 @@ RenderingState anew(const RenderingState& was) {
     return fresh;
 }
 
-PlanState anew(const PlanState& was) {
+PlanState for_another_document(const PlanState& was) {
     PlanState fresh;
     fresh.choice = was.choice;
     return fresh;
 }
 
-EffectExport anew(const EffectExport& was) {
+EffectExport for_another_document(const EffectExport& was) {
     EffectExport fresh;
     fresh.choice = was.choice;
     fresh.choice.which = ExportWhich::all;
@@ -137,13 +137,13 @@ void begin_again(State& state, const State& fresh) {
 
 void begin_again(App& app) {
     auto findings = std::move(app.comparing.findings_job);
-    begin_again(app.comparing, anew(app.comparing));
+    begin_again(app.comparing, for_another_document(app.comparing));
     app.comparing.findings_job = std::move(findings);
-    begin_again(app.shown_map, anew(app.shown_map));
-    begin_again(app.physiology, anew(app.physiology));
-    begin_again(app.pattern_panes, anew(app.pattern_panes));
-    begin_again(app.picking, anew(app.picking));
-    begin_again(app.candidates, anew(app.candidates));
+    begin_again(app.shown_map, for_another_document(app.shown_map));
+    begin_again(app.physiology, for_another_document(app.physiology));
+    begin_again(app.pattern_panes, for_another_document(app.pattern_panes));
+    begin_again(app.picking, for_another_document(app.picking));
+    begin_again(app.candidates, for_another_document(app.candidates));
     begin_again(app.steps, StepsState{});
     begin_again(app.transform, TransformState{});
     begin_again(app.pad, PadState{});
@@ -158,9 +158,9 @@ void begin_others_again(App& app) {
     if (is_of_document(ui.dialog)) ui.dialog = Dialog::none;
     ui.ages.clear();
     ui.progress.clear();
-    begin_again(app.rendered, anew(app.rendered));
-    begin_again(app.exports.effects, anew(app.exports.effects));
-    begin_again(app.planning, anew(app.planning));
+    begin_again(app.rendered, for_another_document(app.rendered));
+    begin_again(app.exports.effects, for_another_document(app.exports.effects));
+    begin_again(app.planning, for_another_document(app.planning));
     app.exports.from_s = app.exports.to_s = 0.0;
     app.importing.files.clear();
     app.importing.patterns.clear();

@@ -74,8 +74,8 @@ std::optional<MovedPoint::Place> MovedPoint::operator()(const Waveform& changed,
     return place;
 }
 
-std::optional<MovedPoint::Place> MovedPoint::anew(const Waveform& changed, std::stop_token stop,
-                                                  int threads) const {
+std::optional<MovedPoint::Place> MovedPoint::mapped_again(const Waveform& changed,
+                                                          std::stop_token stop, int threads) const {
     return raw(changed, std::move(stop), threads, true);
 }
 

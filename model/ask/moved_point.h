@@ -6,7 +6,7 @@
 //
 // Output    a place in the frame of the given map: the others may move as they would, and all of it
 //           is turned back onto where they were
-// Left out  other minima, except in anew()
+// Left out  other minima, except in mapped_again()
 // Exact     same input, same place, on any number of threads.
 #pragma once
 
@@ -47,7 +47,8 @@ class MovedPoint {
 
     // The same with the map made again from all its starts, as an exact one is: the point's final
     // place, other minima included, for a hundred times the work.
-    std::optional<Place> anew(const Waveform& changed, std::stop_token stop, int threads = 0) const;
+    std::optional<Place> mapped_again(const Waveform& changed, std::stop_token stop,
+                                      int threads = 0) const;
 
     const Eigen::MatrixXd& points() const { return map_.points; }
     const Dissimilarity& pm() const { return map_.base->pm; }

@@ -185,7 +185,7 @@ TEST_CASE("measuring a response: what is doubtful of the table is said beside it
     CHECK(program.at("calibrate:remark 0").value == doubted.result.remarks.front());
 }
 
-TEST_CASE("measuring a response: a change of the signal asks anew, what was said is no answer") {
+TEST_CASE("measuring a response: a change of the signal asks again, what was said is no answer") {
     Measuring program;
     read_calibration_recording(program.app.ui, program.app.calibrating, program.recorded(0.5));
     program.wait_for_answer();

@@ -77,7 +77,7 @@ TEST_CASE("playing: Esc silences also in a dialog") {
     CHECK_FALSE(program.device->playing());
 }
 
-TEST_CASE("playing: a loop becomes what is edited in the same frame, and does not start anew") {
+TEST_CASE("playing: a loop becomes what is edited in the same frame, and does not start again") {
     FeltProgram program;
     program.app.timeline.playhead.loop = true;
     program.space();

@@ -43,7 +43,7 @@ TEST_CASE("rendered set: every pattern becomes what the device plays, and nothin
     CHECK(again.played == made.played);  // with one thread as with all
 }
 
-TEST_CASE("rendered set: after an edit only the edited pattern is rendered anew") {
+TEST_CASE("rendered set: after an edit only the edited pattern is rendered again") {
     PatternSet set = short_patterns(4);
     const RenderedBy by{ActuatorKind::joy_con, 1.0};
     const RenderedSet before = *rendered_set(set, by);

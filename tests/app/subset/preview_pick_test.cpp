@@ -44,7 +44,7 @@ struct Previewed : Program {
 
 }  // namespace
 
-TEST_CASE("subset: it is picked on the preview, says so, and is picked anew on the exact map") {
+TEST_CASE("subset: it is picked on the preview, says so, and is picked again on the exact map") {
     Previewed program;
     program.show(true);
     program.until_proof_begins("A preview");

@@ -6,7 +6,7 @@ namespace workspaces_test {
 
 using namespace tact;
 
-TEST_CASE("workspaces: each comes back as it was left, and can be begun anew") {
+TEST_CASE("workspaces: each comes back as it was left, and can be begun again") {
     Layout layout = first_layout(Arrangement::design);
     Workspaces workspaces;
     layout.left = 0.31F;

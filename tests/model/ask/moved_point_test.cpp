@@ -71,7 +71,7 @@ TEST_CASE("moved point: it is where the map has the point once the number is rea
         const double value = *value_of(pattern, parameter);
         pattern = with_value(pattern, parameter, std::max(1.0, value) * (1.0 + next_even(random)));
         auto moved = MovedPoint::of({model_waveforms(set), set.model, points, base}, row, 0, {});
-        const auto place = moved->anew(render(pattern), {});
+        const auto place = moved->mapped_again(render(pattern), {});
         const auto quick = (*moved)(render(pattern), {});
         const Eigen::MatrixXd after = procrustes(map_of(changed), points, false).aligned;
         const double off =

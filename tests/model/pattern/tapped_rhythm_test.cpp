@@ -61,7 +61,7 @@ TEST_CASE("tapped rhythm: even short taps keep rests between them") {
     CHECK(taken(taps) == "x---x---x---x---x");
 }
 
-TEST_CASE("tapped rhythm: another step quantises the same taps anew") {
+TEST_CASE("tapped rhythm: another step quantises the same taps again") {
     const std::vector<Tap> taps{{2.0, 0.2}, {2.5, 0.45}, {3.0, 0.1}};
     CHECK(tapped_rhythm(taps, 0.25, 0.0).rhythm.text == "x-x=x");
     CHECK(tapped_rhythm(taps, 0.5, 0.0).rhythm.text == "xxx");

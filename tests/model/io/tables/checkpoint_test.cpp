@@ -57,7 +57,7 @@ TEST_CASE("checkpoint: tiles come back as they were, each in its part") {
 }
 
 TEST_CASE(
-    "checkpoint: a torn last tile is cut off, wherever it was torn, and can be appended anew") {
+    "checkpoint: a torn last tile is cut off, wherever it was torn, and can be appended again") {
     const TemporaryFolder folder;
     const auto path = three_tiles(folder);
     const std::string whole = bytes_of(path);
@@ -120,7 +120,7 @@ TEST_CASE("checkpoint: damage in the middle costs the tiles that it is in, and i
     }
 }
 
-TEST_CASE("checkpoint: a header that was cut short is begun anew") {
+TEST_CASE("checkpoint: a header that was cut short is begun again") {
     const TemporaryFolder folder;
     const auto path = three_tiles(folder);
     const std::string whole = bytes_of(path);
