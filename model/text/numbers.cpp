@@ -157,7 +157,10 @@ std::string exact_percent(double share) {
     return with_true_minus(plain_digits(100.0 * share, 3)) + " %";
 }
 
-std::string percent_done(double share) { return fixed_digits(std::floor(100.0 * share), 0) + " %"; }
+std::string percent_done(double share) {
+    constexpr double kRounding = 1e-5;  // 0.7F is a little less than 0.7
+    return fixed_digits(std::floor(100.0 * share + kRounding), 0) + " %";
+}
 
 std::string duration_text(double seconds) {
     if (!std::isfinite(seconds)) return kNoNumber;

@@ -1,6 +1,7 @@
 // The Why tab, through the program's real frames.
 #include <cmath>
 
+#include "model/text/numbers.h"
 #include "tests/support/compare_bench.h"
 
 namespace why_panel_test {
@@ -22,8 +23,7 @@ TEST_CASE("why tab: it explains the current pattern and its closest one, or the 
     const std::size_t k = pair_index(kRatedPatterns, 1, 3);
     const Prediction& prediction = app.shown_map.transition.shown->prediction;
     const double share = prediction.nc_rank[k] / (prediction.nc_rank[k] + prediction.oc_rank[k]);
-    CHECK(contains(bench.program.at("why:parts").value,
-                   "neural coding " + std::to_string(std::lround(100.0 * share)) + " %"));
+    CHECK(contains(bench.program.at("why:parts").value, "neural coding " + percent(share)));
     // The steps' mean is NC squared.
     double mean = 0.0;
     for (const double step : app.comparing.difference->apart) mean += step;

@@ -7,6 +7,7 @@
 #include "app/lesson/lesson_question.h"
 #include "app/lesson/presenting.h"
 #include "app/window/animation.h"
+#include "model/text/numbers.h"
 #include "tests/support/lesson_class.h"
 
 namespace lesson_place_test {
@@ -69,8 +70,7 @@ TEST_CASE("place: a click puts it there, and how far off that was is told with t
     program.press_key(key::kPageDown);
     const double off = place_off_by(program.lesson(), program.app.shown_map).value();
     CHECK(off == doctest::Approx((put - program.place_of_model()).norm() / width));
-    char words[64];
-    std::snprintf(words, sizeof words, "off by %.0f %% of the map's width", 100.0 * off);
+    const std::string words = "off by " + percent(off) + " of the map's width";
     CHECK(program.at("lesson:answer").value.find(words) != std::string::npos);
     // A vote for the pattern nearest to the place, which is not the model's nearest.
     CHECK(program.at("option:1").value == "1");
