@@ -27,7 +27,7 @@
 #include "model/pattern/rhythm_edit.h"
 #include "model/physiology/mechanoreceptor.h"
 #include "model/text/numbers.h"
-#include "model/text/percent_code.h"
+#include "model/io/folders/percent_code.h"
 #include "model/text/typed_number.h"
 #include "tests/fuzz/readers.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "model/text/percent_code.h"
+#include "model/io/folders/percent_code.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/io/folders/percent_code.h"
 #include "model/io/set/design_space_json.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
 #include "model/set/layers.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
-#include "model/text/percent_code.h"
 #include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 #include "model/told_apart/told_apart_json.h"

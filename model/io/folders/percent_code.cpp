@@ -1,4 +1,4 @@
-#include "model/text/percent_code.h"
+#include "model/io/folders/percent_code.h"
 
 #include <charconv>
 #include <string_view>
