@@ -8,6 +8,7 @@
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/text/described.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -47,7 +48,7 @@ CLI::Validator within(double low, double high) {
         const bool is_octal = first + 1 < text.size() && text[first] == '0' &&
                               text[first + 1] >= '0' && text[first + 1] <= '9';
         if (!number || is_octal || *number < low || *number > high) {
-            return "expected a number from " + from_to + ", got \"" + text + "\"";
+            return "expected " + range_words({low, high}) + ", got \"" + text + "\"";
         }
         return {};
     };

@@ -67,29 +67,19 @@ void draw_carrier(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k
     const std::string label = "Carrier " + std::to_string(k + 1);
     const std::string id = "carrier_" + std::to_string(k + 1) + "_hz";
     const double bin_hz = 1.0 / pattern.duration_s;
-    const bool is_drawn = k == 0 && !pattern.frequency_curve.empty();
-    edit_number(
-        ui, work,
-        {.id = id.c_str(),
-         .label = label.c_str(),
-         .format = "%.5g Hz",
-         .slider = traits(PatternParameter::carrier).slider,
-         .typed = traits(PatternParameter::carrier).range,
-         .step = std::max(1.0, bin_hz),
-         .snap = bin_hz,
-         .logarithmic = true,
-         .help = is_drawn ? "Drawn: the frequency curve above is this carrier's; the others keep "
-                            "their ratio to it."
-                          : "Frequency of the sine, in steps that do not leak. Typed values are "
-                            "exact and reach from 0.1 to 1000 Hz.",
-         .enabled = !is_drawn},
-        "carrier",
-        [k](const Pattern& p) {
-            return k < p.carriers.size() ? std::optional(p.carriers[k].frequency_hz) : std::nullopt;
-        },
-        [k](Pattern& p, double value) {
-            if (k < p.carriers.size()) p.carriers[k].frequency_hz = value;
-        });
+    Field field = field_of(numbers::kCarrier, id.c_str());
+    field.label = label.c_str();
+    field.step = std::max(1.0, bin_hz);
+    field.snap = bin_hz;
+    field.enabled = k != 0 || pattern.frequency_curve.empty();
+    if (!field.enabled) {
+        field.help =
+            "Drawn: the frequency curve above is this carrier's; the others keep their ratio to "
+            "it.";
+    }
+    edit_number(ui, work, numbers::kCarrier, field, "carrier", [k](auto& p) {
+        return k < p.carriers.size() ? &p.carriers[k].frequency_hz : nullptr;
+    });
     ImGui::PopID();
 }
 
@@ -125,17 +115,11 @@ void draw_mix(Ui& ui, Workspace& work, const Pattern& pattern) {
     for (std::size_t k = 0; k < carriers.size(); ++k) {
         const std::string label = "Weight " + std::to_string(k + 1);
         const std::string id = "weight_" + std::to_string(k + 1);
-        edit_number(
-            ui, work,
-            {id.c_str(), label.c_str(), "%.3g", traits(PatternParameter::mix).slider,
-             traits(PatternParameter::mix).range, 0.05, 0.01},
-            "weight",
-            [k](const Pattern& p) {
-                return k < p.carriers.size() ? std::optional(p.carriers[k].weight) : std::nullopt;
-            },
-            [k](Pattern& p, double value) {
-                if (k < p.carriers.size()) p.carriers[k].weight = value;
-            });
+        Field field = field_of(numbers::kWeight, id.c_str());
+        field.label = label.c_str();
+        edit_number(ui, work, numbers::kWeight, field, "weight", [k](auto& p) {
+            return k < p.carriers.size() ? &p.carriers[k].weight : nullptr;
+        });
     }
 }
 

@@ -50,73 +50,25 @@ void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
 
 void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
     const Modulation& modulation = pattern.modulation;
-    edit_number(
-        ui, work,
-        {.id = "modulation_hz",
-         .label = "Modulation",
-         .format = "%.4g Hz",
-         .slider = traits(PatternParameter::modulation).slider,
-         .typed = traits(PatternParameter::modulation).range,
-         .step = 1.0,
-         .snap = 1.0 / pattern.duration_s,
-         .help = "Frequency of the amplitude modulation; 0: not modulated."},
-        "modulation", [](const Pattern& p) { return p.modulation.frequency_hz; },
-        [](Pattern& p, double value) { p.modulation.frequency_hz = value; });
-    const bool am = modulation.kind == ModulationKind::am;
-    edit_number(
-        ui, work,
-        {.id = "depth",
-         .label = "Depth",
-         .format = "%.3g",
-         .slider = traits(PatternParameter::depth).slider,
-         .typed = traits(PatternParameter::depth).range,
-         .step = 0.05,
-         .snap = 0.01,
-         .help = am ? "m of 1 + m sin(2 pi f t)." : "Tremolo has a depth; Ring has none.",
-         .enabled = am},
-        "depth", [](const Pattern& p) { return p.modulation.depth; },
-        [](Pattern& p, double value) { p.modulation.depth = value; });
+    Field frequency = field_of(numbers::kModulation, "modulation_hz");
+    frequency.snap = 1.0 / pattern.duration_s;
+    edit_number(ui, work, numbers::kModulation, frequency, "modulation",
+                [](auto& p) { return &p.modulation.frequency_hz; });
+    Field depth = field_of(numbers::kDepth, "depth");
+    depth.enabled = modulation.kind == ModulationKind::am;
+    if (!depth.enabled) depth.help = "Tremolo has a depth; Ring has none.";
+    edit_number(ui, work, numbers::kDepth, depth, "depth",
+                [](auto& p) { return &p.modulation.depth; });
     draw_kind(ui, work, modulation);
 }
 
-Field ramp(PatternParameter parameter, const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.4g ms",
-            .slider = in_ms(traits(parameter).slider),
-            .typed = in_ms(traits(parameter).range),
-            .step = 5.0,
-            .snap = 1.0,
-            .help = help};
-}
-
 void draw_times(Ui& ui, Workspace& work) {
-    edit_number(
-        ui, work,
-        ramp(PatternParameter::attack, "attack_ms", "Attack",
-             "Linear rise at the beginning of every note."),
-        "attack", [](const Pattern& p) { return 1000.0 * p.attack_s; },
-        [](Pattern& p, double value) { p.attack_s = value / 1000.0; });
-    edit_number(
-        ui, work,
-        ramp(PatternParameter::release, "release_ms", "Release",
-             "Linear fall at the end of every note."),
-        "release", [](const Pattern& p) { return 1000.0 * p.release_s; },
-        [](Pattern& p, double value) { p.release_s = value / 1000.0; });
-    edit_number(
-        ui, work,
-        {.id = "duration_s",
-         .label = "Duration",
-         .format = "%.4g s",
-         .slider = {0.05, 10.0},
-         .typed = limits::kDurationS,
-         .step = 0.05,
-         .snap = 0.05,
-         .logarithmic = true,
-         .help = "The model was validated at 1 s. Shorter patterns of a set are padded with "
-                 "silence to its longest. Typed values reach 60 s."},
-        "duration", [](const Pattern& p) { return p.duration_s; },
-        [](Pattern& p, double value) { p.duration_s = value; });
+    edit_number(ui, work, numbers::kAttack, field_of(numbers::kAttack, "attack_ms"), "attack",
+                [](auto& p) { return &p.attack_s; });
+    edit_number(ui, work, numbers::kRelease, field_of(numbers::kRelease, "release_ms"), "release",
+                [](auto& p) { return &p.release_s; });
+    edit_number(ui, work, numbers::kDuration, field_of(numbers::kDuration, "duration_s"),
+                "duration", [](auto& p) { return &p.duration_s; });
 }
 
 // Shown only for a chosen pair: the closest one stands in the map's own panes.
@@ -214,18 +166,8 @@ void draw_warnings(Ui& ui, const Workspace& work, const Vibration& vibration) {
 }
 
 void draw_tone(Ui& ui, Workspace& work, const Pattern& pattern) {
-    edit_number(
-        ui, work,
-        {.id = "amplitude_g",
-         .label = "Amplitude",
-         .format = "%.3g g",
-         .slider = traits(PatternParameter::amplitude).slider,
-         .typed = traits(PatternParameter::amplitude).range,
-         .step = 0.05,
-         .snap = 0.01,
-         .help = "Peak acceleration of the sum of carriers. Typed values reach 50 g."},
-        "amplitude", [](const Pattern& p) { return p.amplitude_g; },
-        [](Pattern& p, double value) { p.amplitude_g = value; });
+    edit_number(ui, work, numbers::kAmplitude, field_of(numbers::kAmplitude, "amplitude_g"),
+                "amplitude", [](auto& p) { return &p.amplitude_g; });
     draw_carrier_fields(ui, work, pattern);
     draw_modulation(ui, work, pattern);
 }

@@ -9,6 +9,7 @@
 #include "app/document/editing.h"
 #include "app/patterns/pattern_fields.h"
 #include "model/text/numbers.h"
+#include "model/text/typed_number.h"
 
 namespace tact {
 
@@ -117,6 +118,19 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
     work.selection.rested = std::move(rested);
 }
 
+// Its help, and what can be typed where the slider has less.
+std::string help_with_reach(const Field& field) {
+    const std::string help = field.help == nullptr ? "" : field.help;
+    if (!field.enabled ||
+        (field.slider.low <= field.typed.low && field.slider.high >= field.typed.high)) {
+        return help;
+    }
+    const std::string unit(unit_in(field.format));
+    return help + (help.empty() ? "" : " ") + "Typed values reach from " +
+           significant_digits(field.typed.low, 6) + " to " +
+           significant_digits(field.typed.high, 6) + (unit.empty() ? "" : " " + unit) + ".";
+}
+
 void tell_clamped(Ui& ui, const Field& field, std::size_t clamped, std::size_t count) {
     if (clamped == 0 || count < 2) return;
     complain(ui, std::string(field.label) + ": " + std::to_string(clamped) + " of " +
@@ -140,6 +154,8 @@ void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
         if (least != most) field.mixed = Range{least, most};
     }
     field.normal = read(normal_pattern(work, shown.carriers.size()));
+    const std::string help = help_with_reach(field);
+    if (!help.empty()) field.help = help.c_str();
     double edited = *value;
     const FieldEdit edit = draw_field(ui, field, edited);
     if (edit.begun) {

@@ -1,15 +1,17 @@
 // Groups of fields that make up the editor of a pattern.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "app/document/workspace.h"
 #include "app/patterns/patterns_state.h"
+#include "app/ui/described_field.h"
 #include "app/ui/ui.h"
-#include "app/ui/widgets.h"
-#include "model/pattern/pattern_parameter.h"
+#include "model/pattern/pattern_numbers.h"
 
 namespace tact {
 
@@ -23,8 +25,29 @@ using WriteNumber = std::function<void(Pattern&, double)>;
 void edit_number(Ui& ui, Workspace& work, Field field, const std::string& what,
                  const ReadNumber& read, const WriteNumber& write);
 
-// Converts a number's table from seconds, for a field in milliseconds.
-inline Range in_ms(const Range& seconds) { return {1000.0 * seconds.low, 1000.0 * seconds.high}; }
+// The same of a number that is described, which `at` finds in a pattern: a pointer, null where it
+// has none.
+template <class At>
+void edit_number(Ui& ui, Workspace& work, const Number& number, const Field& field,
+                 const std::string& what, At at) {
+    edit_number(
+        ui, work, field, what,
+        [at, &number](const Pattern& pattern) -> std::optional<double> {
+            const auto* value = at(pattern);
+            if (value == nullptr) return std::nullopt;
+            return number.times * *value;
+        },
+        [at, &number](Pattern& pattern, double shown) {
+            auto* value = at(pattern);
+            if (value == nullptr) return;
+            const double kept = shown / number.times;
+            if constexpr (std::is_same_v<decltype(value), int*>) {
+                *value = static_cast<int>(std::lround(number.clamped(kept)));
+            } else {
+                *value = kept;
+            }
+        });
+}
 
 // A tooltip on a button among the fields, or the reason why it is disabled.
 void draw_field_tooltip(const Ui& ui, const char* text);

@@ -213,13 +213,8 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
                  "less the more they crowd.");
 }
 
-// Selected patterns that are dragged together keep their ratios, which are rarely whole numbers.
-int whole_within(const Range& range, double value) {
-    return static_cast<int>(std::lround(std::clamp(value, range.low, range.high)));
-}
-
 void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
-    const Range& unit = traits(PatternParameter::rhythm_unit).range;
+    const Range& unit = numbers::kRhythmUnit.range;
     const int beat = rhythm.meter.steps_a_beat;
     const std::string tempo_help = "Beats a minute where " + std::to_string(beat) +
                                    (beat == 1 ? " step is" : " steps are") +
@@ -239,34 +234,10 @@ void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
         [](Pattern& p, double value) {
             p.rhythm.unit_s = unit_at_tempo(value, p.rhythm.meter.steps_a_beat);
         });
-    edit_number(
-        ui, work,
-        {.id = "steps_a_beat",
-         .label = "Beat",
-         .format = "%.0f steps",
-         .slider = {1.0, 8.0},
-         .typed = limits::kStepsABeat,
-         .step = 1.0,
-         .snap = 1.0,
-         .help = "How many steps are a beat; no step gets longer or shorter by it."},
-        "beat", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.steps_a_beat); },
-        [](Pattern& p, double value) {
-            p.rhythm.meter.steps_a_beat = whole_within(limits::kStepsABeat, value);
-        });
-    edit_number(
-        ui, work,
-        {.id = "beats_a_bar",
-         .label = "Bar",
-         .format = "%.0f beats",
-         .slider = {0.0, 8.0},
-         .typed = limits::kBeatsABar,
-         .step = 1.0,
-         .snap = 1.0,
-         .help = "How many beats are a bar: lines in the strip. 0: no bars."},
-        "bar", [](const Pattern& p) { return static_cast<double>(p.rhythm.meter.beats_a_bar); },
-        [](Pattern& p, double value) {
-            p.rhythm.meter.beats_a_bar = whole_within(limits::kBeatsABar, value);
-        });
+    edit_number(ui, work, numbers::kStepsABeat, field_of(numbers::kStepsABeat, "steps_a_beat"),
+                "beat", [](auto& p) { return &p.rhythm.meter.steps_a_beat; });
+    edit_number(ui, work, numbers::kBeatsABar, field_of(numbers::kBeatsABar, "beats_a_bar"), "bar",
+                [](auto& p) { return &p.rhythm.meter.beats_a_bar; });
 }
 
 // Strength and pitch of each letter in the text.
@@ -276,33 +247,16 @@ void draw_kinds(Ui& ui, Workspace& work, const Rhythm& rhythm) {
         const std::string name = std::string("Note ") + letter;
         const std::string strength_id = std::string("kind_strength_") + letter;
         const std::string pitch_id = std::string("kind_pitch_") + letter;
+        Field strength = field_of(numbers::kVelocity, strength_id.c_str());
+        strength.label = name.c_str();
         edit_number(
-            ui, work,
-            {.id = strength_id.c_str(),
-             .label = name.c_str(),
-             .format = "%.3g %%",
-             .slider = {0.0, 100.0},
-             .typed = {0.0, 100.0},
-             .step = 5.0,
-             .snap = 1.0,
-             .help = "How strong the notes of this letter are, as a share of the amplitude."},
-            "strength of " + name,
+            ui, work, strength, "strength of " + name,
             [letter](const Pattern& p) { return 100.0 * kind_of(p.rhythm, letter).velocity; },
             [letter](Pattern& p, double percent) {
                 p.rhythm.kinds[letter].velocity = percent / 100.0;
             });
         edit_number(
-            ui, work,
-            {.id = pitch_id.c_str(),
-             .label = "pitch",
-             .format = "%.4g x",
-             .slider = {0.25, 4.0},
-             .typed = limits::kPitch,
-             .step = 0.1,
-             .snap = 0.05,
-             .logarithmic = true,
-             .help = "What the carriers' frequencies are multiplied by for its notes."},
-            "pitch of " + name,
+            ui, work, field_of(numbers::kPitch, pitch_id.c_str()), "pitch of " + name,
             [letter](const Pattern& p) { return kind_of(p.rhythm, letter).pitch; },
             [letter](Pattern& p, double pitch) { p.rhythm.kinds[letter].pitch = pitch; });
     }
@@ -375,19 +329,8 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     draw_rhythm_links(ui, work, pattern_panes, pattern);
     if (pattern.rhythm.text.empty()) return;
     draw_overrun(ui, work, pattern);
-    edit_number(
-        ui, work,
-        {.id = "unit_ms",
-         .label = "Step",
-         .format = "%.4g ms",
-         .slider = in_ms(traits(PatternParameter::rhythm_unit).slider),
-         .typed = in_ms(traits(PatternParameter::rhythm_unit).range),
-         .step = 5.0,
-         .snap = 1.0,
-         .logarithmic = true,
-         .help = "Length of one x, = or -. The text repeats to fill the duration."},
-        "rhythm step", [](const Pattern& p) { return 1000.0 * p.rhythm.unit_s; },
-        [](Pattern& p, double value) { p.rhythm.unit_s = value / 1000.0; });
+    edit_number(ui, work, numbers::kRhythmUnit, field_of(numbers::kRhythmUnit, "unit_ms"),
+                "rhythm step", [](auto& p) { return &p.rhythm.unit_s; });
     draw_tempo(ui, work, pattern.rhythm);
     draw_kinds(ui, work, pattern.rhythm);
 }

@@ -8,6 +8,7 @@
 
 #include "app/ui/chooser_answer.h"
 #include "app/ui/dialog.h"
+#include "app/ui/file_question.h"
 #include "app/ui/widgets.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
@@ -366,6 +367,17 @@ Chosen draw_file_chooser(Ui& ui) {
     if (!chooser.is_open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;
+}
+
+void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
+                  const std::string& name) {
+    ui.chooser_purpose = question.purpose;
+    ui.chooser.use = question.use;
+    ui.chooser.title = question.title;
+    ui.chooser.extensions = question.extensions;
+    ui.chooser.folders_too = question.folders_too;
+    ui.chooser.file_names = question.file_names;
+    show(ui.chooser, folder, name);
 }
 
 }  // namespace tact

@@ -12,10 +12,11 @@
 #include <variant>
 
 #include "app/document/editing.h"
-#include "app/ui/widgets.h"
+#include "app/ui/described_field.h"
 #include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/wave_strip.h"
+#include "model/pattern/pattern_numbers.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
@@ -42,14 +43,10 @@ void draw_chosen(Ui& ui, Workspace& work, const Field& field, double value, cons
 }
 
 Field time_field(const Range& room_s) {
-    const Range ms{kMs * room_s.low, kMs * room_s.high};
-    return {.id = "chosen_time_ms",
-            .label = "At",
-            .format = "%.5g ms",
-            .slider = ms,
-            .typed = ms,
-            .step = 5.0,
-            .snap = 1.0};
+    Field field = field_of(numbers::kTime, "chosen_time_ms");
+    field.slider = field.typed = numbers::kTime.shown(room_s);
+    field.help = nullptr;
+    return field;
 }
 
 template <class Point>
@@ -61,30 +58,11 @@ void draw_time(Ui& ui, Workspace& work, const Pattern& pattern, std::vector<Poin
                 [curve, k](Pattern& p, double ms) { (p.*curve)[k].time_s = ms / kMs; });
 }
 
-Field frequency_field(const char* id) {
-    return {.id = id,
-            .label = "Frequency",
-            .format = "%.4g Hz",
-            .slider = {20.0, 500.0},
-            .typed = limits::kCarrierHz,
-            .step = 5.0,
-            .snap = 1.0};
-}
-
 void draw_amplitude_point(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
     const AmplitudePoint& point = pattern.amplitude_curve[k];
     const std::string what = name_of(GripKind::amplitude_point);
     draw_time(ui, work, pattern, &Pattern::amplitude_curve, k, what);
-    draw_chosen(ui, work,
-                {.id = kChosenValue,
-                 .label = "Share of amplitude",
-                 .format = "%.4g %%",
-                 .slider = {0.0, 100.0},
-                 .typed = {0.0, 100.0},
-                 .step = 5.0,
-                 .snap = 1.0,
-                 .help = "The pattern's amplitude is multiplied by it here."},
-                100.0 * point.value, what,
+    draw_chosen(ui, work, field_of(numbers::kCurveValue, kChosenValue), 100.0 * point.value, what,
                 [k](Pattern& p, double percent) { p.amplitude_curve[k].value = percent / 100.0; });
 }
 
@@ -92,8 +70,8 @@ void draw_frequency_point(Ui& ui, Workspace& work, const Pattern& pattern, std::
     const FrequencyPoint& point = pattern.frequency_curve[k];
     const std::string what = name_of(GripKind::frequency_point);
     draw_time(ui, work, pattern, &Pattern::frequency_curve, k, what);
-    draw_chosen(ui, work, frequency_field(kChosenValue), point.frequency_hz, what,
-                [k](Pattern& p, double hz) { p.frequency_curve[k].frequency_hz = hz; });
+    draw_chosen(ui, work, field_of(numbers::kPointFrequency, kChosenValue), point.frequency_hz,
+                what, [k](Pattern& p, double hz) { p.frequency_curve[k].frequency_hz = hz; });
 }
 
 void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t k) {
@@ -101,27 +79,12 @@ void draw_transient(Ui& ui, Workspace& work, const Pattern& pattern, std::size_t
     const std::string what = name_of(GripKind::transient);
     draw_chosen(ui, work, time_field({0.0, pattern.duration_s}), kMs * transient.time_s, what,
                 [k](Pattern& p, double ms) { p.transients[k].time_s = ms / kMs; });
-    draw_chosen(ui, work,
-                {.id = kChosenValue,
-                 .label = "Peak",
-                 .format = "%.3g g",
-                 .slider = {0.0, 4.0},
-                 .typed = limits::kAmplitudeG,
-                 .step = 0.05,
-                 .snap = 0.01},
-                transient.amplitude_g, what,
-                [k](Pattern& p, double g) { p.transients[k].amplitude_g = g; });
-    draw_chosen(ui, work, frequency_field("chosen_hz"), transient.frequency_hz, what,
+    draw_chosen(ui, work, field_of(numbers::kTransientPeak, kChosenValue), transient.amplitude_g,
+                what, [k](Pattern& p, double g) { p.transients[k].amplitude_g = g; });
+    draw_chosen(ui, work, field_of(numbers::kTransientFrequency, "chosen_hz"),
+                transient.frequency_hz, what,
                 [k](Pattern& p, double hz) { p.transients[k].frequency_hz = hz; });
-    const Range lasting_ms{kMs * limits::kTransientS.low, kMs * limits::kTransientS.high};
-    draw_chosen(ui, work,
-                {.id = "chosen_duration_ms",
-                 .label = "Length",
-                 .format = "%.4g ms",
-                 .slider = {lasting_ms.low, 100.0},
-                 .typed = lasting_ms,
-                 .step = 5.0,
-                 .snap = 1.0},
+    draw_chosen(ui, work, field_of(numbers::kTransientDuration, "chosen_duration_ms"),
                 kMs * transient.duration_s, what,
                 [k](Pattern& p, double ms) { p.transients[k].duration_s = ms / kMs; });
     ImGui::TableNextColumn();
@@ -202,7 +165,7 @@ void draw_note_kind(Ui& ui, Workspace& work, StripState& strip, const Pattern& p
                       .label = "Strength",
                       .format = "%.3g %%",
                       .slider = {kNinth, 100.0},
-                      .typed = {0.0, 100.0},
+                      .typed = numbers::kVelocity.shown(limits::kVelocity),
                       .step = kNinth,
                       .snap = kNinth,
                       .help = "How strong the first of the chosen notes is, as a share of the "
@@ -210,20 +173,14 @@ void draw_note_kind(Ui& ui, Workspace& work, StripState& strip, const Pattern& p
                      100.0 * kind.velocity, [&](const Pattern& p, double to) {
                          return with_notes_changed(p, strip.notes, to / 100.0 - kind.velocity, 1.0);
                      });
-    draw_note_number(ui, work, strip,
-                     {.id = "chosen_pitch",
-                      .label = "Pitch",
-                      .format = "%.4g x",
-                      .slider = {0.25, 4.0},
-                      .typed = limits::kPitch,
-                      .step = 0.1,
-                      .snap = 0.05,
-                      .logarithmic = true,
-                      .help = "What the carriers' frequencies are multiplied by while the first of "
-                              "the chosen notes sounds; the others keep their ratios to it."},
-                     kind.pitch, [&](const Pattern& p, double to) {
-                         return with_notes_changed(p, strip.notes, 0.0, to / kind.pitch);
-                     });
+    Field pitch = field_of(numbers::kPitch, "chosen_pitch");
+    pitch.label = "Pitch";
+    pitch.help =
+        "What the carriers' frequencies are multiplied by while the first of the chosen notes "
+        "sounds; the others keep their ratios to it.";
+    draw_note_number(ui, work, strip, pitch, kind.pitch, [&](const Pattern& p, double to) {
+        return with_notes_changed(p, strip.notes, 0.0, to / kind.pitch);
+    });
 }
 
 void draw_note_actions(Ui& ui, Workspace& work, StripState& strip) {

@@ -5,6 +5,7 @@
 
 #include "model/algebra/algebra_parts.h"
 #include "model/pattern/drawn_fault.h"
+#include "model/pattern/pattern_numbers.h"
 #include "model/pattern/rhythm_edit.h"
 #include "model/text/numbers.h"
 
@@ -85,28 +86,24 @@ Expected<Pattern> applied(Pattern pattern, const Edit& edit, const PhysiologyTab
 
 // The first thing that a file would refuse of the result, as the end of a sentence; empty: none.
 std::string fault_of_result(const Pattern& pattern) {
-    const auto outside = [](const char* what, Range range, double value, const char* unit) {
-        if (range.contains(value)) return std::string();
-        return std::string("expected ") + what + " from " + shortest_digits(range.low) + " to " +
-               shortest_digits(range.high) + unit + ", got " + shortest_digits(value) + unit;
+    std::string fault;
+    const auto look = [&fault](const char* what, const Number& number, double value,
+                               const char* unit) {
+        if (!fault.empty() || number.range.contains(value)) return;
+        fault = "expected " + range_words(number.range, what) + unit + ", got " +
+                shortest_digits(value) + unit;
     };
-    std::string fault = outside("a duration", limits::kDurationS, pattern.duration_s, " s");
-    if (fault.empty()) {
-        fault = outside("an amplitude", limits::kAmplitudeG, pattern.amplitude_g, " g");
-    }
-    if (fault.empty() && !pattern.rhythm.text.empty()) {
-        fault = outside("a step of the rhythm", limits::kRhythmUnitS, pattern.rhythm.unit_s, " s");
+    look("a duration", numbers::kDuration, pattern.duration_s, " s");
+    look("an amplitude", numbers::kAmplitude, pattern.amplitude_g, " g");
+    if (!pattern.rhythm.text.empty()) {
+        look("a step of the rhythm", numbers::kRhythmUnit, pattern.rhythm.unit_s, " s");
     }
     for (const Carrier& carrier : pattern.carriers) {
-        if (!fault.empty()) break;
-        fault = outside("a carrier", limits::kCarrierHz, carrier.frequency_hz, " Hz");
-        if (fault.empty()) {
-            fault = outside("a weight", limits::kCarrierWeight, carrier.weight, "");
-        }
+        look("a carrier", numbers::kCarrier, carrier.frequency_hz, " Hz");
+        look("a weight", numbers::kWeight, carrier.weight, "");
     }
-    for (const double ramp_s : {pattern.attack_s, pattern.release_s}) {
-        if (fault.empty()) fault = outside("a ramp", limits::kRampS, ramp_s, " s");
-    }
+    look("a ramp", numbers::kAttack, pattern.attack_s, " s");
+    look("a ramp", numbers::kRelease, pattern.release_s, " s");
     if (!fault.empty()) return fault;
     const auto drawn = drawn_fault(pattern);
     return drawn ? sentence(*drawn) : std::string();

@@ -6,11 +6,52 @@
 #include <cmath>
 
 #include "model/common/portable.h"
+#include "model/pattern/pattern_numbers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
 
 namespace {
+
+// A factor's number, and where it lies in a space and in a pattern. Kind and rhythm have no number,
+// mix has neither a number nor values of its own.
+struct FactorTraits {
+    const char* name;
+    const Number* number = nullptr;
+    Values DesignSpace::*values = nullptr;
+    Values CarrierValues::*of_carrier = nullptr;
+    double* (*at)(Pattern&, std::size_t carrier) = nullptr;
+};
+
+// clang-format off
+constexpr std::array<FactorTraits, 12> kFactors{{
+    {"Amplitude", &numbers::kAmplitude, &DesignSpace::amplitude_g, nullptr,
+     [](Pattern& p, std::size_t) { return &p.amplitude_g; }},
+    {"Carrier", &numbers::kCarrier, nullptr, &CarrierValues::frequency_hz,
+     [](Pattern& p, std::size_t k) { return &p.carriers[k].frequency_hz; }},
+    {"Weight", &numbers::kWeight, nullptr, &CarrierValues::weight,
+     [](Pattern& p, std::size_t k) { return &p.carriers[k].weight; }},
+    {"Mix", nullptr, nullptr, nullptr,
+     [](Pattern& p, std::size_t) { return &p.carriers[1].weight; }},
+    {"Kind"},
+    {"Modulation", &numbers::kModulation, &DesignSpace::modulation_hz, nullptr,
+     [](Pattern& p, std::size_t) { return &p.modulation.frequency_hz; }},
+    {"Depth", &numbers::kDepth, &DesignSpace::depth, nullptr,
+     [](Pattern& p, std::size_t) { return &p.modulation.depth; }},
+    {"Rhythm"},
+    {"Rhythm step", &numbers::kRhythmUnit, &DesignSpace::unit_s, nullptr,
+     [](Pattern& p, std::size_t) { return &p.rhythm.unit_s; }},
+    {"Attack", &numbers::kAttack, &DesignSpace::attack_s, nullptr,
+     [](Pattern& p, std::size_t) { return &p.attack_s; }},
+    {"Release", &numbers::kRelease, &DesignSpace::release_s, nullptr,
+     [](Pattern& p, std::size_t) { return &p.release_s; }},
+    {"Duration", &numbers::kDuration, &DesignSpace::duration_s, nullptr,
+     [](Pattern& p, std::size_t) { return &p.duration_s; }}}};
+// clang-format on
+
+const FactorTraits& traits(Factor factor) {
+    return kFactors[static_cast<std::size_t>(factor.parameter)];
+}
 
 std::size_t count_of(const Values& values) {
     if (const auto* levels = std::get_if<std::vector<double>>(&values)) return levels->size();
@@ -79,42 +120,17 @@ std::vector<Factor> factors(const DesignSpace& space) {
 }
 
 std::string name_of(Factor factor) {
-    constexpr std::array<const char*, 12> kNames{
-        "Amplitude", "Carrier", "Weight",      "Mix",    "Kind",    "Modulation",
-        "Depth",     "Rhythm",  "Rhythm step", "Attack", "Release", "Duration"};
-    const std::string name = kNames[static_cast<std::size_t>(factor.parameter)];
+    const std::string name = traits(factor).name;
     const bool of_carrier =
         factor.parameter == Parameter::frequency || factor.parameter == Parameter::weight;
     return of_carrier ? name + " " + std::to_string(factor.carrier + 1) : name;
 }
 
 const Values* values_of(const DesignSpace& space, Factor factor) {
-    switch (factor.parameter) {
-        case Parameter::amplitude:
-            return &space.amplitude_g;
-        case Parameter::frequency:
-            return &space.carriers[factor.carrier].frequency_hz;
-        case Parameter::weight:
-            return &space.carriers[factor.carrier].weight;
-        case Parameter::mix:
-            return space.mix ? &*space.mix : nullptr;
-        case Parameter::modulation:
-            return &space.modulation_hz;
-        case Parameter::depth:
-            return &space.depth;
-        case Parameter::unit:
-            return &space.unit_s;
-        case Parameter::attack:
-            return &space.attack_s;
-        case Parameter::release:
-            return &space.release_s;
-        case Parameter::duration:
-            return &space.duration_s;
-        case Parameter::kind:
-        case Parameter::rhythm:
-            break;
-    }
-    return nullptr;
+    if (factor.parameter == Parameter::mix) return space.mix ? &*space.mix : nullptr;
+    const FactorTraits& of = traits(factor);
+    if (of.of_carrier != nullptr) return &(space.carriers[factor.carrier].*of.of_carrier);
+    return of.values == nullptr ? nullptr : &(space.*of.values);
 }
 
 Values* values_of(DesignSpace& space, Factor factor) {
@@ -122,32 +138,10 @@ Values* values_of(DesignSpace& space, Factor factor) {
 }
 
 Range range_of(Parameter parameter) {
-    switch (parameter) {
-        case Parameter::amplitude:
-            return limits::kAmplitudeG;
-        case Parameter::frequency:
-            return limits::kCarrierHz;
-        case Parameter::weight:
-            return limits::kCarrierWeight;
-        case Parameter::mix:
-            return limits::kMix;
-        case Parameter::modulation:
-            return limits::kModulationHz;
-        case Parameter::depth:
-            return limits::kDepth;
-        case Parameter::unit:
-            return limits::kRhythmUnitS;
-        case Parameter::attack:
-        case Parameter::release:
-            return limits::kRampS;
-        case Parameter::duration:
-            return limits::kDurationS;
-        case Parameter::kind:
-        case Parameter::rhythm:
-            break;
-    }
-    assert(false && "a parameter without numbers");
-    return {0.0, 0.0};
+    if (parameter == Parameter::mix) return limits::kMix;
+    const Number* number = traits({parameter}).number;
+    assert(number != nullptr && "a parameter without numbers");
+    return number->range;
 }
 
 std::size_t level_count(const DesignSpace& space, Factor factor) {
@@ -164,47 +158,17 @@ double value_at(const Values& values, double share) {
 }
 
 void set_value(Pattern& pattern, const DesignSpace& space, Factor factor, double share) {
-    const Values* values = values_of(space, factor);
-    const double value = values != nullptr ? value_at(*values, share) : 0.0;
-    switch (factor.parameter) {
-        case Parameter::amplitude:
-            pattern.amplitude_g = value;
-            break;
-        case Parameter::frequency:
-            pattern.carriers[factor.carrier].frequency_hz = value;
-            break;
-        case Parameter::weight:
-            pattern.carriers[factor.carrier].weight = value;
-            break;
-        case Parameter::mix:
-            pattern.carriers[0].weight = 1.0 - value;
-            pattern.carriers[1].weight = value;
-            break;
-        case Parameter::kind:
-            pattern.modulation.kind = space.kinds[index_at(space.kinds.size(), share)];
-            break;
-        case Parameter::modulation:
-            pattern.modulation.frequency_hz = value;
-            break;
-        case Parameter::depth:
-            pattern.modulation.depth = value;
-            break;
-        case Parameter::rhythm:
-            pattern.rhythm.text = space.rhythms[index_at(space.rhythms.size(), share)];
-            break;
-        case Parameter::unit:
-            pattern.rhythm.unit_s = value;
-            break;
-        case Parameter::attack:
-            pattern.attack_s = value;
-            break;
-        case Parameter::release:
-            pattern.release_s = value;
-            break;
-        case Parameter::duration:
-            pattern.duration_s = value;
-            break;
+    if (factor.parameter == Parameter::kind) {
+        pattern.modulation.kind = space.kinds[index_at(space.kinds.size(), share)];
+        return;
     }
+    if (factor.parameter == Parameter::rhythm) {
+        pattern.rhythm.text = space.rhythms[index_at(space.rhythms.size(), share)];
+        return;
+    }
+    const double value = value_at(*values_of(space, factor), share);
+    if (factor.parameter == Parameter::mix) pattern.carriers[0].weight = 1.0 - value;
+    *traits(factor).at(pattern, factor.carrier) = value;
 }
 
 double combination_count(const DesignSpace& space) {

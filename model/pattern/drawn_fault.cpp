@@ -1,6 +1,6 @@
 #include "model/pattern/drawn_fault.h"
 
-#include "model/text/numbers.h"
+#include "model/pattern/pattern_numbers.h"
 
 namespace tact {
 
@@ -15,12 +15,9 @@ struct DrawnCheck {
         if (!fault) fault = DrawnFault{place, expected, got};
     }
 
-    void number(const std::string& place, Range range, double value) {
-        if (range.contains(value)) return;
-        refuse_number(
-            place,
-            "a number from " + shortest_digits(range.low) + " to " + shortest_digits(range.high),
-            value);
+    void number(const std::string& place, const Number& number, double value) {
+        if (number.range.contains(value)) return;
+        refuse_number(place + "/" + number.key, range_words(number.range), value);
     }
 
     void time(const std::string& place, double time_s) {
@@ -36,14 +33,12 @@ struct DrawnCheck {
                            static_cast<double>(number)};
     }
 
-    // `key` names the points' `height` in files.
     template <class Point>
-    void curve(const std::string& place, const std::vector<Point>& points, const char* key,
-               double Point::*height, Range heights) {
+    void curve(const std::string& place, const std::vector<Point>& points, const Number& height) {
         times(place, points);
         for (std::size_t k = 0; k < points.size() && !fault; ++k) {
-            if (heights.contains(points[k].*height)) continue;
-            number(place + "/" + std::to_string(k) + "/" + key, heights, points[k].*height);
+            if (height.range.contains(height_of(points[k]))) continue;
+            number(place + "/" + std::to_string(k), height, height_of(points[k]));
         }
     }
 
@@ -71,19 +66,17 @@ struct DrawnCheck {
 
 void check_transient(DrawnCheck& check, const Transient& transient, const std::string& place) {
     check.time(place + "/time_s", transient.time_s);
-    check.number(place + "/amplitude_g", limits::kAmplitudeG, transient.amplitude_g);
-    check.number(place + "/frequency_hz", limits::kCarrierHz, transient.frequency_hz);
-    check.number(place + "/duration_s", limits::kTransientS, transient.duration_s);
+    check.number(place, numbers::kTransientPeak, transient.amplitude_g);
+    check.number(place, numbers::kTransientFrequency, transient.frequency_hz);
+    check.number(place, numbers::kTransientDuration, transient.duration_s);
 }
 
 }  // namespace
 
 std::optional<DrawnFault> drawn_fault(const Pattern& pattern) {
     DrawnCheck checks{pattern.duration_s, std::nullopt};
-    checks.curve("amplitude_curve", pattern.amplitude_curve, "value", &AmplitudePoint::value,
-                 limits::kCurveValue);
-    checks.curve("frequency_curve", pattern.frequency_curve, "frequency_hz",
-                 &FrequencyPoint::frequency_hz, limits::kCarrierHz);
+    checks.curve("amplitude_curve", pattern.amplitude_curve, numbers::kCurveValue);
+    checks.curve("frequency_curve", pattern.frequency_curve, numbers::kPointFrequency);
     checks.count("transients", limits::kMaxTransients, "transients", pattern.transients.size());
     for (std::size_t k = 0; k < pattern.transients.size() && !checks.fault; ++k) {
         check_transient(checks, pattern.transients[k], "transients/" + std::to_string(k));

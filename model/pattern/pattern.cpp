@@ -2,20 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 #include "model/common/portable.h"
 #include "model/pattern/accents.h"
+#include "model/pattern/pattern_numbers.h"
 
 namespace tact {
 
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-double clamp_to(const Range& range, double value) {
-    return std::isfinite(value) ? std::clamp(value, range.low, range.high) : range.low;
-}
 
 double modulation_at(const Modulation& modulation, double t_s) {
     if (modulation.frequency_hz == 0.0) return 1.0;
@@ -69,48 +71,9 @@ std::vector<double> rhythm_gate(const Pattern& pattern, double rate_hz, std::siz
     return gate;
 }
 
-// Times in order, at most two of them equal.
-template <class Point>
-void keep_rules(std::vector<Point>& curve) {
-    double latest_s = 0.0;
-    for (Point& point : curve) {
-        latest_s = std::max(latest_s, clamp_to({0.0, limits::kDurationS.high}, point.time_s));
-        point.time_s = latest_s;
-    }
-    // If there are more than two, the first and the last are the jump.
-    std::vector<Point> kept;
-    for (const Point& point : curve) {
-        const std::size_t n = kept.size();
-        const bool third = n > 1 && kept[n - 2].time_s == point.time_s;
-        if (third) kept.pop_back();
-        kept.push_back(point);
-    }
-    kept.resize(std::min(kept.size(), limits::kMaxCurvePoints));
-    curve = std::move(kept);
-}
-
-void clamp_drawn(Pattern& pattern) {
-    for (AmplitudePoint& point : pattern.amplitude_curve) {
-        point.value = clamp_to(limits::kCurveValue, point.value);
-    }
-    for (FrequencyPoint& point : pattern.frequency_curve) {
-        point.frequency_hz = clamp_to(limits::kCarrierHz, point.frequency_hz);
-    }
-    keep_rules(pattern.amplitude_curve);
-    keep_rules(pattern.frequency_curve);
-    std::vector<Transient>& transients = pattern.transients;
-    transients.resize(std::min(transients.size(), limits::kMaxTransients));
-    for (Transient& transient : transients) {
-        transient.time_s = clamp_to({0.0, limits::kDurationS.high}, transient.time_s);
-        transient.amplitude_g = clamp_to(limits::kAmplitudeG, transient.amplitude_g);
-        transient.frequency_hz = clamp_to(limits::kCarrierHz, transient.frequency_hz);
-        transient.duration_s = clamp_to(limits::kTransientS, transient.duration_s);
-    }
-}
-
 // Points of a curve over time, at most two at one time: of three the first and the last stay.
 void append_frequency(FrequencyCurve& curve, double time_s, double hz) {
-    const FrequencyPoint point{time_s, clamp_to(limits::kCarrierHz, hz)};
+    const FrequencyPoint point{time_s, numbers::kCarrier.clamped(hz)};
     const std::size_t n = curve.size();
     if (n > 1 && curve[n - 2].time_s == time_s) {
         curve.back() = point;
@@ -168,31 +131,6 @@ Pattern with_drawn_pitches(Pattern pattern) {
     return pattern;
 }
 
-Pattern clamped(Pattern pattern) {
-    pattern.amplitude_g = clamp_to(limits::kAmplitudeG, pattern.amplitude_g);
-    if (pattern.carriers.empty()) pattern.carriers.emplace_back();
-    if (pattern.carriers.size() > limits::kMaxCarriers) {
-        pattern.carriers.resize(limits::kMaxCarriers);
-    }
-    for (Carrier& carrier : pattern.carriers) {
-        carrier.frequency_hz = clamp_to(limits::kCarrierHz, carrier.frequency_hz);
-        carrier.weight = clamp_to(limits::kCarrierWeight, carrier.weight);
-        carrier.phase_rad = clamp_to(limits::kPhaseRad, carrier.phase_rad);
-    }
-    pattern.modulation.frequency_hz =
-        clamp_to(limits::kModulationHz, pattern.modulation.frequency_hz);
-    pattern.modulation.depth = clamp_to(limits::kDepth, pattern.modulation.depth);
-    pattern.rhythm.unit_s = clamp_to(limits::kRhythmUnitS, pattern.rhythm.unit_s);
-    for (auto& [mark, kind] : pattern.rhythm.kinds) {
-        kind = {clamp_to(limits::kVelocity, kind.velocity), clamp_to(limits::kPitch, kind.pitch)};
-    }
-    pattern.attack_s = clamp_to(limits::kRampS, pattern.attack_s);
-    pattern.release_s = clamp_to(limits::kRampS, pattern.release_s);
-    clamp_drawn(pattern);
-    const double length_s = clamp_to(limits::kDurationS, pattern.duration_s);
-    return with_duration(std::move(pattern), length_s);
-}
-
 Pattern with_duration(Pattern pattern, double duration_s) {
     pattern.duration_s = duration_s;
     cut_at(pattern.amplitude_curve, duration_s);
@@ -224,7 +162,7 @@ double first_carrier_hz(const Pattern& pattern, double t_s) {
     const double own_hz = pattern.carriers.empty() ? 0.0 : pattern.carriers.front().frequency_hz;
     const double hz = frequency_at(pattern.frequency_curve, t_s).value_or(own_hz);
     if (!has_pitches(pattern.rhythm)) return hz;
-    return clamp_to(limits::kCarrierHz, hz * pitch_at(pattern.rhythm, t_s));
+    return numbers::kCarrier.clamped(hz * pitch_at(pattern.rhythm, t_s));
 }
 
 double envelope_g(const Pattern& pattern, double t_s) {
@@ -261,6 +199,151 @@ Waveform render_carriers(const Pattern& pattern, double rate_hz) {
         waveform.samples_g[n] *= amplitude_factor(pattern, t_s);
     }
     return waveform;
+}
+
+namespace {
+
+constexpr double kSame = 1e-9;
+constexpr double kUsPerS = 1e6;
+constexpr std::int64_t kLeastUnitUs = 1000;
+
+// From one time to another at one height.
+struct Piece {
+    double from_s;
+    double to_s;
+    double height;
+};
+
+bool is_near(double a, double b) { return std::abs(a - b) <= kSame * std::max(1.0, std::abs(a)); }
+
+constexpr double kGlides = std::numeric_limits<double>::quiet_NaN();
+
+// The curve's pieces until the end, with kGlides as the height of one that is not flat.
+template <class Point>
+std::vector<Piece> pieces_of(const std::vector<Point>& curve, double end_s) {
+    std::vector<Piece> pieces;
+    const auto add = [&](double from_s, double to_s, double height) {
+        if (!(to_s > from_s)) return;
+        if (!pieces.empty() && is_near(pieces.back().height, height)) {
+            pieces.back().to_s = to_s;
+        } else {
+            pieces.push_back({from_s, to_s, height});
+        }
+    };
+    add(0.0, std::min(curve.front().time_s, end_s), height_of(curve.front()));
+    for (std::size_t k = 1; k < curve.size(); ++k) {
+        const Point& a = curve[k - 1];
+        const Point& b = curve[k];
+        const bool is_flat = is_near(height_of(a), height_of(b));
+        add(a.time_s, std::min(b.time_s, end_s), is_flat ? height_of(a) : kGlides);
+    }
+    add(std::min(curve.back().time_s, end_s), end_s, height_of(curve.back()));
+    return pieces;
+}
+
+// A note by its time, strength and frequency.
+struct FoundNote {
+    double from_s;
+    double to_s;
+    double velocity;
+    double hz;
+};
+
+// What sounds of pieces of strength, cut where the frequency changes; empty where anything glides.
+std::vector<FoundNote> notes_of(const std::vector<Piece>& strengths, const std::vector<Piece>& hz) {
+    std::vector<FoundNote> found;
+    std::size_t first = 0;
+    for (const Piece& strength : strengths) {
+        if (std::isnan(strength.height)) return {};
+        if (strength.height <= 0.0) continue;
+        while (first + 1 < hz.size() && hz[first].to_s <= strength.from_s) ++first;
+        for (std::size_t k = first; k < hz.size() && hz[k].from_s < strength.to_s; ++k) {
+            if (std::isnan(hz[k].height)) return {};
+            found.push_back({std::max(strength.from_s, hz[k].from_s),
+                             std::min(strength.to_s, hz[k].to_s), strength.height, hz[k].height});
+        }
+    }
+    return found;
+}
+
+// The time in whole us; none where it is no whole number of them.
+std::optional<std::int64_t> whole_us(double t_s) {
+    const double us = std::round(t_s * kUsPerS);
+    if (std::abs(t_s * kUsPerS - us) > 1e-3) return std::nullopt;
+    return static_cast<std::int64_t>(us);
+}
+
+// The longest step that all beginnings and ends are multiples of, but for the pattern's end.
+std::optional<std::int64_t> unit_us(const std::vector<FoundNote>& found, double end_s) {
+    std::int64_t unit = 0;
+    for (const FoundNote& note : found) {
+        for (const double t_s : {note.from_s, note.to_s}) {
+            if (t_s >= end_s) continue;
+            const auto us = whole_us(t_s);
+            if (!us) return std::nullopt;
+            unit = std::gcd(unit, *us);
+        }
+    }
+    const auto end_us = whole_us(end_s);
+    if (unit == 0) unit = end_us.value_or(0);
+    if (end_us && std::gcd(unit, *end_us) >= kLeastUnitUs) unit = std::gcd(unit, *end_us);
+    const double most_us = kUsPerS * limits::kRhythmUnitS.high;
+    if (unit < kLeastUnitUs || static_cast<double>(unit) > most_us) return std::nullopt;
+    return unit;
+}
+
+// The rhythm's text and kinds; false where a note has no mark.
+bool write_notes(Rhythm& rhythm, const std::vector<FoundNote>& found, std::int64_t unit,
+                 double first_hz) {
+    const auto step_of = [unit](double t_s) {
+        const double steps = t_s * kUsPerS / static_cast<double>(unit);
+        return static_cast<std::size_t>(std::ceil(steps - 1e-6));
+    };
+    for (const FoundNote& note : found) {
+        const NoteKind kind{note.velocity, is_near(note.hz, first_hz) ? 1.0 : note.hz / first_hz};
+        if (!limits::kPitch.contains(kind.pitch)) return false;
+        const auto mark = mark_for(rhythm, kind);
+        if (!mark) return false;
+        const std::size_t first = step_of(note.from_s);
+        const std::size_t end = std::min(step_of(note.to_s), rhythm.text.size());
+        if (end <= first) return false;
+        rhythm.text[first] = *mark;
+        for (std::size_t step = first + 1; step < end; ++step) rhythm.text[step] = '=';
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<Pattern> with_found_notes(const Pattern& pattern) {
+    const bool has_notes =
+        !pattern.rhythm.text.empty() || pattern.attack_s > 0.0 || pattern.release_s > 0.0;
+    if (has_notes || pattern.amplitude_curve.empty() || pattern.carriers.empty()) return {};
+    const double end_s = pattern.duration_s;
+    FrequencyCurve curve = pattern.frequency_curve;
+    if (curve.empty()) curve = {{0.0, pattern.carriers.front().frequency_hz}};
+    const std::vector<FoundNote> found =
+        notes_of(pieces_of(pattern.amplitude_curve, end_s), pieces_of(curve, end_s));
+    const bool is_steady = found.size() == 1 && found[0].from_s == 0.0 && found[0].to_s >= end_s;
+    if (found.empty() || is_steady) return {};
+    const auto unit = unit_us(found, end_s);
+    if (!unit) return {};
+    const double steps = std::ceil(end_s * kUsPerS / static_cast<double>(*unit) - 1e-6);
+    if (steps > static_cast<double>(kMaxRhythmSteps)) return {};
+    Pattern with_notes = pattern;
+    Rhythm& rhythm = with_notes.rhythm;
+    rhythm.text = std::string(static_cast<std::size_t>(steps), '-');
+    rhythm.unit_s = static_cast<double>(*unit) / kUsPerS;
+    const double first_hz = found.front().hz;
+    if (!write_notes(rhythm, found, *unit, first_hz)) return {};
+    if (!pattern.frequency_curve.empty()) {
+        const double by = first_hz / pattern.carriers.front().frequency_hz;
+        for (Carrier& carrier : with_notes.carriers) carrier.frequency_hz *= by;
+        with_notes.carriers.front().frequency_hz = first_hz;
+    }
+    with_notes.amplitude_curve.clear();
+    with_notes.frequency_curve.clear();
+    return with_notes;
 }
 
 }  // namespace tact

@@ -1,23 +1,32 @@
 #include "model/pattern/pattern_parameter.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/pattern/pattern_numbers.h"
 
 namespace tact {
 
 namespace {
 
-// clang-format off
-constexpr std::array<ParameterTraits, 9> kTraits{{
-    {"amplitude_g", "amplitude", "g", limits::kAmplitudeG, {0.0, 4.0}, true, 0.05, 0.001},
-    {"carrier_hz", "carrier", "Hz", limits::kCarrierHz, {10.0, 500.0}, true, 0.0, 0.0},
-    {"second_carrier_hz", "second carrier", "Hz", limits::kCarrierHz, {10.0, 500.0}, true, 0.0, 0.0},
-    {"mix", "weight of the second carrier", "", limits::kCarrierWeight, {0.0, 1.0}, false, 0.0, 0.0},
-    {"modulation_hz", "modulation", "Hz", limits::kModulationHz, {0.0, 100.0}, true, 1.0, 1.0},
-    {"depth", "depth", "", limits::kDepth, limits::kDepth, false, 0.0, 0.0},
-    {"rhythm_unit_s", "rhythm unit", "s", limits::kRhythmUnitS, {0.005, 0.5}, true, 0.0, 0.0},
-    {"attack_s", "attack", "s", limits::kRampS, {0.0, 0.5}, false, 0.0, 0.0},
-    {"release_s", "release", "s", limits::kRampS, {0.0, 0.5}, false, 0.0, 0.0}}};
-// clang-format on
+// A parameter by the number that it is; `first` and `least` of what goes by ratio.
+constexpr ParameterTraits of(const char* key, const char* name, const char* unit,
+                             const Number& number, bool by_ratio, double first = 0.0,
+                             double least = 0.0) {
+    return {key, name, unit, number.range, number.slider, by_ratio, first, least};
+}
+
+constexpr std::array<ParameterTraits, 9> kTraits{
+    of("amplitude_g", "amplitude", "g", numbers::kAmplitude, true, 0.05, 0.001),
+    of("carrier_hz", "carrier", "Hz", numbers::kCarrier, true),
+    of("second_carrier_hz", "second carrier", "Hz", numbers::kCarrier, true),
+    of("mix", "weight of the second carrier", "", numbers::kWeight, false),
+    of("modulation_hz", "modulation", "Hz", numbers::kModulation, true, 1.0, 1.0),
+    of("depth", "depth", "", numbers::kDepth, false),
+    of("rhythm_unit_s", "rhythm unit", "s", numbers::kRhythmUnit, true),
+    of("attack_s", "attack", "s", numbers::kAttack, false),
+    of("release_s", "release", "s", numbers::kRelease, false)};
 
 // The number itself, in either kind of pattern.
 template <class SomePattern>
@@ -49,7 +58,41 @@ auto* number_of(SomePattern& pattern, PatternParameter parameter) {
     return none;
 }
 
+// Times in order, at most two of them equal.
+template <class Point>
+void keep_rules(std::vector<Point>& curve) {
+    double latest_s = 0.0;
+    for (Point& point : curve) {
+        latest_s = std::max(latest_s, std::min(point.time_s, limits::kDurationS.high));
+        point.time_s = latest_s;
+    }
+    // If there are more than two, the first and the last are the jump.
+    std::vector<Point> kept;
+    for (const Point& point : curve) {
+        const std::size_t n = kept.size();
+        const bool third = n > 1 && kept[n - 2].time_s == point.time_s;
+        if (third) kept.pop_back();
+        kept.push_back(point);
+    }
+    kept.resize(std::min(kept.size(), limits::kMaxCurvePoints));
+    curve = std::move(kept);
+}
+
 }  // namespace
+
+Pattern clamped(Pattern pattern) {
+    if (pattern.carriers.empty()) pattern.carriers.emplace_back();
+    pattern.carriers.resize(std::min(pattern.carriers.size(), limits::kMaxCarriers));
+    pattern.transients.resize(std::min(pattern.transients.size(), limits::kMaxTransients));
+    clamp_numbers(pattern);
+    keep_rules(pattern.amplitude_curve);
+    keep_rules(pattern.frequency_curve);
+    for (Transient& transient : pattern.transients) {
+        transient.time_s = std::clamp(transient.time_s, 0.0, limits::kDurationS.high);
+    }
+    const double length_s = pattern.duration_s;
+    return with_duration(std::move(pattern), length_s);
+}
 
 const ParameterTraits& traits(PatternParameter parameter) {
     return kTraits[static_cast<std::size_t>(parameter)];

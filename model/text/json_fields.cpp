@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/text/described.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"
 #include "model/text/unique_names.h"
@@ -98,12 +99,6 @@ std::string described(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "an array of " + std::to_string(value.size());
     return shortened(text_of_json(value));
-}
-
-std::string described(Range range, const char* kind) {
-    if (range.high == kAnyNumber.high) return kind;
-    return std::string(kind) + " from " + shortest_digits(range.low) + " to " +
-           shortest_digits(range.high);
 }
 
 constexpr std::size_t kLongestWord = 100;  // bytes
@@ -213,7 +208,7 @@ std::string place_of(const JsonObject& object, std::string_view key) {
 double number_at(JsonReading& reading, const Json& value, const std::string& place, Range range) {
     const double number = value.is_number() ? value.get<double>() : std::nan("");
     if (range.contains(number)) return number;
-    refuse(reading, place, described(range, "a number"), value);
+    refuse(reading, place, range_words(range), value);
     return range.low;
 }
 
@@ -228,7 +223,7 @@ int whole_field(JsonObject& object, std::string_view key, int fallback, Range ra
     if (value == nullptr) return fallback;
     const double number = value->is_number() ? value->get<double>() : std::nan("");
     if (range.contains(number) && number == std::floor(number)) return static_cast<int>(number);
-    refuse(*object.reading, place_of(object, key), described(range, "a whole number"), *value);
+    refuse(*object.reading, place_of(object, key), range_words(range, "a whole number"), *value);
     return fallback;
 }
 

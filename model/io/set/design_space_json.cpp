@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/pattern/pattern_numbers.h"
+
 namespace tact {
 
 namespace {
@@ -59,42 +61,40 @@ Values values_field(JsonObject& object, const char* key, const Values& fallback,
     return levels.empty() ? fallback : Values(std::move(levels));
 }
 
-CarrierValues one_carrier_of(JsonObject& object, Json& unknown) {
-    CarrierValues carrier;
-    carrier.frequency_hz =
-        values_field(object, "frequency_hz", carrier.frequency_hz, limits::kCarrierHz, unknown);
-    carrier.weight =
-        values_field(object, "weight", carrier.weight, limits::kCarrierWeight, unknown);
-    return carrier;
+// Values of a number, each within what a pattern may have of it.
+void take_values(JsonObject& object, const Number& number, Values& values, Json& unknown) {
+    values = values_field(object, number.key, values, number.range, unknown);
 }
 
 std::vector<CarrierValues> carrier_values_of(JsonObject& object, Json& unknown) {
     std::vector<CarrierValues> carriers;
-    read_objects(
-        object, "carriers", 1, limits::kMaxCarriers, unknown,
-        [&](JsonObject& one, Json& of_one) { carriers.push_back(one_carrier_of(one, of_one)); });
+    read_objects(object, "carriers", 1, limits::kMaxCarriers, unknown,
+                 [&](JsonObject& one, Json& of_one) {
+                     CarrierValues& carrier = carriers.emplace_back();
+                     take_values(one, numbers::kCarrier, carrier.frequency_hz, of_one);
+                     take_values(one, numbers::kWeight, carrier.weight, of_one);
+                 });
     return carriers.empty() ? std::vector<CarrierValues>(1) : carriers;
 }
 
 void read_modulation(JsonObject& object, DesignSpace& space, Json& unknown) {
     JsonObject fields = object_field(object, "modulation");
     Json of_modulation = Json::object();
-    const auto kinds = array_field(fields, "kinds", 1, std::size(kModulationKinds));
+    const auto kinds = array_field(fields, "kinds", 1, kModulationKinds.size());
     if (!kinds.empty()) space.kinds.clear();
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const auto known = std::ranges::find_if(kModulationKinds, [&](const char* kind) {
             return kinds[k]->is_string() && kinds[k]->get<std::string>() == kind;
         });
-        if (known == std::end(kModulationKinds)) {
+        if (known == kModulationKinds.end()) {
             refuse(*object.reading, place_of(fields, "kinds") + "/" + std::to_string(k),
                    "\"product\" or \"am\"", *kinds[k]);
             continue;
         }
-        space.kinds.push_back(static_cast<ModulationKind>(known - kModulationKinds));
+        space.kinds.push_back(static_cast<ModulationKind>(known - kModulationKinds.begin()));
     }
-    space.modulation_hz = values_field(fields, "frequency_hz", space.modulation_hz,
-                                       limits::kModulationHz, of_modulation);
-    space.depth = values_field(fields, "depth", space.depth, limits::kDepth, of_modulation);
+    take_values(fields, numbers::kModulation, space.modulation_hz, of_modulation);
+    take_values(fields, numbers::kDepth, space.depth, of_modulation);
     of_modulation.update(unknown_fields(fields));
     note_unknown(unknown, "modulation", of_modulation);
 }
@@ -113,7 +113,7 @@ void read_rhythms(JsonObject& object, DesignSpace& space, Json& unknown) {
         }
         space.rhythms.push_back(fault.empty() ? text : "");
     }
-    space.unit_s = values_field(fields, "unit_s", space.unit_s, limits::kRhythmUnitS, of_rhythm);
+    take_values(fields, numbers::kRhythmUnit, space.unit_s, of_rhythm);
     of_rhythm.update(unknown_fields(fields));
     note_unknown(unknown, "rhythm", of_rhythm);
 }
@@ -161,8 +161,8 @@ Json json_of(const Values& values) {
     return fields;
 }
 
-void put(Json& fields, const char* key, const Values& values, const Values& fallback) {
-    if (values != fallback) fields[key] = json_of(values);
+void put(Json& fields, const Number& number, const Values& values, const Values& fallback) {
+    if (values != fallback) fields[number.key] = json_of(values);
 }
 
 Json json_of(const Constraints& constraints) {
@@ -179,7 +179,7 @@ Json carriers_json(const DesignSpace& space) {
     Json carriers = Json::array();
     for (const CarrierValues& carrier : space.carriers) {
         Json fields = {{"frequency_hz", json_of(carrier.frequency_hz)}};
-        put(fields, "weight", carrier.weight, CarrierValues{}.weight);
+        put(fields, numbers::kWeight, carrier.weight, CarrierValues{}.weight);
         carriers.push_back(fields);
     }
     return carriers;
@@ -193,8 +193,8 @@ Json modulation_json(const DesignSpace& space, const DesignSpace& defaults) {
             fields["kinds"].push_back(kModulationKinds[static_cast<std::size_t>(kind)]);
         }
     }
-    put(fields, "frequency_hz", space.modulation_hz, defaults.modulation_hz);
-    put(fields, "depth", space.depth, defaults.depth);
+    put(fields, numbers::kModulation, space.modulation_hz, defaults.modulation_hz);
+    put(fields, numbers::kDepth, space.depth, defaults.depth);
     return fields;
 }
 
@@ -205,22 +205,20 @@ DesignSpace design_space_of(JsonObject& object, double set_duration_s, Json& unk
     space.design = static_cast<Design>(choice_field(object, "design", 0, kDesigns));
     space.samples = whole_field(object, "samples", space.samples, limits::kSamples);
     space.seed = whole_field(object, "seed", space.seed, limits::kSeed);
-    const auto values = [&](const char* key, const Values& fallback, Range allowed) {
-        return values_field(object, key, fallback, allowed, unknown);
-    };
-    space.amplitude_g = values("amplitude_g", space.amplitude_g, limits::kAmplitudeG);
+    take_values(object, numbers::kAmplitude, space.amplitude_g, unknown);
     space.carriers = carrier_values_of(object, unknown);
     if (const Json* mix = field(object, "mix")) {
-        space.mix = values("mix", fixed(0.5), limits::kMix);
+        space.mix = values_field(object, "mix", fixed(0.5), limits::kMix, unknown);
         if (space.carriers.size() != 2) {
             refuse(*object.reading, place_of(object, "mix"), "two carriers to mix", *mix);
         }
     }
     read_modulation(object, space, unknown);
     read_rhythms(object, space, unknown);
-    space.attack_s = values("attack_s", space.attack_s, limits::kRampS);
-    space.release_s = values("release_s", space.release_s, limits::kRampS);
-    space.duration_s = values("duration_s", fixed(set_duration_s), limits::kDurationS);
+    space.duration_s = fixed(set_duration_s);
+    take_values(object, numbers::kAttack, space.attack_s, unknown);
+    take_values(object, numbers::kRelease, space.release_s, unknown);
+    take_values(object, numbers::kDuration, space.duration_s, unknown);
     space.constraints = constraints_of(object, unknown);
     unknown.update(unknown_fields(object));
     return space;
@@ -231,17 +229,17 @@ Json json_of(const DesignSpace& space, double set_duration_s) {
     Json fields = {{"design", kDesigns[static_cast<std::size_t>(space.design)]}};
     if (space.samples != defaults.samples) fields["samples"] = space.samples;
     if (space.seed != defaults.seed) fields["seed"] = space.seed;
-    put(fields, "amplitude_g", space.amplitude_g, defaults.amplitude_g);
+    put(fields, numbers::kAmplitude, space.amplitude_g, defaults.amplitude_g);
     fields["carriers"] = carriers_json(space);
     if (space.mix) fields["mix"] = json_of(*space.mix);
     note_unknown(fields, "modulation", modulation_json(space, defaults));
     Json rhythm = Json::object();
     if (space.rhythms != defaults.rhythms) rhythm["texts"] = space.rhythms;
-    put(rhythm, "unit_s", space.unit_s, defaults.unit_s);
+    put(rhythm, numbers::kRhythmUnit, space.unit_s, defaults.unit_s);
     note_unknown(fields, "rhythm", rhythm);
-    put(fields, "attack_s", space.attack_s, defaults.attack_s);
-    put(fields, "release_s", space.release_s, defaults.release_s);
-    put(fields, "duration_s", space.duration_s, fixed(set_duration_s));
+    put(fields, numbers::kAttack, space.attack_s, defaults.attack_s);
+    put(fields, numbers::kRelease, space.release_s, defaults.release_s);
+    put(fields, numbers::kDuration, space.duration_s, fixed(set_duration_s));
     note_unknown(fields, "constraints", json_of(space.constraints));
     return fields;
 }

@@ -18,9 +18,6 @@
 
 namespace tact {
 
-// The names of ModulationKind in files.
-inline constexpr const char* kModulationKinds[] = {"product", "am"};
-
 // Missing fields take their defaults, the duration that of the set. Fields that this version does
 // not know go to `unknown`.
 DesignSpace design_space_of(JsonObject& object, double set_duration_s, Json& unknown);
