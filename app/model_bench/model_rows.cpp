@@ -1,6 +1,6 @@
 #include "app/model_bench/model_rows.h"
 
-#include <cmath>
+#include "model/perceptual_model/model_numbers.h"
 
 namespace tact {
 
@@ -8,80 +8,43 @@ namespace {
 
 using Model = PerceptualModelParams;
 
-constexpr Field layers(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.0f",
-            .slider = {0, 4},
-            .typed = limits::kLayers,
-            .step = 1,
-            .snap = 1,
-            .help = help};
+using Coding = NeuralCodingParams;
+
+template <const Number& number, auto... path>
+constexpr ModelNumber number_row(const char* id) {
+    return described_field<number, Model, path...>(id);
 }
 
-constexpr Field weight(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.4g",
-            .slider = {0.0, 1.0},
-            .typed = limits::kWeight,
-            .step = 0.1,
-            .snap = 0.1,
-            .help = help};
+template <const Number& number, auto member>
+constexpr ModelNumber coding_row(const char* id) {
+    return number_row<number, &Model::coding, member>(id);
 }
 
-constexpr Field kernel(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.4g",
-            .slider = {-8.0, 8.0},
-            .typed = limits::kKernel,
-            .step = 1.0,
-            .snap = 0.5,
-            .help = help};
+template <std::size_t receptor>
+constexpr ModelNumber weight_row(const char* id) {
+    return {field_of(numbers::kChannelWeights[receptor], id),
+            [](const Model& m) { return m.channel_weight[receptor]; },
+            [](Model& m, double v) { m.channel_weight[receptor] = v; }};
 }
 
-constexpr Field order(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.0f",
-            .slider = {1, 12},
-            .typed = limits::kFilterOrder,
-            .step = 1,
-            .snap = 1,
-            .help = help};
+// A number of one of the two kernels, which have the same.
+template <const Number& number, auto kernel, auto member>
+constexpr ModelNumber kernel_row(const char* id, const char* label, const char* help) {
+    ModelNumber row = number_row<number, &Model::coding, kernel, member>(id);
+    row.field.label = label;
+    row.field.help = help;
+    return row;
 }
 
-int whole(double value) { return static_cast<int>(std::lround(value)); }
-
-const std::array<ModelNumber, 8> kTrained{{
-    {layers("excitatory_layers", "Excitatory L_E", "Excitatory layers of each relay network"),
-     [](const Model& m) { return double(m.coding.excitatory_layers); },
-     [](Model& m, double v) { m.coding.excitatory_layers = whole(v); }},
-    {layers("inhibitory_layers", "Inhibitory L_I", "Inhibitory layers of each relay network"),
-     [](const Model& m) { return double(m.coding.inhibitory_layers); },
-     [](Model& m, double v) { m.coding.inhibitory_layers = whole(v); }},
-    {weight("weight_FA1", "Meissner weight",
-            "w_FA1: how much this type counts in the brain waveform"),
-     [](const Model& m) { return m.channel_weight[0]; },
-     [](Model& m, double v) { m.channel_weight[0] = v; }},
-    {weight("weight_FA2", "Pacinian weight",
-            "w_FA2: how much this type counts in the brain waveform"),
-     [](const Model& m) { return m.channel_weight[1]; },
-     [](Model& m, double v) { m.channel_weight[1] = v; }},
-    {weight("weight_SA1", "Merkel weight",
-            "w_SA1: how much this type counts in the brain waveform"),
-     [](const Model& m) { return m.channel_weight[2]; },
-     [](Model& m, double v) { m.channel_weight[2] = v; }},
-    {weight("weight_SA2", "Ruffini weight",
-            "w_SA2: how much this type counts in the brain waveform"),
-     [](const Model& m) { return m.channel_weight[3]; },
-     [](Model& m, double v) { m.channel_weight[3] = v; }},
-    {weight("weight_NC", "NC weight", "w_NC: weight of the ranks of NC, the neural coding, in PM"),
-     [](const Model& m) { return m.nc_weight; }, [](Model& m, double v) { m.nc_weight = v; }},
-    {weight("weight_OC", "OC weight", "w_OC: weight of the ranks of OC, the rhythm, in PM"),
-     [](const Model& m) { return m.oc_weight; }, [](Model& m, double v) { m.oc_weight = v; }},
-}};
+constexpr std::array kTrained{
+    coding_row<numbers::kExcitatoryLayers, &Coding::excitatory_layers>("excitatory_layers"),
+    coding_row<numbers::kInhibitoryLayers, &Coding::inhibitory_layers>("inhibitory_layers"),
+    weight_row<0>("weight_FA1"),
+    weight_row<1>("weight_FA2"),
+    weight_row<2>("weight_SA1"),
+    weight_row<3>("weight_SA2"),
+    number_row<numbers::kNcWeight, &Model::nc_weight>("weight_NC"),
+    number_row<numbers::kOcWeight, &Model::oc_weight>("weight_OC")};
 
 const std::array<ModelChoice, 9> kChoices{{
     {"remove_mean",
@@ -151,71 +114,25 @@ const std::array<ModelChoice, 9> kChoices{{
      }},
 }};
 
-const std::array<ModelNumber, 10> kNumbers{{
-    {{.id = "peak_fraction",
-      .label = "Peaks from",
-      .format = "%.3g of max",
-      .slider = {0.0, 0.5},
-      .typed = limits::kShare,
-      .step = 0.01,
-      .help =
-          "Share of the largest amplitude from which a local maximum counts (components: peaks)"},
-     [](const Model& m) { return m.coding.peak_fraction; },
-     [](Model& m, double v) { m.coding.peak_fraction = v; }},
-    {order("band_pass_order", "Bandpass order",
-           "Butterworth order of each edge; twice that in total"),
-     [](const Model& m) { return double(m.coding.band_pass_order_per_edge); },
-     [](Model& m, double v) { m.coding.band_pass_order_per_edge = whole(v); }},
-    {order("low_pass_order", "Lowpass order", "Butterworth order of the Merkel filter"),
-     [](const Model& m) { return double(m.coding.low_pass_order); },
-     [](Model& m, double v) { m.coding.low_pass_order = whole(v); }},
-    {kernel("excitatory_centre", "Excitatory core",
-            "Eq. 5, the kernel E: weight of a neuron's own place"),
-     [](const Model& m) { return m.coding.excitatory.centre; },
-     [](Model& m, double v) { m.coding.excitatory.centre = v; }},
-    {kernel("excitatory_arm", "Excitatory arms",
-            "Eq. 5, the kernel E: weight of its four neighbours"),
-     [](const Model& m) { return m.coding.excitatory.arm; },
-     [](Model& m, double v) { m.coding.excitatory.arm = v; }},
-    {kernel("inhibitory_centre", "Inhibitory core",
-            "Eq. 6, the kernel I, whose numbers are lost: ours. A neuron's own place"),
-     [](const Model& m) { return m.coding.inhibitory.centre; },
-     [](Model& m, double v) { m.coding.inhibitory.centre = v; }},
-    {kernel("inhibitory_arm", "Inhibitory arms",
-            "Eq. 6, the kernel I, whose numbers are lost: ours. Its four neighbours"),
-     [](const Model& m) { return m.coding.inhibitory.arm; },
-     [](Model& m, double v) { m.coding.inhibitory.arm = v; }},
-    {{.id = "spike_cap",
-      .label = "Cap",
-      .format = "%.0f",
-      .slider = limits::kSpikeCap,
-      .typed = limits::kSpikeCap,
-      .step = 1,
-      .snap = 1,
-      .help = "Most impulses of a cell in 5 ms; 50 samples at 10 kHz"},
-     [](const Model& m) { return double(m.coding.spike_cap); },
-     [](Model& m, double v) { m.coding.spike_cap = whole(v); }},
-    {{.id = "silent_energy_fraction",
-      .label = "Silence below",
-      .format = "%.3g",
-      .slider = {1e-15, 1e-3},
-      .typed = limits::kShare,
-      .step = 1e-12,
-      .logarithmic = true,
-      .help = "Share of the vibration's energy in a channel's band below which it is silent"},
-     [](const Model& m) { return m.coding.silent_energy_fraction; },
-     [](Model& m, double v) { m.coding.silent_energy_fraction = v; }},
-    {{.id = "waiting_cost",
-      .label = "Waiting costs",
-      .format = "%.3g",
-      .slider = {0.0, 1.0},
-      .typed = limits::kWaitingCost,
-      .step = 0.05,
-      .help = "In the OC part, of each sample at which one envelope waits for the other, in the "
-              "envelope's unit. Free in the paper: how long notes last then counts nearly nothing"},
-     [](const Model& m) { return m.envelope.waiting_cost; },
-     [](Model& m, double v) { m.envelope.waiting_cost = v; }},
-}};
+constexpr std::array kNumbers{
+    coding_row<numbers::kPeakFraction, &Coding::peak_fraction>("peak_fraction"),
+    coding_row<numbers::kBandPassOrder, &Coding::band_pass_order_per_edge>("band_pass_order"),
+    coding_row<numbers::kLowPassOrder, &Coding::low_pass_order>("low_pass_order"),
+    kernel_row<numbers::kKernelCentre, &Coding::excitatory, &CrossKernel::centre>(
+        "excitatory_centre", "Excitatory core",
+        "Eq. 5, the kernel E: weight of a neuron's own place"),
+    kernel_row<numbers::kKernelArm, &Coding::excitatory, &CrossKernel::arm>(
+        "excitatory_arm", "Excitatory arms", "Eq. 5, the kernel E: weight of its four neighbours"),
+    kernel_row<numbers::kKernelCentre, &Coding::inhibitory, &CrossKernel::centre>(
+        "inhibitory_centre", "Inhibitory core",
+        "Eq. 6, the kernel I, whose numbers are lost: ours. A neuron's own place"),
+    kernel_row<numbers::kKernelArm, &Coding::inhibitory, &CrossKernel::arm>(
+        "inhibitory_arm", "Inhibitory arms",
+        "Eq. 6, the kernel I, whose numbers are lost: ours. Its four neighbours"),
+    coding_row<numbers::kSpikeCap, &Coding::spike_cap>("spike_cap"),
+    coding_row<numbers::kSilentEnergy, &Coding::silent_energy_fraction>("silent_energy_fraction"),
+    number_row<numbers::kWaitingCost, &Model::envelope, &EnvelopeParams::waiting_cost>(
+        "waiting_cost")};
 
 }  // namespace
 

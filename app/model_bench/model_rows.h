@@ -1,20 +1,15 @@
-// Every parameter of PM that the model bench shows: its words, its bounds, and where it is kept.
+// Every parameter of PM that the model bench shows: a field and where it is kept.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "app/ui/widgets.h"
+#include "app/ui/described_field.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 
 namespace tact {
 
-// A number of the model.
-struct ModelNumber {
-    Field field;
-    double (*get)(const PerceptualModelParams&);
-    void (*set)(PerceptualModelParams&, double);
-};
+using ModelNumber = DescribedField<PerceptualModelParams>;
 
 // One of a few ways to do something.
 struct ModelChoice {
