@@ -1,12 +1,12 @@
 #include "app/study/study_asked.h"
 
 #include <array>
-#include <cmath>
 
 #include "app/document/editing.h"
 #include "app/study/study_follow.h"
 #include "model/io/people/study_file.h"
 #include "model/set/set_study.h"
+#include "model/study/study_numbers.h"
 
 namespace tact {
 
@@ -14,79 +14,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int whole(double value) { return static_cast<int>(std::lround(value)); }
-
-constexpr Field count(const char* id, const char* label, Range slider, Range typed,
-                      const char* help, const char* format = "%.0f") {
-    return {.id = id,
-            .label = label,
-            .format = format,
-            .slider = slider,
-            .typed = typed,
-            .step = 1,
-            .snap = 1,
-            .help = help};
+template <const Number& number, auto... path>
+constexpr DescribedField<StudyDesign> row(const char* id) {
+    return described_field<number, StudyDesign, path...>(id);
 }
 
-constexpr Field seconds(const char* id, const char* label, const char* help) {
-    return {.id = id,
-            .label = label,
-            .format = "%.2f s",
-            .slider = {0.0, 3.0},
-            .typed = limits::kPauseS,
-            .step = 0.1,
-            .snap = 0.1,
-            .help = help};
-}
+using Design = StudyDesign;
 
-const auto kTrials = std::to_array<StudyNumber>({
-    {count("study_repetitions", "Repetitions", {1, 8}, limits::kRepetitions,
-           "How often every pair is rated. The publication: 4."),
-     [](const StudyDesign& d) { return double(d.repetitions); },
-     [](StudyDesign& d, double value) { d.repetitions = whole(value); }},
-    {count("study_attention", "Identical pairs", {0, 10}, limits::kAttentionPairs,
-           "Trials with one pattern on both buttons, each time another: who does not rate them as "
-           "the same was not attending. The publication: 1, which one in five blind answers pass."),
-     [](const StudyDesign& d) { return double(d.attention_pairs); },
-     [](StudyDesign& d, double value) { d.attention_pairs = whole(value); }},
-    {count("study_above", "Pass mark", {50, 100}, limits::kSimilarity,
-           "Similarity that identical patterns must exceed, or the participant is not counted. "
-           "The publication: 80.",
-           "%.0f of 100"),
-     [](const StudyDesign& d) { return d.attention.above; },
-     [](StudyDesign& d, double value) { d.attention.above = value; }},
-    {count("study_failures", "Allowed failures", {0, 5}, limits::kAttentionPairs,
-           "Identical pairs that a participant may miss and still be counted."),
-     [](const StudyDesign& d) { return double(d.attention.failures_allowed); },
-     [](StudyDesign& d, double value) { d.attention.failures_allowed = whole(value); }},
-    {count("study_break", "Break every", {0, 200}, limits::kBreakEvery,
-           "Trials between two breaks; 0: none.", "%.0f trials"),
-     [](const StudyDesign& d) { return double(d.break_every); },
-     [](StudyDesign& d, double value) { d.break_every = whole(value); }},
-    {count("study_seed", "Seed", {0, 100}, limits::kStudySeed,
-           "The order of trials and sides is drawn from the seed and the participant's code: the "
-           "same again for the same two."),
-     [](const StudyDesign& d) { return double(d.seed); },
-     [](StudyDesign& d, double value) { d.seed = whole(value); }, false},
-    {seconds("study_gap", "Gap", "Silence between two vibrations, at least. The publication: 1 s."),
-     [](const StudyDesign& d) { return d.gap_s; },
-     [](StudyDesign& d, double value) { d.gap_s = value; }, false},
-    {seconds("study_rest", "Pause in training", "Silence after every vibration of the training."),
-     [](const StudyDesign& d) { return d.rest_s; },
-     [](StudyDesign& d, double value) { d.rest_s = value; }},
-    {{.id = "study_masking",
-      .label = "Masking noise",
-      .format = "%.0f %%",
-      .slider = {0.0, 100.0},
-      .typed = {0.0, 100.0},
-      .step = 5.0,
-      .snap = 1.0,
-      .help = "Level of pink noise, of full scale, on the participant's headphones, so that the "
-              "actuator is felt "
-              "and not heard; 0: off. It needs a second sound output."},
-     [](const StudyDesign& d) { return 100.0 * d.masking; },
-     [](StudyDesign& d, double value) { d.masking = value / 100.0; },
-     false},
+constexpr auto kTrials = std::to_array<StudyNumber>({
+    {row<numbers::kRepetitions, &Design::repetitions>("study_repetitions")},
+    {row<numbers::kAttentionPairs, &Design::attention_pairs>("study_attention")},
+    {row<numbers::kPassMark, &Design::attention, &AttentionRule::above>("study_above")},
+    {row<numbers::kFailuresAllowed, &Design::attention, &AttentionRule::failures_allowed>(
+        "study_failures")},
+    {row<numbers::kBreakEvery, &Design::break_every>("study_break")},
+    {row<numbers::kStudySeed, &Design::seed>("study_seed"), false},
+    {row<numbers::kGap, &Design::gap_s>("study_gap"), false},
+    {row<numbers::kRest, &Design::rest_s>("study_rest")},
+    {row<numbers::kMasking, &Design::masking>("study_masking"), false},
 });
 
 }  // namespace

@@ -10,17 +10,15 @@
 
 #include "app/document/workspace.h"
 #include "app/study/study_state.h"
+#include "app/ui/described_field.h"
 #include "app/ui/ui.h"
-#include "app/ui/widgets.h"
 #include "model/study/study_design.h"
 
 namespace tact {
 
 // A number of the design.
 struct StudyNumber {
-    Field field;
-    double (*get)(const StudyDesign&);
-    void (*set)(StudyDesign&, double);
+    DescribedField<StudyDesign> row;
     bool of_pairs = true;  // sorting has none of it
 };
 

@@ -35,7 +35,7 @@ void change_at_once(Ui& ui, Workspace& work, const std::string& label,
     commit_step(ui, work, label);
 }
 
-void draw_number(Ui& ui, Workspace& work, const StudyNumber& row) {
+void draw_number(Ui& ui, Workspace& work, const DescribedField<StudyDesign>& row) {
     double value = row.get(work.document.set.study);
     Field field = row.field;
     field.normal = row.get(StudyDesign{});
@@ -277,8 +277,8 @@ void draw_study_design(Ui& ui, Workspace& work, const PlayState& play, StudyStat
     const bool rates = studying.kind == StudyKind::pairwise;
     if (rates) draw_order(ui, work);
     if (!rates) draw_rounds(ui, work, studying);
-    for (const StudyNumber& row : study_numbers()) {
-        if (rates || !row.of_pairs) draw_number(ui, work, row);
+    for (const StudyNumber& number : study_numbers()) {
+        if (rates || !number.of_pairs) draw_number(ui, work, number.row);
     }
     draw_headphones(ui, work, play);
     ImGui::Spacing();
