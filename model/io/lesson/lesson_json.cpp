@@ -1,11 +1,11 @@
 #include "model/io/lesson/lesson_json.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "model/lesson/lesson_numbers.h"
-#include "model/text/json_fields.h"
+#include "model/lesson/step_numbers.h"
+#include "model/text/described_json.h"
 
 namespace tact {
 
@@ -119,15 +119,6 @@ LessonQuestion question_of(JsonObject& object, const LookUp& look_up, LessonStep
     return question;
 }
 
-LessonCamera camera_of(JsonObject& object) {
-    const LessonCamera normal;
-    LessonCamera camera;
-    camera.yaw_rad = number_field(object, "yaw_rad", normal.yaw_rad, limits::kLessonAngleRad);
-    camera.pitch_rad = number_field(object, "pitch_rad", normal.pitch_rad, limits::kLessonAngleRad);
-    camera.zoom = number_field(object, "zoom", normal.zoom, limits::kLessonZoom);
-    return camera;
-}
-
 // Unknown keys of a removed question or camera are removed as well.
 void restore(Json& fields, const std::string& unknown_json) {
     if (unknown_json.empty()) return;
@@ -220,16 +211,8 @@ LessonStep step_of(JsonObject& object, const LookUp& look_up) {
     step.partner = pattern_field(object, "partner", look_up);
     step.view = kLessonViews[choice_field(object, "view", 0, kLessonViews)];
     step.point_at = text_field(object, "point_at", "");
-    step.at_s = number_field(object, "at_s", 0.0, limits::kLessonTimeS);
-    step.speed = number_field(object, "speed", 0.0, limits::kLessonSpeed);
-    step.from_s = number_field(object, "from_s", 0.0, limits::kLessonTimeS);
-    step.to_s = number_field(object, "to_s", 0.0, limits::kLessonTimeS);
     Json unknown = Json::object();
-    if (object.value != nullptr && object.value->contains("camera")) {
-        JsonObject camera = object_field(object, "camera");
-        step.camera = camera_of(camera);
-        note_unknown(unknown, "camera", unknown_fields(camera));
-    }
+    take_fields(object, step, unknown);
     if (object.value != nullptr && object.value->contains("question")) {
         JsonObject question = object_field(object, "question");
         step.question = question_of(question, look_up, step);
@@ -254,23 +237,13 @@ Json json_of(const LessonStep& step, const std::vector<std::string>& languages) 
     const auto add_text = [&fields](const char* key, const std::string& text) {
         if (!text.empty()) fields[key] = text;
     };
-    const auto add_number = [&fields](const char* key, double value) {
-        if (value != 0.0) fields[key] = value;
-    };
     add_text("source", step.source);
     add_text("pattern", step.pattern);
     add_text("partner", step.partner);
     if (step.view != kLessonViews[0]) fields["view"] = step.view;
     add_text("point_at", step.point_at);
-    add_number("at_s", step.at_s);
-    add_number("speed", step.speed);
-    add_number("from_s", step.from_s);
-    add_number("to_s", step.to_s);
-    if (step.camera) {
-        fields["camera"] = {{"yaw_rad", step.camera->yaw_rad},
-                            {"pitch_rad", step.camera->pitch_rad},
-                            {"zoom", step.camera->zoom}};
-    }
+    const LessonStep usual;
+    put_fields(fields, step, &usual);
     if (step.question) fields["question"] = question_json(step, languages);
     restore(fields, step.unknown_json);
     return fields;
