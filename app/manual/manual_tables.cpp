@@ -1,6 +1,7 @@
 #include "app/manual/manual_tables.h"
 
 #include <array>
+#include <limits>
 
 #include "app/document/example_sets.h"
 #include "app/physiology/stages.h"
@@ -9,8 +10,10 @@
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects_out/write_effect.h"
-#include "model/perceptual_model/perceptual_model_params.h"
+#include "model/pattern/pattern_numbers.h"
+#include "model/perceptual_model/model_numbers.h"
 #include "model/physiology/mechanoreceptor.h"
+#include "model/study/study_numbers.h"
 #include "model/text/numbers.h"
 #include "model/textbook/textbook.h"
 
@@ -133,6 +136,26 @@ std::string receptors_table() {
     return html_of(table);
 }
 
+// The numbers of a struct as files hold them: all that takes them goes by the same description.
+template <class Struct>
+std::string numbers_table() {
+    HtmlTable table{
+        {{"key"}, {"from", true}, {"to", true}, {"default", true}, {"what it is"}}, {}, {}};
+    each_number(Struct{}, "", [&](std::string place, const Number& number, double usual) {
+        for (const std::string_view of_first : {"/0/", "/A/"}) {
+            const std::size_t at = place.find(of_first);
+            if (at != place.npos) place.replace(at, of_first.size(), "/");
+        }
+        const bool is_bounded = number.range.high < std::numeric_limits<double>::max();
+        const auto digits = [](double value) { return significant_digits(value, 6); };
+        table.rows.push_back({code_html(place), is_bounded ? digits(number.range.low) : "",
+                              is_bounded ? digits(number.range.high) : "",
+                              number.kept == Kept::needed ? "needed" : digits(usual),
+                              html_escaped(number.help)});
+    });
+    return html_of(table);
+}
+
 struct NamedTable {
     std::string_view name;
     std::string (*html)();
@@ -146,6 +169,9 @@ constexpr auto kTables = std::to_array<NamedTable>({{"stages", stages_table},
                                                     {"targets", targets_table},
                                                     {"maps", maps_table},
                                                     {"receptors", receptors_table},
+                                                    {"pattern", numbers_table<Pattern>},
+                                                    {"model", numbers_table<PerceptualModelParams>},
+                                                    {"study", numbers_table<StudyDesign>},
                                                     {"textbook", textbook_table}});
 
 std::string key_html(const std::string& keys) {

@@ -9,8 +9,8 @@
 
 namespace tact {
 
-// "stages", "stages_left_out", "metrics", "devices", "sets", "targets", "maps", "receptors" or
-// "textbook".
+// "stages", "stages_left_out", "metrics", "devices", "sets", "targets", "maps", "receptors",
+// "pattern", "model", "study" or "textbook".
 Expected<std::string> table_html(std::string_view name);
 
 std::string keys_html(const ManualSource& source);
