@@ -207,6 +207,72 @@ MatrixXd torgerson_start(const Task& task) {
                      task.dimensions);
 }
 
+// Most starts end in worse valleys, and most of a descent is its end. So all rest once their steps
+// gain less than this, and the lowest few descend farther; what rests this far above has lost.
+constexpr double kRestAt = 1e-6;
+constexpr double kLostBy = 1e-4;
+constexpr std::size_t kFinalists = 3;
+
+DescentParams until_rest(DescentParams how) {
+    how.rest_at = how.tolerance < kRestAt ? kRestAt : 0.0;
+    return how;
+}
+
+struct Found {
+    Descent best;
+    std::vector<double> rested;  // stress of every start that was run
+};
+
+// The lowest descents that were run, at most kFinalists, by where they rest.
+std::vector<std::size_t> finalists(std::span<const Descent> descents) {
+    std::vector<std::size_t> lowest;
+    for (std::size_t k = 0; k < descents.size(); ++k) {
+        if (descents[k].points.size() > 0) lowest.push_back(k);
+    }
+    std::ranges::stable_sort(lowest, {}, [&](std::size_t k) { return descents[k].stress1; });
+    if (lowest.size() > kFinalists) lowest.resize(kFinalists);
+    std::erase_if(lowest, [&, least = descents[lowest.front()].stress1](std::size_t k) {
+        return descents[k].stress1 > least + kLostBy;
+    });
+    std::ranges::sort(lowest);
+    return lowest;
+}
+
+// `rested` is called for every start that comes to rest, never by two at once.
+Found best_of_starts(const Task& task, int random_starts, const MdsParams& params,
+                     const DescentParams& how, const std::stop_token& stop,
+                     const std::function<void()>& rested) {
+    const auto n = static_cast<Index>(task.dissimilarity.size);
+    const DescentParams resting = until_rest(how);
+    std::vector<Descent> descents(static_cast<std::size_t>(std::max(random_starts, 0)) + 1);
+    std::mutex reporting;
+    const auto run = [&](std::size_t index) {
+        descents[index] = descend(task.order,
+                                  index == 0 ? torgerson_start(task)
+                                             : random_start(n, task.dimensions, params.seed, index),
+                                  resting, stop);
+        const std::lock_guard lock(reporting);
+        if (rested) rested();
+    };
+    parallel_for(descents.size(), params.threads, stop, run);
+    // Stopped before anything was done: Torgerson's start is still a map.
+    if (descents[0].points.size() == 0) run(0);
+
+    Found found;
+    for (const Descent& descent : descents) {
+        if (descent.points.size() > 0) found.rested.push_back(descent.stress1);
+    }
+    const std::vector<std::size_t> few = finalists(descents);
+    parallel_for(few.size(), params.threads, stop, [&](std::size_t k) {
+        Descent& descent = descents[few[k]];
+        if (descent.rests) descent = continued(task.order, descent, how, stop);
+    });
+    const auto best = std::ranges::min_element(
+        few, {}, [&](std::size_t k) { return descents[k].stress1; });  // of equals the first
+    found.best = std::move(descents[*best]);
+    return found;
+}
+
 // The best map by interval scaling, from the starts of a search; `collapsed` is what ordinal
 // scaling found, and stays where groups collapse in this as well.
 PerceptualSpace by_interval_scaling(const Task& task, PerceptualSpace collapsed,
@@ -214,22 +280,10 @@ PerceptualSpace by_interval_scaling(const Task& task, PerceptualSpace collapsed,
     constexpr int kStarts = 20;  // metric scaling has few local minima
     const std::vector<double> values = tame(task.dissimilarity.condensed, task.order);
     const DescentParams how{params.tolerance, params.max_steps, values};
-    const auto n = static_cast<Index>(task.dissimilarity.size);
-    const int starts = std::clamp(params.random_starts, 0, kStarts);
-    std::vector<Descent> descents(static_cast<std::size_t>(starts) + 1);
-    parallel_for(descents.size(), params.threads, stop, [&](std::size_t index) {
-        descents[index] = descend(task.order,
-                                  index == 0 ? torgerson_start(task)
-                                             : random_start(n, task.dimensions, params.seed, index),
-                                  how, stop);
-    });
-    const Descent* best = nullptr;
-    for (const Descent& descent : descents) {
-        if (descent.points.size() == 0) continue;
-        if (best == nullptr || descent.stress1 < best->stress1) best = &descent;
-    }
-    if (best == nullptr) return collapsed;
-    PerceptualSpace space = space_of(task, best->points);
+    const int starts = std::min(params.random_starts, kStarts);
+    if (stop.stop_requested()) return collapsed;
+    const Found found = best_of_starts(task, starts, params, how, stop, {});
+    PerceptualSpace space = space_of(task, found.best.points);
     if (has_groups_on_spots(task.order, distances(space.points))) return collapsed;
     space.is_interval = true;
     space.collapsed_stress1 = collapsed.stress1;
@@ -262,6 +316,7 @@ Descent with_points_turned(const Task& task, Descent best, const MdsParams& para
                            const std::stop_token& stop) {
     constexpr std::size_t kMisses = 10;  // in a row
     constexpr double kLower = 1e-9;
+    const DescentParams how{params.tolerance, params.max_steps};
     std::size_t misses = 0;
     std::vector<std::size_t> worst;
     for (int turn = 0; turn < params.turned_points && !stop.stop_requested(); ++turn) {
@@ -275,8 +330,10 @@ Descent with_points_turned(const Task& task, Descent best, const MdsParams& para
         if (misses == std::min(kMisses, worst.size())) break;
         MatrixXd start = best.points.rowwise() - best.points.colwise().mean();
         start.row(static_cast<Index>(worst[misses])) *= -1.0;
-        Descent turned = descend(task.order, start, {params.tolerance, params.max_steps}, stop);
+        Descent turned = descend(task.order, start, until_rest(how), stop);
         ++misses;
+        if (turned.stress1 >= best.stress1 + kLostBy) continue;
+        if (turned.rests) turned = continued(task.order, turned, how, stop);
         if (turned.stress1 >= best.stress1 - kLower) continue;
         best = std::move(turned);
         misses = 0;
@@ -326,40 +383,31 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const MatrixXd& start
 
 PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
                               std::stop_token stop,
-                              const std::function<void(std::size_t)>& progress) {
+                              const std::function<void(std::size_t)>& progress,
+                              const std::function<void(const MatrixXd&)>& lower) {
     const Task task = task_of(dissimilarity, params);
     if (task.verdict != MdsVerdict::fine) return space_at_once(task);
-    const DescentParams how{params.tolerance, params.max_steps};
-    const auto n = static_cast<Index>(dissimilarity.size);
-    std::vector<Descent> descents(static_cast<std::size_t>(std::max(params.random_starts, 0)) + 1);
-    std::mutex reporting;
-    std::size_t finished = 0;
-    const auto run = [&](std::size_t index) {
-        descents[index] = descend(task.order,
-                                  index == 0 ? torgerson_start(task)
-                                             : random_start(n, task.dimensions, params.seed, index),
-                                  how, stop);
-        const std::lock_guard lock(reporting);
-        ++finished;
-        if (progress) progress(finished);
+    std::mutex watching;
+    double least = std::numeric_limits<double>::infinity();
+    const std::function watch = [&](const MatrixXd& points, double stress1) {
+        const std::lock_guard lock(watching);
+        if (stress1 >= least || stop.stop_requested()) return;
+        least = stress1;
+        lower(points);
     };
-    parallel_for(descents.size(), params.threads, stop, run);
-    // Stopped before anything was done: Torgerson's start is still a map.
-    if (descents[0].points.size() == 0) run(0);
-
-    std::vector<double> stresses;
-    const Descent* best = &descents[0];
-    for (const Descent& descent : descents) {
-        if (descent.points.size() == 0) continue;
-        stresses.push_back(descent.stress1);
-        if (descent.stress1 < best->stress1) best = &descent;
-    }
-    const Descent settled = with_points_turned(task, *best, params, stop);
+    DescentParams how{params.tolerance, params.max_steps};
+    if (lower) how.watch = &watch;
+    std::size_t finished = 0;
+    const auto tell = [&] {
+        if (progress) progress(++finished);
+    };
+    Found found = best_of_starts(task, params.random_starts, params, how, stop, tell);
+    const Descent settled = with_points_turned(task, std::move(found.best), params, stop);
     PerceptualSpace space = space_of(task, settled.points);
     if (space.is_degenerate && has_groups_on_spots(task.order, distances(space.points))) {
         space = by_interval_scaling(task, std::move(space), params, stop);
     }
-    space.start_stress = std::move(stresses);
+    space.start_stress = std::move(found.rested);
     space.stopped = stop.stop_requested();
     return space;
 }

@@ -55,8 +55,10 @@ struct PerceptualSpace {
     Eigen::MatrixXd points;  // n x k
     double stress1 = 0.0;
     MdsVerdict verdict = MdsVerdict::fine;
-    std::vector<double> start_stress;  // of every start that was run, Torgerson's first
-    bool stopped = false;              // a stop was asked for before the last start
+    // Where every start that was run came to rest, Torgerson's first: the few lowest then descend
+    // to their ends.
+    std::vector<double> start_stress;
+    bool stopped = false;  // a stop was asked for before the last start
     // Stress says nothing although it is near 0: groups collapsed onto points (Kruskal 1964 names
     // this trap), or there are so few patterns (2k + 1 at most) that nearly any order fits.
     bool is_degenerate = false;
@@ -79,13 +81,16 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd
                        const MdsParams& params, std::stop_token stop = {});
 
 // The best of Torgerson's and the random starts, of equals the first; then with the points turned
-// that make it better. Where groups collapse in that, the best by interval scaling, whose distances
-// are a constant and a multiple of the dissimilarities (Borg & Groenen 2005, 13.3: a stronger model
-// in place of a degenerate one), unless they collapse in that too. `progress` gets the number of
-// starts done, from any thread but never from two at once.
+// that make it better. Starts descend until steps gain next to nothing, and the lowest of them to
+// their ends: the others would end above. Where groups collapse in that, the best by interval
+// scaling, whose distances are a constant and a multiple of the dissimilarities (Borg & Groenen
+// 2005, 13.3: a stronger model in place of a degenerate one), unless they collapse in that too.
+// `progress` gets the number of starts done, `lower` the points of every step that comes below all
+// before it: both from any thread but never from two at once.
 PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParams& params,
                               std::stop_token stop = {},
-                              const std::function<void(std::size_t)>& progress = {});
+                              const std::function<void(std::size_t)>& progress = {},
+                              const std::function<void(const Eigen::MatrixXd&)>& lower = {});
 
 // Why the map says nothing, or nothing much, and what to do: a sentence without a full stop, or
 // empty.

@@ -111,6 +111,17 @@ std::vector<double> distances(const Eigen::MatrixXd& points) {
     return result;
 }
 
+namespace {
+
+Fit fit_of(const Eigen::MatrixXd& points) {
+    const std::size_t pairs = pair_count(static_cast<std::size_t>(points.rows()));
+    return {points, std::vector<double>(pairs), std::vector<double>(pairs)};
+}
+
+// Steps in a row that gain next to nothing before a descent rests: one may be an accident of its
+// length.
+constexpr int kSlowSteps = 3;
+
 // With B_ij = -dhat_ij / d_ij, the Guttman transform X' = B X / n never raises stress: it minimises
 // a quadratic that lies above the stress and touches it at X. The size of dhat is free and set to
 // sum dhat^2 = pairs; then X suits dhat best at size b, and the relaxed step is
@@ -119,27 +130,19 @@ std::vector<double> distances(const Eigen::MatrixXd& points) {
 // while they do; when stress would rise, X' itself is taken and relaxation starts again at 1.
 // L-BFGS on the same direction was tried: fewer steps below 20 points, but it stalled on some maps
 // of 300.
-Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const DescentParams& params,
-                std::stop_token stop) {
-    assert(start.allFinite() && "a start of numbers");
-    const std::size_t pairs = pair_count(static_cast<std::size_t>(start.rows()));
-    assert(order.ascending.size() + order.unknown.size() == pairs && "an order of these points");
-    const double n = static_cast<double>(start.rows());
+//
+// `here` is judged. It, the step and the relaxation are all that a step depends on.
+Descent descend_from(Fit here, int step, double relaxation, const PairOrder& order,
+                     FitScratch& scratch, const DescentParams& params,
+                     const std::stop_token& stop) {
+    const double n = static_cast<double>(here.points.rows());
     const double known = static_cast<double>(order.ascending.size());
-
-    FitScratch scratch = fit_scratch(order);
-    std::vector<double> ratio(pairs);
-    Fit here{start, std::vector<double>(pairs), std::vector<double>(pairs)};
-    judge(order, params.interval_of, scratch, here);
-    if (here.size > 0.0) {
-        here.points *= std::sqrt(known * here.share / here.size);
-        judge(order, params.interval_of, scratch, here);
-    }
+    std::vector<double> ratio(here.distances.size());
     Fit there = here;
-    Eigen::MatrixXd image = start;
-    double relaxation = 1.0;
-    int step = 0;
+    Eigen::MatrixXd image = here.points;
+    int slow_steps = 0;
     while (step < params.max_steps && here.size > 0.0 && !stop.stop_requested()) {
+        if (slow_steps == kSlowSteps) return {here.points, here.stress1, step, relaxation, true};
         ++step;
         const double unit = std::sqrt(known / here.size);
         guttman(here, ratio, image);
@@ -158,12 +161,42 @@ Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const Desc
         if (there.stress1 > here.stress1) break;  // rounding: as low as doubles go
         const double fall = here.stress1 - there.stress1;
         std::swap(here, there);
+        if (params.watch != nullptr) (*params.watch)(here.points, here.stress1);
+        slow_steps = fall < params.rest_at ? slow_steps + 1 : 0;
         if (fall >= params.tolerance) continue;
         // A relaxed step that gains nothing may have jumped across the valley: ask a plain one.
         if (plain) break;
         relaxation = 1.0;
     }
     return {here.points, here.stress1, step};
+}
+
+}  // namespace
+
+Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const DescentParams& params,
+                std::stop_token stop) {
+    assert(start.allFinite() && "a start of numbers");
+    const double known = static_cast<double>(order.ascending.size());
+    FitScratch scratch = fit_scratch(order);
+    Fit here = fit_of(start);
+    assert(known + static_cast<double>(order.unknown.size()) ==
+               static_cast<double>(here.distances.size()) &&
+           "an order of these points");
+    judge(order, params.interval_of, scratch, here);
+    if (here.size > 0.0) {
+        here.points *= std::sqrt(known * here.share / here.size);
+        judge(order, params.interval_of, scratch, here);
+    }
+    return descend_from(std::move(here), 0, 1.0, order, scratch, params, stop);
+}
+
+Descent continued(const PairOrder& order, const Descent& resting, const DescentParams& params,
+                  std::stop_token stop) {
+    FitScratch scratch = fit_scratch(order);
+    Fit here = fit_of(resting.points);
+    judge(order, params.interval_of, scratch, here);
+    return descend_from(std::move(here), resting.steps, resting.relaxation, order, scratch, params,
+                        stop);
 }
 
 }  // namespace tact

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -139,6 +140,47 @@ TEST_CASE("smacof: nothing known leaves the map where it is") {
     const Descent descent = descend(order, start, {});
     CHECK(descent.points == start);
     CHECK(descent.stress1 == 0.0);
+}
+
+TEST_CASE("smacof: one that rested and was continued has the bits of one that did not rest") {
+    for (const auto& delta : {noisy(12, 1), noisy(12, 2, 4), holed(noisy(12, 3)), noisy(40, 4)}) {
+        const PairOrder order = order_pairs(delta);
+        const Eigen::Index n = delta.size() == 66 ? 12 : 40;
+        for (const bool by_interval : {false, true}) {
+            DescentParams params;
+            if (by_interval && order.unknown.empty()) params.interval_of = delta;
+            const Eigen::MatrixXd start = random_map(n, 3, 31);
+            const Descent whole = descend(order, start, params);
+            CHECK_FALSE(whole.rests);
+            for (const double rest_at : {1e-3, 1e-6}) {
+                DescentParams resting = params;
+                resting.rest_at = rest_at;
+                const Descent rested = descend(order, start, resting);
+                REQUIRE(rested.rests);
+                CHECK(rested.steps < whole.steps);
+                const Descent end = continued(order, rested, params);
+                CHECK(end.points == whole.points);
+                CHECK(end.stress1 == whole.stress1);
+                CHECK(end.steps == whole.steps);
+                CHECK_FALSE(end.rests);
+            }
+        }
+    }
+}
+
+TEST_CASE("smacof: who watches is told every step, lower each time") {
+    const PairOrder order = order_pairs(noisy(12, 1));
+    std::vector<double> told;
+    const std::function watch = [&told](const Eigen::MatrixXd& points, double stress1) {
+        CHECK(points.rows() == 12);
+        told.push_back(stress1);
+    };
+    DescentParams params;
+    params.watch = &watch;
+    const Descent end = descend(order, random_map(12, 3, 5), params);
+    CHECK(std::ranges::is_sorted(told, std::greater{}));
+    CHECK(told.size() >= static_cast<std::size_t>(end.steps) - 1);
+    CHECK(told.back() == end.stress1);
 }
 
 TEST_CASE("smacof: stopped before the first step, it returns the start") {
