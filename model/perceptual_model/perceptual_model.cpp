@@ -43,12 +43,7 @@ std::vector<std::size_t> earlier_places(Codes codes, const Prediction* previous)
     return places;
 }
 
-// A matrix of the pairs whose patterns were both in `known` already, and where the others belong.
-struct KnownPairs {
-    Dissimilarity matrix;
-    std::vector<std::size_t> open;  // condensed
-};
-
+// What `known` has of pairs whose patterns were both in it.
 KnownPairs known_pairs(Codes codes, const Prediction* previous, const Dissimilarity* known) {
     KnownPairs result{{codes.size(), std::vector<double>(pair_count(codes.size()))}, {}};
     const auto places = earlier_places(codes, known == nullptr ? nullptr : previous);
@@ -96,15 +91,6 @@ bool same_codes(const PerceptualModelParams& a, const PerceptualModelParams& b) 
 const Prediction* usable(const PredictOptions& options, const PerceptualModelParams& params) {
     const Prediction* previous = options.previous;
     return previous != nullptr && same_codes(previous->params, params) ? previous : nullptr;
-}
-
-Dissimilarity rank_sum(const Prediction& prediction) {
-    Dissimilarity pm{prediction.nc.size, std::vector<double>(prediction.nc_rank.size())};
-    for (std::size_t k = 0; k < pm.condensed.size(); ++k) {
-        pm.condensed[k] = pm_of(prediction.nc_rank[k], prediction.oc_rank[k],
-                                prediction.params.nc_weight, prediction.params.oc_weight);
-    }
-    return pm;
 }
 
 }  // namespace
@@ -191,14 +177,20 @@ Dissimilarity nc_matrix(Codes codes, const PerceptualModelParams& params,
     return std::move(pairs.matrix);
 }
 
+KnownPairs known_oc(Codes codes, const PerceptualModelParams& params,
+                    const PredictOptions& options) {
+    const Prediction* previous = options.previous;
+    const bool same_warp = previous != nullptr &&
+                           previous->envelope_decimation == options.envelope_decimation &&
+                           previous->params.envelope.waiting_cost == params.envelope.waiting_cost;
+    return known_pairs(codes, previous, same_warp ? &previous->oc : nullptr);
+}
+
 Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
                         const PredictOptions& options) {
     const std::size_t factor = options.envelope_decimation;
-    const Prediction* previous = options.previous;
     const double waiting_cost = params.envelope.waiting_cost;
-    const bool same_warp = previous != nullptr && previous->envelope_decimation == factor &&
-                           previous->params.envelope.waiting_cost == waiting_cost;
-    auto [matrix, open] = known_pairs(codes, previous, same_warp ? &previous->oc : nullptr);
+    auto [matrix, open] = known_oc(codes, params, options);
     std::vector<std::vector<double>> coarse(factor == 1 ? 0 : codes.size());
     for (std::size_t k = 0; k < coarse.size(); ++k) {
         coarse[k] = decimated(codes[k]->envelope, factor);
@@ -220,21 +212,40 @@ Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
     return matrix;
 }
 
+Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
+                         const PerceptualModelParams& params, Dissimilarity nc, Dissimilarity oc) {
+    Prediction result;
+    result.params = params;
+    result.codes = std::move(codes);
+    result.nc = std::move(nc);
+    result.oc = std::move(oc);
+    result.nc_rank = average_ranks(result.nc.condensed);
+    result.oc_rank = average_ranks(result.oc.condensed);
+    result.pm = {result.nc.size, std::vector<double>(result.nc_rank.size())};
+    for (std::size_t k = 0; k < result.pm.condensed.size(); ++k) {
+        result.pm.condensed[k] =
+            pm_of(result.nc_rank[k], result.oc_rank[k], params.nc_weight, params.oc_weight);
+    }
+    return result;
+}
+
+std::optional<Prediction> predict(std::vector<std::shared_ptr<const PatternCode>> codes,
+                                  const PerceptualModelParams& params,
+                                  const PredictOptions& options) {
+    Dissimilarity nc = nc_matrix(codes, params, options);
+    Dissimilarity oc = oc_matrix(codes, params, options);
+    if (options.stop.stop_requested()) return std::nullopt;
+    Prediction result = prediction_of(std::move(codes), params, std::move(nc), std::move(oc));
+    result.envelope_decimation = options.envelope_decimation;
+    return result;
+}
+
 std::optional<Prediction> predict(std::span<const Waveform> waveforms,
                                   const PerceptualModelParams& params,
                                   const PredictOptions& options) {
-    Prediction result;
-    result.params = params;
-    result.envelope_decimation = options.envelope_decimation;
-    result.codes = pattern_codes(waveforms, params, options);
-    if (result.codes.size() != waveforms.size()) return std::nullopt;
-    result.nc = nc_matrix(result.codes, params, options);
-    result.oc = oc_matrix(result.codes, params, options);
-    if (options.stop.stop_requested()) return std::nullopt;
-    result.nc_rank = average_ranks(result.nc.condensed);
-    result.oc_rank = average_ranks(result.oc.condensed);
-    result.pm = rank_sum(result);
-    return result;
+    auto codes = pattern_codes(waveforms, params, options);
+    if (codes.size() != waveforms.size()) return std::nullopt;
+    return predict(std::move(codes), params, options);
 }
 
 }  // namespace tact

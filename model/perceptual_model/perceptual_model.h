@@ -67,6 +67,20 @@ Dissimilarity nc_matrix(std::span<const std::shared_ptr<const PatternCode>> code
 Dissimilarity oc_matrix(std::span<const std::shared_ptr<const PatternCode>> codes,
                         const PerceptualModelParams& params, const PredictOptions& options);
 
+// A matrix of the pairs that were known already, and where the others belong.
+struct KnownPairs {
+    Dissimilarity matrix;
+    std::vector<std::size_t> open;  // condensed
+};
+
+// The OC that options.previous has of these codes.
+KnownPairs known_oc(std::span<const std::shared_ptr<const PatternCode>> codes,
+                    const PerceptualModelParams& params, const PredictOptions& options);
+
+// PM from its two parts, whatever they were computed from.
+Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
+                         const PerceptualModelParams& params, Dissimilarity nc, Dissimilarity oc);
+
 // How much of a pair's PM comes of each part: the weighted ranks' shares. A part in which the two
 // do not differ has none, though pairs that are tied at 0 have a rank; without any, both are 0.
 struct PartShares {
@@ -75,7 +89,10 @@ struct PartShares {
 };
 PartShares part_shares(const Prediction& prediction, std::size_t pair);
 
-// All of it; nothing when stopped.
+// All of it; nothing when stopped. Codes that are there already save their coding.
+std::optional<Prediction> predict(std::vector<std::shared_ptr<const PatternCode>> codes,
+                                  const PerceptualModelParams& params,
+                                  const PredictOptions& options);
 std::optional<Prediction> predict(std::span<const Waveform> waveforms,
                                   const PerceptualModelParams& params,
                                   const PredictOptions& options = {});

@@ -63,6 +63,18 @@ std::size_t own_length(const std::vector<double>& envelope) {
     return std::min(length + 1, envelope.size());
 }
 
+std::uint64_t mixed_params(const PerReceptor<double>& channel_weight, double waiting_cost) {
+    const std::uint64_t number = mixed(0, std::span<const double>(channel_weight));
+    return waiting_cost > 0.0 ? mixed(number, std::span<const double>(&waiting_cost, 1)) : number;
+}
+
+std::uint64_t mixed_pattern(std::uint64_t number, const PackedSpikes& spikes,
+                            const std::vector<double>& envelope) {
+    number = mixed(number, spikes.samples);
+    number = mixed(number, std::span<const std::uint64_t>(spikes.bits));
+    return mixed(number, std::span<const double>(envelope));
+}
+
 }  // namespace
 
 std::size_t tile_side(std::size_t patterns) {
@@ -129,12 +141,18 @@ std::vector<std::size_t> by_cost(std::span<const double> tile_costs) {
 }
 
 std::uint64_t fingerprint(const TileSource& source) {
-    std::uint64_t number = mixed(0, std::span<const double>(source.channel_weight));
-    if (source.waiting_cost > 0.0) number = mixed(number, std::span(&source.waiting_cost, 1));
+    std::uint64_t number = mixed_params(source.channel_weight, source.waiting_cost);
     for (std::size_t k = 0; k < pattern_count(source); ++k) {
-        number = mixed(number, source.spikes[k].samples);
-        number = mixed(number, std::span<const std::uint64_t>(source.spikes[k].bits));
-        number = mixed(number, std::span<const double>(source.envelopes[k]));
+        number = mixed_pattern(number, source.spikes[k], source.envelopes[k]);
+    }
+    return number;
+}
+
+std::uint64_t fingerprint(std::span<const std::shared_ptr<const PatternCode>> codes,
+                          const PerceptualModelParams& params) {
+    std::uint64_t number = mixed_params(params.channel_weight, params.envelope.waiting_cost);
+    for (const auto& code : codes) {
+        number = mixed_pattern(number, packed_spikes(code->neural), code->envelope);
     }
     return number;
 }

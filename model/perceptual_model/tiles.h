@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -65,8 +66,11 @@ std::vector<double> tile_costs(const TileSource& source, Part part);
 // waiting. Tiles that cost the same stand as they are numbered.
 std::vector<std::size_t> by_cost(std::span<const double> tile_costs);
 
-// A number that changes with anything a tile's value depends on.
+// A number that changes with anything a tile's value depends on; the same from what a source is
+// made from.
 std::uint64_t fingerprint(const TileSource& source);
+std::uint64_t fingerprint(std::span<const std::shared_ptr<const PatternCode>> codes,
+                          const PerceptualModelParams& params);
 
 // With a stop asked for, values are wrong, and it returns soon.
 std::vector<double> tile_values(const TileSource& source, Part part, const Tile& tile,

@@ -6,7 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <optional>
+#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -122,6 +122,15 @@ std::string what_differs(const TileKey& kept, const TileKey& wanted) {
 TileKey key_of(const TileSource& source) {
     const std::size_t patterns = pattern_count(source);
     return {patterns, tile_side(patterns), source.vibrations, source.model, fingerprint(source)};
+}
+
+std::optional<TileKey> kept_key(const fs::path& path) {
+    Header header;
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
+    const Header expected{.key = header.key};
+    if (std::memcmp(&header, &expected, sizeof header) != 0) return std::nullopt;
+    return header.key;
 }
 
 Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) {

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -38,6 +39,10 @@ struct TileKey {
 };
 
 TileKey key_of(const TileSource& source);
+
+// The key that a file was begun with; none: there is no such file, or it is no checkpoint of this
+// version.
+std::optional<TileKey> kept_key(const std::filesystem::path& path);
 
 // The open file. No other process can have it open meanwhile.
 class Checkpoint {
