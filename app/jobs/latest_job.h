@@ -9,6 +9,7 @@
 //
 // Input     requests, from one thread
 // Output    answers as immutable snapshots; latest() at the top of a frame, held while drawing
+//           Work may answer in part before it ends: latest() has the newest part until then.
 //           What the work throws, such as for want of memory, is no answer; failure() says why
 // Left out  queues, several workers (the work itself may use more threads)
 #pragma once
@@ -42,12 +43,26 @@ class LatestJob {
     using Work =
         std::function<std::optional<Answer>(const Request&, std::stop_token, std::atomic<float>&)>;
 
+    // The same, and gives what it has by now to the last, as often as it likes.
+    using Partly = std::function<void(Answer)>;
+    using WorkInParts = std::function<std::optional<Answer>(const Request&, std::stop_token,
+                                                            std::atomic<float>&, const Partly&)>;
+
     // Whether two requests ask for the same work.
     using Same = std::function<bool(const Request& running, const Request& newer)>;
 
     // `wake` is called on the worker's thread after an answer is there or the work has ended, and
     // must not throw.
     LatestJob(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {})
+        : LatestJob(
+              policy,
+              WorkInParts([work = std::move(work)](const Request& request, std::stop_token stop,
+                                                   std::atomic<float>& progress, const Partly&) {
+                  return work(request, std::move(stop), progress);
+              }),
+              std::move(wake), std::move(same)) {}
+
+    LatestJob(JobPolicy policy, WorkInParts work, std::function<void()> wake = {}, Same same = {})
         : policy_(policy),
           work_(std::move(work)),
           wake_(std::move(wake)),
@@ -138,7 +153,12 @@ class LatestJob {
     }
 
     std::shared_ptr<const Answer> answer_to(const Run& run) {
-        std::optional<Answer> answer = work_(run.request, run.stop.get_token(), progress_);
+        const std::stop_token stop = run.stop.get_token();
+        const auto partly = [&](Answer part) {
+            publish_part(std::make_shared<const Answer>(std::move(part)), stop);
+            if (wake_) wake_();
+        };
+        std::optional<Answer> answer = work_(run.request, stop, progress_, partly);
         if (!answer) return nullptr;
         return std::make_shared<const Answer>(*std::move(answer));
     }
@@ -163,8 +183,14 @@ class LatestJob {
         failure_.swap(failure);
     }
 
+    // The part before it goes unlocked, too.
+    void publish_part(std::shared_ptr<const Answer> part, const std::stop_token& stop) {
+        const std::lock_guard lock(mutex_);
+        if (!stop.stop_requested()) latest_.swap(part);
+    }
+
     JobPolicy policy_;
-    Work work_;
+    WorkInParts work_;
     std::function<void()> wake_;
     Same same_;
     mutable std::mutex mutex_;  // guards the next four; nothing is copied or freed under it

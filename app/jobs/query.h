@@ -25,6 +25,8 @@ class Query {
 
   public:
     using Work = typename Job::Work;
+    using Partly = typename Job::Partly;
+    using WorkInParts = typename Job::WorkInParts;
     using Same = typename Job::Same;
 
     Query() = default;
@@ -39,6 +41,11 @@ class Query {
 
     // Work begins with the first call; a further one changes nothing.
     void begin(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {}) {
+        if (job_) return;
+        job_ = std::make_unique<Job>(policy, std::move(work), std::move(wake), std::move(same));
+    }
+    void begin(JobPolicy policy, WorkInParts work, std::function<void()> wake = {},
+               Same same = {}) {
         if (job_) return;
         job_ = std::make_unique<Job>(policy, std::move(work), std::move(wake), std::move(same));
     }

@@ -323,4 +323,33 @@ TEST_CASE("job: an answer that cannot be kept is a failure like one that cannot 
     CHECK(job.latest()->value == 1);
 }
 
+TEST_CASE("job: parts of an answer are there before it, and none after a stop") {
+    std::binary_semaphore may_end(0);
+    std::atomic<int> woken = 0;
+    Job job(JobPolicy::supersede,
+            Job::WorkInParts([&](const int& request, std::stop_token stop, std::atomic<float>&,
+                                 const Job::Partly& partly) -> std::optional<int> {
+                partly(request + 1);
+                partly(request + 2);
+                may_end.acquire();
+                partly(request + 3);
+                if (stop.stop_requested()) return std::nullopt;
+                return request;
+            }),
+            [&] { ++woken; });
+    job.submit(10);
+    REQUIRE(eventually([&] { return woken == 2; }));
+    CHECK(job.busy());
+    CHECK(*job.latest() == 12);
+    may_end.release();
+    REQUIRE(eventually([&] { return !job.busy(); }));
+    CHECK(*job.latest() == 10);
+    job.submit(20);
+    REQUIRE(eventually([&] { return *job.latest() == 22; }));
+    job.cancel();
+    may_end.release();
+    REQUIRE(eventually([&] { return !job.busy(); }));
+    CHECK(*job.latest() == 22);
+}
+
 }  // namespace latest_job_test
