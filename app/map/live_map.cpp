@@ -5,22 +5,26 @@
 #include <chrono>
 #include <sstream>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 
+#include "app/map/map_refining.h"
 #include "app/rendering/labels.h"
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/map/landmarks.h"
+#include "model/perceptual_model/refinement.h"
 #include "model/perceptual_model/rhythm_envelope.h"
-#include "model/set/set_waveforms.h"
 #include "model/subset/separation.h"
 
 namespace tact {
 
 namespace {
 
-// Envelopes at 1 kHz, 250 Hz and 100 Hz.
-constexpr std::array kGrains{PreviewGrain{10, 4}, PreviewGrain{40, 10}, PreviewGrain{100, 12}};
+// Envelopes at 1 kHz, 250 Hz, 100 Hz, 25 Hz and 10 Hz.
+constexpr std::array kGrains{PreviewGrain{10, 4}, PreviewGrain{40, 10}, PreviewGrain{100, 12},
+                             PreviewGrain{400, 20}, PreviewGrain{1000, 25}};
 constexpr std::size_t kMostPreviewed = 2000;
 constexpr double kMostPreviewCells = 4e10;  // 3 s of two cores with AVX2
 constexpr float kPredictionShare = 0.9F;    // of the progress bar; the rest is the map
@@ -32,8 +36,8 @@ int preview_steps(std::size_t patterns) {
 }
 
 // Starts where the points were if the set has kept its size, otherwise from classical scaling.
-PerceptualSpace preview_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
-                              std::stop_token stop) {
+PerceptualSpace moved_space(const Dissimilarity& pm, int dimensions, const LiveMap* last,
+                            std::stop_token stop) {
     MdsParams params;
     params.dimensions = dimensions;
     params.random_starts = 0;
@@ -105,22 +109,22 @@ double cells_of(const PatternSet& set, std::vector<double> durations_s) {
     return cells_of(std::move(durations_s));
 }
 
-double seconds_of(double cells) { return cells / (cells_per_s() * thread_count(0)); }
-
 }  // namespace
 
+double expected_dtw_s(double cells) { return cells / (cells_per_s() * thread_count(0)); }
+
 double expected_map_s(const PatternSet& set) {
-    return seconds_of(cells_of(set, own_durations_s(set)));
+    return expected_dtw_s(cells_of(set, own_durations_s(set)));
 }
 
 double expected_map_s(const PatternSet& set, std::size_t without) {
     std::vector<double> durations_s = own_durations_s(set);
     durations_s.erase(durations_s.begin() + static_cast<std::ptrdiff_t>(without));
-    return seconds_of(cells_of(set, std::move(durations_s)));
+    return expected_dtw_s(cells_of(set, std::move(durations_s)));
 }
 
 double expected_map_s(std::vector<double> durations_s) {
-    return seconds_of(cells_of(std::move(durations_s)));
+    return expected_dtw_s(cells_of(std::move(durations_s)));
 }
 
 double expected_map_s(std::size_t patterns, double longest_s) {
@@ -134,7 +138,7 @@ std::optional<PreviewGrain> preview_grain(const PatternSet& set) {
         const auto factor = static_cast<double>(grain.decimation);
         return cells / (factor * factor) <= kMostPreviewCells;
     });
-    return fine_enough == kGrains.end() ? std::nullopt : std::optional(*fine_enough);
+    return fine_enough == kGrains.end() ? kGrains.back() : *fine_enough;
 }
 
 std::optional<PreviewGrain> preview_grain(const Prediction& prediction) {
@@ -185,42 +189,198 @@ std::shared_ptr<const PatternSet> LiveMapWork::played(const LiveMapRequest& requ
     return std::make_shared<const PatternSet>(rendered_->played);
 }
 
+namespace {
+
+constexpr std::size_t kMostAtOnce = 300;  // whose map is there before one could follow it
+constexpr std::chrono::milliseconds kBetweenParts{500};
+
+// The map that these points are.
+PerceptualSpace space_at(const Dissimilarity& pm, const Eigen::MatrixXd& points, MdsParams params) {
+    params.max_steps = 0;
+    return smacof(pm, points, params);
+}
+
+}  // namespace
+
+// What is on the way to the answer of one request.
+struct LiveMapWork::Run {
+    const LiveMapRequest& request;
+    std::shared_ptr<const PatternSet> set;  // that is compared
+    std::stop_token stop;
+    std::atomic<float>& progress;
+    const Partly& partly;  // may be empty
+    PredictOptions options;
+    // A part, whose points start from those of the one before it.
+    std::shared_ptr<const LiveMap> shown;
+};
+
+namespace {
+
+LiveMap map_of(const LiveMapRequest& request, std::shared_ptr<const PatternSet> set,
+               Prediction prediction) {
+    LiveMap map{request, std::move(prediction), {}, 0.0, std::move(set), {}};
+    map.request.coarse.reset();
+    map.request.wanted.reset();
+    map.sorted_pm = sorted_values(map.prediction.pm);
+    const auto& pm = map.prediction.pm.condensed;
+    map.closest = static_cast<std::size_t>(std::ranges::min_element(pm) - pm.begin());
+    return map;
+}
+
+// Codes that a map has of patterns of the same source, in sets of the same longest: by place, or by
+// name where patterns came or went.
+void share_codes(const LiveMap& known, const PatternSet& set,
+                 std::vector<std::shared_ptr<const PatternCode>>& codes) {
+    const PatternSet& was = *known.played;
+    if (was.model.coding != set.model.coding || was.model.envelope != set.model.envelope ||
+        longest_samples(was) != longest_samples(set) ||
+        was.vibrations.size() != known.prediction.codes.size()) {
+        return;
+    }
+    std::unordered_map<std::string_view, std::size_t> by_name;
+    for (std::size_t k = 0; k < was.vibrations.size(); ++k) {
+        by_name.emplace(was.vibrations[k].name, k);
+    }
+    const auto is_of = [&](std::size_t place, const Vibration& vibration) {
+        return place < was.vibrations.size() && was.vibrations[place].source == vibration.source;
+    };
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (codes[k]) continue;
+        const Vibration& vibration = set.vibrations[k];
+        const auto named = by_name.find(vibration.name);
+        if (is_of(k, vibration)) {
+            codes[k] = known.prediction.codes[k];
+        } else if (named != by_name.end() && is_of(named->second, vibration)) {
+            codes[k] = known.prediction.codes[named->second];
+        }
+    }
+}
+
+}  // namespace
+
+// Nothing of what did not change is rendered or coded. None where stopped.
+std::vector<std::shared_ptr<const PatternCode>> LiveMapWork::codes_of(const Run& run) {
+    const PatternSet& set = *run.set;
+    std::vector<std::shared_ptr<const PatternCode>> codes(set.vibrations.size());
+    if (last_) share_codes(*last_, set, codes);
+    if (run.request.coarse) share_codes(*run.request.coarse, set, codes);
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (!codes[k]) open.push_back(k);
+    }
+    const std::size_t longest = longest_samples(set);
+    PredictOptions options = run.options;
+    options.previous = nullptr;
+    options.threads = 1;
+    // One by one: all waveforms of a large set would not fit beside its codes.
+    parallel_for(open.size(), threads_, run.stop, [&](std::size_t k) {
+        const Waveform waveform = padded(waveform_of(set.vibrations[open[k]]), longest);
+        const auto code = pattern_codes({&waveform, 1}, set.model, options);
+        if (!code.empty()) codes[open[k]] = code[0];
+    });
+    if (run.stop.stop_requested()) codes.clear();
+    return codes;
+}
+
+std::optional<LiveMap> LiveMapWork::previewed(const Run& run) {
+    auto codes = codes_of(run);
+    if (codes.size() != run.set->vibrations.size()) return std::nullopt;
+    PredictOptions options = run.options;
+    options.envelope_decimation = preview_grain(*run.set).value_or(kGrains.back()).decimation;
+    auto prediction = predict(std::move(codes), run.set->model, options);
+    if (!prediction) return std::nullopt;
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    map.space = moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop);
+    return map;
+}
+
+// A part of a full run. Its points drift from where they were shown last.
+LiveMap LiveMapWork::part(Run& run, const Prediction& prediction, double exact_share) {
+    LiveMap map = map_of(run.request, run.set, prediction);
+    map.request.preview = true;
+    map.exact_share = exact_share;
+    map.space = moved_space(map.prediction.pm, run.request.dimensions, run.shown.get(), run.stop);
+    run.shown = std::make_shared<const LiveMap>(map);
+    return map;
+}
+
+std::optional<Prediction> LiveMapWork::exact(Run& run) {
+    auto codes = codes_of(run);
+    if (codes.size() != run.set->vibrations.size()) return std::nullopt;
+    Refinement refinement = begin_refinement(std::move(codes), run.set->model, run.options);
+    if (run.stop.stop_requested()) return std::nullopt;
+    const auto& coarse = run.request.coarse;
+    if (coarse && coarse->prediction.envelope_decimation > 1)
+        refinement.coarse = {coarse->prediction.oc, coarse->prediction.envelope_decimation};
+    Refining how{*run.request.set, run.request.wanted.get(), run.request.checkpoint, {}};
+    if (run.partly && coarse) {
+        how.partly = [&](const Refinement& now, bool is_kept) {
+            LiveMap map = part(run, prediction_of(now), exact_share(now));
+            map.is_kept = is_kept;
+            run.partly(std::move(map));
+        };
+    }
+    if (!refine(refinement, run.options, how)) return std::nullopt;
+    return prediction_of(refinement);
+}
+
+// PM first, where the points were; the starts of its map take longer than a row of it.
+std::optional<LiveMap> LiveMapWork::full(Run& run) {
+    auto prediction = exact(run);
+    if (!prediction) return std::nullopt;
+    run.progress = kPredictionShare;
+    const bool in_parts = run.partly && run.shown;
+    if (in_parts) run.partly(part(run, *prediction, 1.0));
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    map.exact_share = 1.0;
+    const Dissimilarity& pm = map.prediction.pm;
+    MdsParams params = standard_mds_params(pm.size, run.request.dimensions);
+    params.threads = threads_;
+    std::function<void(const Eigen::MatrixXd&)> lower;
+    auto told = std::chrono::steady_clock::now();
+    if (in_parts && pm.size > kMostAtOnce) {
+        lower = [&](const Eigen::MatrixXd& points) {
+            if (std::chrono::steady_clock::now() - told < kBetweenParts) return;
+            LiveMap on_its_way = map;
+            on_its_way.request.preview = true;
+            on_its_way.space = space_at(pm, points, params);
+            run.partly(std::move(on_its_way));
+            told = std::chrono::steady_clock::now();
+        };
+    }
+    map.space = nonmetric_mds(pm, params, run.stop, {}, lower);
+    return map;
+}
+
 std::optional<LiveMap> LiveMapWork::operator()(const LiveMapRequest& request, std::stop_token stop,
                                                std::atomic<float>& progress) {
+    return in_parts(request, std::move(stop), progress, {});
+}
+
+std::optional<LiveMap> LiveMapWork::in_parts(const LiveMapRequest& request, std::stop_token stop,
+                                             std::atomic<float>& progress, const Partly& partly) {
     if (std::optional<LiveMap> map = kept(request)) return map;
     const auto begin = std::chrono::steady_clock::now();
-    const std::shared_ptr<const PatternSet> set = played(request, stop);
+    std::shared_ptr<const PatternSet> set = played(request, stop);
     if (!set) return std::nullopt;
-    const std::vector<Waveform> waveforms = model_waveforms(*set, threads_);
-    PredictOptions options;
-    const PreviewGrain grain = preview_grain(*set).value_or(kGrains.back());
-    options.envelope_decimation = request.preview ? grain.decimation : 1;
-    options.previous = last_ ? &last_->prediction : nullptr;
-    options.threads = threads_;
-    options.stop = stop;
-    options.progress = [&progress](double share) {
+    Run run{request,
+            std::move(set),
+            stop,
+            progress,
+            partly,
+            {},
+            request.coarse ? request.coarse : last_};
+    run.options.previous = last_ ? &last_->prediction : nullptr;
+    run.options.threads = threads_;
+    run.options.stop = stop;
+    run.options.progress = [&progress](double share) {
         progress = kPredictionShare * static_cast<float>(share);
     };
-    auto prediction = predict(waveforms, request.set->model, options);
-    if (!prediction) return std::nullopt;
-    progress = kPredictionShare;
-
-    LiveMap map{request, std::move(*prediction), {}, 0.0, set, {}};
-    const Dissimilarity& pm = map.prediction.pm;
-    map.sorted_pm = sorted_values(pm);
-    map.closest =
-        static_cast<std::size_t>(std::ranges::min_element(pm.condensed) - pm.condensed.begin());
-    if (request.preview) {
-        map.space = preview_space(pm, request.dimensions, last_.get(), stop);
-    } else {
-        MdsParams params = standard_mds_params(pm.size, request.dimensions);
-        params.threads = threads_;
-        map.space = nonmetric_mds(pm, params, stop);
-    }
-    if (stop.stop_requested()) return std::nullopt;
+    auto map = request.preview ? previewed(run) : full(run);
+    if (!map || stop.stop_requested()) return std::nullopt;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    map.seconds = took.count();
-    keep(map);
+    map->seconds = took.count();
+    keep(*map);
     return map;
 }
 

@@ -1,14 +1,17 @@
 // The predicted space of a set, computed in the background: from the document to the map.
 //
 // Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
-// and follows a drag, and the full run, whose numbers are those of the command line. Where the full
-// run has to be asked for, the preview is the first map of a set.
+// and follows a drag, and the full run, whose numbers are those of the command line. Of a set that
+// takes long the preview is the first map; the full run begins with it and makes it exact in place,
+// in parts.
 //
 // Exact     the full run depends on the set alone, not on what was shown before.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -36,6 +39,9 @@ double expected_map_s(std::size_t patterns, double longest_s);  // all of one le
 
 bool needs_asking(const PatternSet& set);
 
+// Rough time that all cores take for so many cells of dynamic time warping.
+double expected_dtw_s(double cells);
+
 // How coarse the envelopes of a preview are: the more cells its pairs have, the coarser.
 struct PreviewGrain {
     std::size_t decimation = 10;  // of 10 kHz
@@ -44,11 +50,14 @@ struct PreviewGrain {
     int most_flips = 4;
 };
 
-// None: there are too many patterns, or they are too long, for a preview in seconds.
+// None: there are too many patterns for a preview in seconds.
 std::optional<PreviewGrain> preview_grain(const PatternSet& set);
 
 // That of a map; none for an exact one.
 std::optional<PreviewGrain> preview_grain(const Prediction& prediction);
+
+struct LiveMap;
+class WantedRows;
 
 struct LiveMapRequest {
     std::uint64_t revision = 0;  // of the document
@@ -57,6 +66,10 @@ struct LiveMapRequest {
     int dimensions = 3;
     bool preview = false;
     std::optional<RenderedBy> rendered_by{};  // the patterns as a device plays them
+    // How the full run goes about it; the answer does not depend on these.
+    std::shared_ptr<const LiveMap> coarse{};     // the preview of this very set, or null
+    std::shared_ptr<const WantedRows> wanted{};  // what becomes exact first, or null
+    std::filesystem::path checkpoint{};          // keeps what is finished; empty: nothing does
 };
 
 // Whether both have one answer: names, notes and locks make no difference to the model.
@@ -72,6 +85,10 @@ struct LiveMap {
     // PM of all pairs, ascending: of half a million, no frame could wait for it.
     std::vector<double> sorted_pm;
     std::size_t closest = 0;  // the pair of the least PM, in condensed order
+    // Share of the pairs whose PM comes of exact values, 0..1. At 1 a preview has PM itself, and
+    // its points are on their way.
+    double exact_share = 0.0;
+    bool is_kept = false;  // what is finished of it is in a file
 };
 
 // Largest PM of all pairs; 0 without pairs.
@@ -93,10 +110,22 @@ class LiveMapWork {
     std::optional<LiveMap> operator()(const LiveMapRequest& request, std::stop_token stop,
                                       std::atomic<float>& progress);
 
+    // The same; `partly` gets previews (request.preview) of a full run that is under way.
+    using Partly = std::function<void(LiveMap)>;
+    std::optional<LiveMap> in_parts(const LiveMapRequest& request, std::stop_token stop,
+                                    std::atomic<float>& progress, const Partly& partly);
+
   private:
+    struct Run;  // one request
+
     std::optional<LiveMap> kept(const LiveMapRequest& request);
     void keep(const LiveMap& map);
     std::shared_ptr<const PatternSet> played(const LiveMapRequest& request, std::stop_token stop);
+    std::vector<std::shared_ptr<const PatternCode>> codes_of(const Run& run);
+    std::optional<LiveMap> previewed(const Run& run);
+    std::optional<LiveMap> full(Run& run);
+    std::optional<Prediction> exact(Run& run);
+    LiveMap part(Run& run, const Prediction& prediction, double exact_share);
 
     int threads_;                                      // 0: all cores
     std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last

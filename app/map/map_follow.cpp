@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/shown_side.h"
+#include "app/map/map_refining.h"
 #include "app/map/map_turn.h"
 #include "app/map/unshifted_map.h"
 #include "model/set/likeness.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double kEaseS = 0.18;
 constexpr double kGhostS = 1.6;
-constexpr double kSeenS = 0.5;  // a ring that was there for less has hardly been seen
+constexpr double kInTurnS = 2.0;  // an exact map that takes longer leaves the cores to the preview
+constexpr double kSeenS = 0.5;    // a ring that was there for less has hardly been seen
 
 double smooth(double share) {
     const double t = std::clamp(share, 0.0, 1.0);
@@ -29,7 +31,8 @@ bool is_news(const ShownMap& shown_map, const std::shared_ptr<const LiveMap>& ma
     if (!shown_map.transition.shown) return true;
     const LiveMapRequest& shown = shown_map.transition.shown->request;
     if (map->request.revision != shown.revision) return map->request.revision > shown.revision;
-    return shown.preview && !map->request.preview;
+    if (!shown.preview || !map->request.preview) return shown.preview;
+    return map->exact_share > 0.0 && map->exact_share >= shown_map.transition.shown->exact_share;
 }
 
 // The set, with the places that its map had when the set was last like this, if they are known:
@@ -65,6 +68,27 @@ Eigen::MatrixXd places_of(const LiveMap& map, const ShownMap& shown_map) {
                          held->points.rows() == map.space.points.rows() &&
                          held->points.cols() == map.space.points.cols();
     return is_held ? held->points : aligned_to_anchor(shown_map.transition, map);
+}
+
+// A preview that failed is waited for no longer.
+void ask_in_turn(ShownMap& shown_map) {
+    auto request = std::exchange(shown_map.exact_in_turn, std::nullopt);
+    if (!request) return;
+    const auto& shown = shown_map.transition.shown;
+    if (shown && shown->request.document == request->document &&
+        shown->request.revision == request->revision && shown->request.preview) {
+        request->coarse = shown;
+    }
+    shown_map.wanted = std::make_shared<WantedRows>();
+    request->wanted = shown_map.wanted;
+    shown_map.full_job.ask(std::move(*request));
+}
+
+// A map that was stopped by the end of the program, or by another document, continues.
+void take_up_exact(const Workspace& work, ShownMap& shown_map) {
+    if (needs_asking(work.document.set) && has_checkpoint(work)) {
+        shown_map.compute_large_of = work.document_number;
+    }
 }
 
 }  // namespace
@@ -112,17 +136,27 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
 
 void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map) {
     shown_map.preview_job.begin(JobPolicy::finish, LiveMapWork{}, ui.wake);
-    shown_map.full_job.begin(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
+    using Full = Query<LiveMapRequest, LiveMap>;
+    const auto full = std::make_shared<LiveMapWork>();
+    shown_map.full_job.begin(
+        JobPolicy::supersede,
+        Full::WorkInParts([full](const LiveMapRequest& request, std::stop_token stop,
+                                 std::atomic<float>& progress, const Full::Partly& partly) {
+            return full->in_parts(request, std::move(stop), progress, partly);
+        }),
+        ui.wake, is_same_work);
     shown_map.unshifted_job.begin(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
     shown_map.maps_asked = work.revision;  // until something changes or is asked for
 }
 
 void take_maps(const Ui& ui, ShownMap& shown_map) {
     if (!shown_map.full_job.has_begun()) return;
+    const bool is_previewed = !shown_map.preview_job.busy();  // before its answer is taken
     for (const auto* job : {&shown_map.preview_job, &shown_map.full_job}) {
         if (auto map = job->latest(); is_news(shown_map, map))
             show_map(ui, shown_map, std::move(map));
     }
+    if (is_previewed) ask_in_turn(shown_map);
     follow_unshifted(shown_map);
 }
 
@@ -134,7 +168,9 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     // Another document is another map: the last one says nothing of it.
     if (std::exchange(shown_map.of_document, work.document_number) != work.document_number) {
         shown_map.transition = {};
+        take_up_exact(work, shown_map);
     }
+    shown_map.exact_in_turn.reset();
     const PatternSet& set = work.document.set;
     const bool has_preview = preview_grain(set).has_value();
     const bool waits = exact_waits(work, shown_map);
@@ -147,16 +183,26 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
                            shown_map.dimensions,
                            false,
                            rendered_by(rendered)};
-    if (!waits) shown_map.full_job.ask(request);
+    if (!waits && needs_asking(set) && !request.rendered_by) {
+        request.checkpoint = map_checkpoint(work);
+    }
+    const bool in_turn = has_preview && expected_map_s(set) > kInTurnS;
+    if (!waits && in_turn) shown_map.exact_in_turn = request;
+    if (!waits && !in_turn) shown_map.full_job.ask(request);
     const auto& shown = shown_map.transition.shown;
     const bool is_shown = shown && shown->request.revision == work.revision;
-    if (!has_preview || (is_shown && shown->request.preview)) return;
+    if (!has_preview || (is_shown && shown->request.preview)) {
+        return ask_in_turn(shown_map);
+    }
     request.preview = true;
     shown_map.preview_job.ask(request);
 }
 
 void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
     if (shown_map.maps_asked != work.revision) request_maps(work, shown_map, rendered);
+    if (shown_map.wanted && shown_map.full_job.busy()) {
+        shown_map.wanted->tell(rows_looked_at(work, shown_map));
+    }
 }
 
 void note_map_places(Workspace& work, ShownMap& shown_map) {

@@ -1,4 +1,5 @@
 #include "app/map/space_panel.h"
+#include "app/map/map_refining.h"
 
 #include <algorithm>
 #include <array>
@@ -109,15 +110,18 @@ void draw_way_out(Ui& ui, Workspace& work, const Dominant& one) {
 // What a preview is worth where nothing better comes unasked, and what the exact map would take.
 // The height that this takes.
 float draw_waiting(Ui& ui, Workspace& work, ShownMap& shown_map) {
-    const auto grain = preview_grain(shown_map.transition.shown->prediction);
-    if (ui.as_picture || !grain || !exact_waits(work, shown_map)) return 0.0F;
-    const float top = ImGui::GetCursorPosY();
+    if (ui.as_picture || map_state(work, shown_map) != MapState::preview) return 0.0F;
     const PatternSet& set = work.document.set;
+    const bool waits = exact_waits(work, shown_map);
+    const std::string words =
+        preview_words(*shown_map.transition.shown, waits, expected_map_s(set));
+    if (words.empty()) return 0.0F;
+    const float top = ImGui::GetCursorPosY();
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, "A preview: up to " + std::to_string(grain->most_flips) +
-                     " % of the orders of pairs may change. The exact map takes " +
-                     estimate_text(expected_map_s(set)) + ".");
+    dim_text(ui, words);
     ImGui::PopTextWrapPos();
+    note_item(ui.rects, "map:preview", words);
+    if (!waits) return ImGui::GetCursorPosY() - top + ui.theme.gap_px;
     constexpr const char* kCompute = "Compute it";
     flow_on(ImGui::CalcTextSize(kCompute).x, ui.theme.gap_px);
     if (link(ui, "compute exact", kCompute)) compute_exact(work, shown_map);

@@ -1,0 +1,181 @@
+#include "app/map/map_refining.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "app/progress/time_left.h"
+#include "model/common/fingerprint.h"
+#include "model/io/set/set_fingerprint.h"
+#include "model/io/tables/checkpoint.h"
+#include "model/perceptual_model/tiles.h"
+
+namespace tact {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kWorthWordsS = 5.0;   // what is over sooner is told by its end
+constexpr double kPartS = 0.4;         // of computing, between two parts
+constexpr double kLeastParts = 200.0;  // a lot of few pairs fills registers badly
+constexpr double kPartToTelling = 5.0;
+
+TileKey key_of(const Refinement& refinement, const PatternSet& set) {
+    const std::size_t patterns = refinement.codes.size();
+    return {patterns, tile_side(patterns), vibrations_fingerprint(set), model_fingerprint(set),
+            fingerprint(refinement.codes, refinement.params)};
+}
+
+void keep_tile(std::optional<Checkpoint>& file, const Refinement& refinement, std::size_t tile) {
+    if (!file) return;
+    const Tile area = tile_at(refinement.codes.size(), tile);
+    if (!file->append(Part::oc, tile, tile_of(refinement.oc, area))) file.reset();
+}
+
+// The open file, with all in it that is known; none: the map is computed without.
+std::optional<Checkpoint> taken_up(Refinement& refinement, const Refining& how) {
+    if (how.checkpoint.empty()) return std::nullopt;
+    const TileKey key = key_of(refinement, how.set);
+    std::error_code fault;
+    // One of an earlier state of the set is of no use any more.
+    if (const auto kept = kept_key(how.checkpoint); kept && *kept != key) {
+        fs::remove(how.checkpoint, fault);
+    }
+    fs::create_directories(how.checkpoint.parent_path(), fault);
+    auto opened = Checkpoint::open(how.checkpoint, key);
+    if (!opened) return std::nullopt;
+    std::optional<Checkpoint> file(std::move(*opened));
+    std::vector<std::uint8_t> in_file(refinement.is_made.size(), 0);
+    const auto read = file->read(Part::oc, [&](std::size_t tile, std::span<const double> values) {
+        take_tile(refinement, tile, values);
+        in_file[tile] = 1;
+    });
+    if (!read) return std::nullopt;
+    for (std::size_t tile = 0; tile < in_file.size(); ++tile) {
+        if (refinement.is_made[tile] != 0 && in_file[tile] == 0) {
+            keep_tile(file, refinement, tile);
+        }
+    }
+    return file;
+}
+
+// The seconds since it was made.
+class Watch {
+  public:
+    double s() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void WantedRows::tell(std::vector<std::size_t> rows) {
+    const std::lock_guard lock(mutex_);
+    rows_.swap(rows);
+}
+
+std::vector<std::size_t> WantedRows::now() const {
+    const std::lock_guard lock(mutex_);
+    return rows_;
+}
+
+std::vector<std::size_t> rows_looked_at(const Workspace& work, const ShownMap& shown_map) {
+    const Eigen::MatrixXd& points = shown_map.transition.to;
+    const auto count = static_cast<std::size_t>(points.rows());
+    const Selection& selection = work.selection;
+    if (selection.current >= count) return {};
+    const auto centre = points.row(static_cast<Eigen::Index>(selection.current));
+    std::vector<double> distance(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        distance[k] = (points.row(static_cast<Eigen::Index>(k)) - centre).norm();
+    }
+    for (const std::size_t other : selection.others) {
+        if (other < count) distance[other] = -1.0;
+    }
+    distance[selection.current] = -2.0;
+    if (selection.hovered_last && *selection.hovered_last < count) {
+        distance[*selection.hovered_last] = -3.0;
+    }
+    std::vector<std::size_t> rows(count);
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::ranges::stable_sort(rows, {}, [&](std::size_t k) { return distance[k]; });
+    return rows;
+}
+
+fs::path map_checkpoint(const Workspace& work) {
+    const fs::path& document = work.document.path;
+    if (!document.empty()) return fs::path(document) += ".map-tiles";
+    if (work.session.folder.empty()) return {};
+    return work.session.folder / "maps" /
+           (fingerprint_text(vibrations_fingerprint(work.document.set)) + ".map-tiles");
+}
+
+bool has_checkpoint(const Workspace& work) {
+    const auto kept = kept_key(map_checkpoint(work));
+    const PatternSet& set = work.document.set;
+    return kept && kept->patterns == set.vibrations.size() &&
+           kept->vibrations == vibrations_fingerprint(set) && kept->model == model_fingerprint(set);
+}
+
+bool refine(Refinement& refinement, const PredictOptions& options, const Refining& how) {
+    std::optional<Checkpoint> file = taken_up(refinement, how);
+    const double whole = open_cells(refinement);
+    const bool in_parts = expected_dtw_s(whole) >= how.parts_from_s;
+    double made = 0.0;
+    double telling_s = 0.0;
+    double cells = whole / kLeastParts;
+    while (!options.stop.stop_requested()) {
+        const auto wanted = how.wanted == nullptr ? std::vector<std::size_t>{} : how.wanted->now();
+        const auto lot = next_tiles(refinement, wanted, in_parts ? cells : whole);
+        if (lot.empty()) break;
+        double of_lot = 0.0;
+        for (const std::size_t tile : lot) of_lot += open_cells(refinement, tile);
+        PredictOptions now = options;
+        now.progress = [&](double share) {
+            if (options.progress) options.progress((made + share * of_lot) / whole);
+        };
+        const Watch making;
+        if (!make_tiles(refinement, lot, now)) return false;
+        const double making_s = making.s();
+        made += of_lot;
+        for (const std::size_t tile : lot) keep_tile(file, refinement, tile);
+        if (!in_parts || made >= whole) continue;
+        const Watch telling;
+        if (how.partly) how.partly(refinement, file.has_value());
+        telling_s = telling.s();
+        const double part_s = std::max(kPartS, kPartToTelling * telling_s);
+        cells = std::max(whole / kLeastParts, of_lot * part_s / std::max(making_s, 1e-3));
+    }
+    if (options.stop.stop_requested()) return false;
+    if (file) file->remove();
+    return true;
+}
+
+std::string preview_words(const LiveMap& map, bool exact_waits, double exact_s) {
+    const auto grain = preview_grain(map.prediction);
+    if (!map.request.preview || !grain) return {};
+    // Two pairs that are exact keep their order.
+    const double open = 1.0 - map.exact_share * map.exact_share;
+    const int flips = static_cast<int>(std::ceil(grain->most_flips * open));
+    const std::string may_change =
+        "up to " + std::to_string(flips) + " % of the orders of pairs may change.";
+    if (exact_waits) {
+        return "A preview: " + may_change + " The exact map takes " + estimate_text(exact_s) + ".";
+    }
+    if (exact_s < kWorthWordsS || map.exact_share <= 0.0) return {};
+    const int exact = static_cast<int>(100.0 * map.exact_share);
+    std::string words = "A preview, from the selected pattern outwards " + std::to_string(exact) +
+                        " % exact: " + may_change;
+    if (map.is_kept) words += " What is exact is kept: a restart continues from there.";
+    return words;
+}
+
+}  // namespace tact
