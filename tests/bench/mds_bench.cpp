@@ -2,13 +2,18 @@
 // installed (r-cran-vegan, r-cran-mass). Both sides count seconds of one core.
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <random>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "model/map/mds.h"
@@ -133,6 +138,48 @@ void hundred_starts_of_14(benchmark::State& state) {
     owe_at_most(state, 1e3 * best.shortest_s, 50.0, "ms");
 }
 
+// The window's own search of 250 objects against that of 500, in one run.
+void of_250_against_500(benchmark::State& state) {
+    const Dissimilarity few = noisy(250).dissimilarity;
+    const Dissimilarity many = noisy(500).dissimilarity;
+    const auto search = [](const Dissimilarity& of) {
+        MdsParams params = standard_mds_params(of.size, 3);
+        params.threads = 1;
+        benchmark::DoNotOptimize(nonmetric_mds(of, params));
+    };
+    Best of_few;
+    Best of_many;
+    for (auto _ : state) {
+        of_few.turn([&] { search(few); });
+        of_many.turn([&] { search(many); });
+    }
+    state.counters["250_s"] = of_few.shortest_s;
+    state.counters["500_s"] = of_many.shortest_s;
+    owe_at_most(state, of_few.shortest_s / of_many.shortest_s, 1.0, "x 500 objects");
+}
+
+// How long a stop waits at its longest: asked for at moments spread over the beginning.
+void stop_heeded(benchmark::State& state, std::size_t objects) {
+    const Dissimilarity of = noisy(objects).dissimilarity;
+    MdsParams params = standard_mds_params(objects, 3);
+    params.threads = 1;
+    double longest_s = 0.0;
+    int delay_ms = 0;
+    for (auto _ : state) {
+        std::stop_source stop;
+        std::atomic<double> asked_s{0.0};
+        std::jthread asks([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
+            asked_s = clock_s();
+            stop.request_stop();
+        });
+        benchmark::DoNotOptimize(nonmetric_mds(of, params, stop.get_token()));
+        longest_s = std::max(longest_s, clock_s() - asked_s);
+        delay_ms += 200;
+    }
+    owe_at_most(state, longest_s, 0.2, "s");
+}
+
 // The best of our 20 starts less the best of monoMDS's 20 starts and of isoMDS, at its worst.
 void least_stress(benchmark::State& state, const std::vector<Matrix>& matrices) {
     std::vector<Question> questions;
@@ -189,6 +236,9 @@ BENCHMARK_CAPTURE(against_mono_mds, tied_100, tied(100), kStarts, false)
 BENCHMARK_CAPTURE(against_mono_mds, structureless_100, structureless(100), kStarts, false)
     ->Name("mds/100_objects_structureless/start")
     ->Iterations(1);
+BENCHMARK(of_250_against_500)->Name("mds/250_against_500")->Iterations(1);
+BENCHMARK_CAPTURE(stop_heeded, thousand, 1000)->Name("mds/1000_objects/stop")->Iterations(5);
+BENCHMARK_CAPTURE(stop_heeded, two_thousand, 2000)->Name("mds/2000_objects/stop")->Iterations(5);
 BENCHMARK_CAPTURE(least_stress, structured, structured())
     ->Name("mds/least_stress/structured")
     ->Iterations(1);
