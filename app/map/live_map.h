@@ -1,9 +1,9 @@
 // The predicted space of a set, computed in the background: from the document to the map.
 //
 // Two runs answer each edit: a preview with coarse envelopes and one start, which always finishes
-// and follows a drag, and the full run, whose numbers are those of the command line. Of a set that
-// takes long the preview is the first map; the full run begins with it and makes it exact in place,
-// in parts.
+// and follows a drag, and the full run, whose numbers are those of the command line. Where the
+// full run takes long the preview is the first map, and the full run makes it exact in place, in
+// parts.
 //
 // Exact     the full run depends on the set alone, not on what was shown before.
 #pragma once
@@ -39,7 +39,7 @@ double expected_map_s(std::size_t patterns, double longest_s);  // all of one le
 
 bool needs_asking(const PatternSet& set);
 
-// Rough time that all cores take for so many cells of dynamic time warping.
+// Rough time that all cores take to fill this number of cells by dynamic time warping.
 double expected_dtw_s(double cells);
 
 // How coarse the envelopes of a preview are: the more cells its pairs have, the coarser.

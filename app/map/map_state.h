@@ -132,7 +132,7 @@ struct ShownMap {
     Query<LiveMapRequest, LiveMap> preview_job;
     Query<LiveMapRequest, LiveMap> full_job;
     Query<LiveMapRequest, LiveMap> unshifted_job;
-    // Of a set that takes long, asked for as soon as its preview is there.
+    // The full run of a set that takes long waits here for its preview.
     std::optional<LiveMapRequest> exact_in_turn;
     std::shared_ptr<WantedRows> wanted;                 // of the full run under way
     std::shared_ptr<const LiveMap> unshifted_asked_of;  // the map shown then

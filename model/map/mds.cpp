@@ -12,6 +12,7 @@
 #include "model/common/decompositions.h"
 #include "model/common/parallel.h"
 #include "model/common/random.h"
+#include "model/map/landmarks.h"
 #include "model/map/principal_axes.h"
 #include "model/text/numbers.h"
 
@@ -207,6 +208,16 @@ MatrixXd torgerson_start(const Task& task) {
                      task.dimensions);
 }
 
+// Torgerson's start of more objects takes longer than all descents, seconds for a thousand, and
+// heeds no stop. Classical scaling by landmarks is as good to descend from.
+constexpr std::size_t kMostForTorgerson = 300;
+
+MatrixXd classical_start(const Task& task) {
+    const std::size_t n = task.dissimilarity.size;
+    if (n <= kMostForTorgerson) return torgerson_start(task);
+    return landmark_scaling({n, tame(task.dissimilarity.condensed, task.order)}, task.dimensions);
+}
+
 // Most starts end in worse valleys, and most of a descent is its end. So all rest once their steps
 // gain less than this, and the lowest few descend farther; what rests this far above has lost.
 constexpr double kRestAt = 1e-6;
@@ -248,7 +259,7 @@ Found best_of_starts(const Task& task, int random_starts, const MdsParams& param
     std::mutex reporting;
     const auto run = [&](std::size_t index) {
         descents[index] = descend(task.order,
-                                  index == 0 ? torgerson_start(task)
+                                  index == 0 ? classical_start(task)
                                              : random_start(n, task.dimensions, params.seed, index),
                                   resting, stop);
         const std::lock_guard lock(reporting);
@@ -368,7 +379,7 @@ PerceptualSpace smacof(const Dissimilarity& dissimilarity, const MatrixXd& start
                        const MdsParams& params, std::stop_token stop) {
     const Task task = task_of(dissimilarity, params);
     if (task.verdict != MdsVerdict::fine) return space_at_once(task);
-    const MatrixXd& first = usable(start, task) ? start : torgerson_start(task);
+    const MatrixXd& first = usable(start, task) ? start : classical_start(task);
     DescentParams how{params.tolerance, params.max_steps};
     std::vector<double> values;
     if (params.is_interval) values = tame(dissimilarity.condensed, task.order);

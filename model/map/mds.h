@@ -1,7 +1,7 @@
 // Non-metric multidimensional scaling: points whose distances have the order of dissimilarities.
 //
 // Source    Kruskal 1964 (stress-1, primary ties); de Leeuw 1977, de Leeuw & Mair 2009 (SMACOF);
-//           Torgerson 1952 (classical start).
+//           Torgerson 1952 (classical start; of many objects by landmarks, landmarks.h).
 // Input     a dissimilarity matrix; NaN pairs are ignored
 // Output    coordinates, centred, on principal axes, mean squared distance 1, with stress-1
 // Left out  ratio scaling, secondary ties, weights, individual differences.
@@ -29,7 +29,7 @@ inline constexpr std::array<std::ptrdiff_t, 3> kBlockCacheBytes{32'768, 262'144,
 
 struct MdsParams {
     int dimensions = 3;
-    int random_starts = 100;  // besides Torgerson's
+    int random_starts = 100;  // besides the classical one
     // How often at most a badly placed point of the best map is tried on the other side.
     int turned_points = 0;
     std::uint64_t seed = 1;
@@ -55,7 +55,7 @@ struct PerceptualSpace {
     Eigen::MatrixXd points;  // n x k
     double stress1 = 0.0;
     MdsVerdict verdict = MdsVerdict::fine;
-    // Where every start that was run came to rest, Torgerson's first: the few lowest then descend
+    // Where every start that was run came to rest, the classical first: the few lowest then descend
     // to their ends.
     std::vector<double> start_stress;
     bool stopped = false;  // a stop was asked for before the last start
@@ -80,7 +80,7 @@ Eigen::MatrixXd random_start(Eigen::Index n, Eigen::Index k, std::uint64_t seed,
 PerceptualSpace smacof(const Dissimilarity& dissimilarity, const Eigen::MatrixXd& start,
                        const MdsParams& params, std::stop_token stop = {});
 
-// The best of Torgerson's and the random starts, of equals the first; then with the points turned
+// The best of the classical and the random starts, of equals the first; then with the points turned
 // that make it better. Starts descend until steps gain next to nothing, and the lowest of them to
 // their ends: the others would end above. Where groups collapse in that, the best by interval
 // scaling, whose distances are a constant and a multiple of the dissimilarities (Borg & Groenen

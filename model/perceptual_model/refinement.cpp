@@ -104,7 +104,7 @@ std::vector<std::size_t> next_tiles(const Refinement& refinement,
                                     std::span<const std::size_t> wanted, double cells) {
     const std::size_t patterns = refinement.codes.size();
     const std::size_t side = tile_side(patterns);
-    // Of each group of patterns that is a side of tiles, the place of the one wanted first.
+    // A group of patterns is a side of tiles. The first of it that is wanted says when its turn is.
     std::vector<std::size_t> rank((patterns + side - 1) / side);
     for (std::size_t group = 0; group < rank.size(); ++group) rank[group] = patterns + group;
     for (std::size_t k = wanted.size(); k > 0; --k) {

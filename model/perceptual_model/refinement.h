@@ -46,9 +46,9 @@ double open_cells(const Refinement& refinement, std::size_t tile);
 // Share of the pairs that are exact, 0..1; 1 without pairs.
 double exact_share(const Refinement& refinement);
 
-// Tiles to be made next, of at most so many cells but at least one: those with the patterns that
-// are wanted first (places, the most wanted first), then by the patterns' order. Empty: all are
-// made.
+// Tiles to be made next, with at most this number of cells but at least one tile: those with the
+// patterns that are wanted first (places, the most wanted first), then by the patterns' order.
+// Empty: all are made.
 std::vector<std::size_t> next_tiles(const Refinement& refinement,
                                     std::span<const std::size_t> wanted, double cells);
 

@@ -26,7 +26,7 @@ Refinement begun(const PatternSet& set) {
     return refinement;
 }
 
-// Stops after so many parts; how many there were, and the share of the first.
+// What refine() told before it was stopped after a number of parts.
 struct Parts {
     std::size_t count = 0;
     double first_share = 0.0;
