@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kWorthWordsS = 5.0;   // what is over sooner is told by its end
-constexpr double kPartS = 0.4;         // of computing, between two parts
-constexpr double kLeastParts = 200.0;  // a lot of few pairs fills registers badly
-constexpr double kPartToTelling = 5.0;
+constexpr double kWorthWordsS = 5.0;  // what is over sooner is told by its end
+constexpr double kPartS = 0.4;        // of computing, between two parts
+constexpr double kMostParts = 200.0;
+constexpr double kPartToTelling = 5.0;  // computing and telling, at least
 
 TileKey key_of(const Refinement& refinement, const PatternSet& set) {
     const std::size_t patterns = refinement.codes.size();
@@ -130,8 +130,10 @@ bool refine(Refinement& refinement, const PredictOptions& options, const Refinin
     const double whole = open_cells(refinement);
     const bool in_parts = expected_dtw_s(whole) >= how.parts_from_s;
     double made = 0.0;
-    double telling_s = 0.0;
-    double cells = whole / kLeastParts;
+    // By cells, not by the clock: lots of few pairs fill registers badly, on a busy machine as
+    // well.
+    const double cells_per_s = 1.0 / expected_dtw_s(1.0);
+    double cells = std::max(whole / kMostParts, kPartS * cells_per_s);
     while (!options.stop.stop_requested()) {
         const auto wanted = how.wanted == nullptr ? std::vector<std::size_t>{} : how.wanted->now();
         const auto lot = next_tiles(refinement, wanted, in_parts ? cells : whole);
@@ -142,17 +144,13 @@ bool refine(Refinement& refinement, const PredictOptions& options, const Refinin
         now.progress = [&](double share) {
             if (options.progress) options.progress((made + share * of_lot) / whole);
         };
-        const Watch making;
         if (!make_tiles(refinement, lot, now)) return false;
-        const double making_s = making.s();
         made += of_lot;
         for (const std::size_t tile : lot) keep_tile(file, refinement, tile);
         if (!in_parts || made >= whole) continue;
         const Watch telling;
         if (how.partly) how.partly(refinement, file.has_value());
-        telling_s = telling.s();
-        const double part_s = std::max(kPartS, kPartToTelling * telling_s);
-        cells = std::max(whole / kLeastParts, of_lot * part_s / std::max(making_s, 1e-3));
+        cells = std::max(cells, kPartToTelling * telling.s() * cells_per_s);
     }
     if (options.stop.stop_requested()) return false;
     if (file) file->remove();
