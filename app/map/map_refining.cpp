@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kWorthWordsS = 5.0;  // what is over sooner is told by its end
-constexpr double kPartS = 0.4;        // of computing, between two parts
 constexpr double kMostParts = 200.0;
 constexpr double kPartToTelling = 5.0;  // computing and telling, at least
 
@@ -133,7 +132,7 @@ bool refine(Refinement& refinement, const PredictOptions& options, const Refinin
     // By cells, not by the clock: lots of few pairs fill registers badly, on a busy machine as
     // well.
     const double cells_per_s = 1.0 / expected_dtw_s(1.0);
-    double cells = std::max(whole / kMostParts, kPartS * cells_per_s);
+    double cells = std::max(whole / kMostParts, how.part_s * cells_per_s);
     while (!options.stop.stop_requested()) {
         const auto wanted = how.wanted == nullptr ? std::vector<std::size_t>{} : how.wanted->now();
         const auto lot = next_tiles(refinement, wanted, in_parts ? cells : whole);

@@ -46,6 +46,7 @@ struct Refining {
     // A part is there; whether it is in the file as well.
     std::function<void(const Refinement&, bool)> partly;
     double parts_from_s = 1.5;  // work that is expected to take less shows its end alone
+    double part_s = 0.4;        // expected time of a lot, at least
 };
 
 // All tiles, in lots: each as large as makes parts a pleasure to follow and costs little. Takes up

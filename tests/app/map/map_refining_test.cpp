@@ -40,7 +40,7 @@ Parts refined(Refinement& refinement, const PatternSet& set, const std::filesyst
     std::stop_source stop;
     PredictOptions options;
     options.stop = stop.get_token();
-    Refining how{set, nullptr, file, {}, 0.0};
+    Refining how{set, nullptr, file, {}, 0.0, 0.0};
     how.partly = [&](const Refinement& now, bool is_kept) {
         if (parts.count == 0) parts.first_share = exact_share(now);
         parts.is_kept = is_kept;
