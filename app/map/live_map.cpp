@@ -24,7 +24,7 @@ namespace {
 
 // Envelopes at 1 kHz, 250 Hz, 100 Hz, 25 Hz and 10 Hz.
 constexpr std::array kGrains{PreviewGrain{10, 4}, PreviewGrain{40, 10}, PreviewGrain{100, 12},
-                             PreviewGrain{400, 20}, PreviewGrain{1000, 25}};
+                             PreviewGrain{400, 15}, PreviewGrain{1000, 25}};
 constexpr std::size_t kMostPreviewed = 2000;
 constexpr double kMostPreviewCells = 4e10;  // 3 s of two cores with AVX2
 constexpr float kPredictionShare = 0.9F;    // of the progress bar; the rest is the map

@@ -73,7 +73,7 @@ Eigen::MatrixXd places_of(const LiveMap& map, const ShownMap& shown_map) {
 // A preview that failed is waited for no longer.
 void ask_in_turn(ShownMap& shown_map) {
     auto request = std::exchange(shown_map.exact_in_turn, std::nullopt);
-    if (!request) return;
+    if (!request || shown_map.cancelled) return;
     const auto& shown = shown_map.transition.shown;
     if (shown && shown->request.document == request->document &&
         shown->request.revision == request->revision && shown->request.preview) {
