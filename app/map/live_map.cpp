@@ -310,8 +310,9 @@ std::optional<Prediction> LiveMapWork::exact(Run& run) {
     Refinement refinement = begin_refinement(std::move(codes), run.set->model, run.options);
     if (run.stop.stop_requested()) return std::nullopt;
     const auto& coarse = run.request.coarse;
-    if (coarse && coarse->prediction.envelope_decimation > 1)
+    if (coarse && coarse->prediction.envelope_decimation > 1) {
         refinement.coarse = {coarse->prediction.oc, coarse->prediction.envelope_decimation};
+    }
     Refining how{*run.request.set, run.request.wanted.get(), run.request.checkpoint, {}};
     if (run.partly && coarse) {
         how.partly = [&](const Refinement& now, bool is_kept) {

@@ -75,8 +75,9 @@ void ask_in_turn(ShownMap& shown_map) {
     auto request = std::exchange(shown_map.exact_in_turn, std::nullopt);
     if (!request || shown_map.cancelled) return;
     const auto& shown = shown_map.transition.shown;
-    if (shown && shown->request.document == request->document &&
-        shown->request.revision == request->revision && shown->request.preview) {
+    if (shown && shown->request.preview && shown->request.document == request->document &&
+        shown->request.revision == request->revision &&
+        shown->request.rendered_by == request->rendered_by) {
         request->coarse = shown;
     }
     shown_map.wanted = std::make_shared<WantedRows>();
