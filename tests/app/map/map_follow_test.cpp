@@ -111,8 +111,20 @@ TEST_CASE("map: where the exact one has to be asked for, a preview is shown, sai
     const auto preview = app.shown_map.transition.shown;
     program.click("link:compute exact");
     CHECK(app.shown_map.full_job.busy());
-    CHECK(app.shown_map.transition.shown == preview);  // it stays until the exact one is there
     CHECK_FALSE(program.shows("link:compute exact"));
+    // It stays, and becomes exact in place: points begin where they stood.
+    Eigen::MatrixXd stood = eased_points(app.ui, app.shown_map);
+    while (app.shown_map.transition.shown == preview) {
+        REQUIRE(std::chrono::steady_clock::now() < until);
+        stood = eased_points(app.ui, app.shown_map);
+        program.frame();
+    }
+    const MapTransition& now = app.shown_map.transition;
+    CHECK(now.shown->request.preview);
+    CHECK(now.shown->exact_share > 0.0);
+    CHECK(map_state(app.work, app.shown_map) == MapState::preview);
+    CHECK((now.from - stood).norm() < 0.05 * stood.norm());
+    CHECK((now.to - stood).norm() < 0.2 * stood.norm());
     stop_jobs(app);
 }
 
