@@ -287,8 +287,11 @@ double ghost_opacity(const Ui& ui, const ShownMap& shown_map) {
 }
 
 bool is_moving(const Ui& ui, const ShownMap& shown_map) {
-    return ui.motion && shown_map.transition.shown &&
-           ui.time_s - shown_map.transition.since_s < kGhostS;
+    const MapTransition& map = shown_map.transition;
+    if (!ui.motion || !map.shown) return false;
+    // Parts of a first map leave no ghosts: between them no frame need be drawn.
+    const bool has_ghosts = map.ghost.array().isFinite().any();
+    return ui.time_s - map.since_s < (has_ghosts ? kGhostS : kEaseS);
 }
 
 }  // namespace tact
