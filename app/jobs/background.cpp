@@ -6,10 +6,10 @@ namespace tact {
 
 void give_way_to_interface() {
 #ifdef __linux__
-    // Niceness of the calling thread alone, on Linux; children inherit it. A tenth of the usual
-    // weight.
-    constexpr int kNice = 10;
-    setpriority(PRIO_PROCESS, 0, kNice);
+    // Niceness of the calling thread alone, on Linux; children inherit it. A tenth of the weight
+    // that the window has, which may be nice itself.
+    constexpr int kNicer = 10;
+    setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNicer);
 #endif
 }
 
