@@ -142,8 +142,8 @@ std::vector<PatternLoss> losses_of(const PatternSet& set, const ExportedSet& exp
         loss.silenced = is_felt(*sides.meant.codes[k]) && !is_felt(*sides.back.codes[k]);
         const bool said = !loss.remarks.empty() && loss.remarks.back() == kSilenced;
         if (loss.silenced && !said) loss.remarks.emplace_back(kSilenced);
-        const Waveform& meant = sides.meant.codes[k]->waveform;
-        loss.rms_error_g = rms_error_g(meant, sides.back.codes[k]->waveform);
+        const Waveform meant = coded_waveform(*sides.meant.codes[k]);
+        loss.rms_error_g = rms_error_g(meant, coded_waveform(*sides.back.codes[k]));
         const double peak = peak_g(meant);
         if (loss.rms_error_g > 0.0 && peak > 0.0) {
             loss.psnr_db = 20.0 * portable::log10(peak / loss.rms_error_g);

@@ -1,7 +1,6 @@
 #include "model/perceptual_model/perceptual_model.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <string_view>
 #include <unordered_map>
@@ -22,9 +21,23 @@ using Codes = std::span<const std::shared_ptr<const PatternCode>>;
 
 constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
 
+// Without the zeros at its end: whoever gave it may have added them.
+std::span<const double> own_samples(const Waveform& waveform) {
+    const std::span<const double> all = waveform.samples_g;
+    std::size_t count = all.size();
+    while (count > 0 && all[count - 1] == 0.0) --count;
+    return all.first(count);
+}
+
 std::size_t hash_of(const Waveform& waveform) {
-    const auto* bytes = reinterpret_cast<const char*>(waveform.samples_g.data());
-    return std::hash<std::string_view>{}({bytes, waveform.samples_g.size() * sizeof(double)});
+    const std::span<const double> own = own_samples(waveform);
+    const auto* bytes = reinterpret_cast<const char*>(own.data());
+    return std::hash<std::string_view>{}({bytes, own.size_bytes()});
+}
+
+bool is_code_of(const PatternCode& code, const Waveform& waveform, std::size_t samples) {
+    return code.samples == samples && code.waveform.rate_hz == waveform.rate_hz &&
+           std::ranges::equal(own_samples(code.waveform), own_samples(waveform));
 }
 
 // Where each code stood in the earlier prediction; a code is shared exactly when it was reused.
@@ -102,22 +115,26 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     if (const Prediction* previous = usable(options, params)) {
         for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
     }
+    std::size_t samples = 0;
+    for (const Waveform& one : waveforms) samples = std::max(samples, one.samples_g.size());
     std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
     const bool finished =
         parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
-            assert(waveforms[k].samples_g.size() == waveforms[0].samples_g.size());
             if (!earlier.empty()) {
                 const auto [first, last] = earlier.equal_range(hash_of(waveforms[k]));
                 for (auto candidate = first; candidate != last; ++candidate) {
-                    if (candidate->second->waveform == waveforms[k]) codes[k] = candidate->second;
+                    if (is_code_of(*candidate->second, waveforms[k], samples)) {
+                        codes[k] = candidate->second;
+                    }
                 }
             }
             if (codes[k]) return;
-            NeuralCode neural = neural_code(waveforms[k], params.coding, {options.stop});
+            const Waveform whole = padded(waveforms[k], samples);
+            NeuralCode neural = neural_code(whole, params.coding, {options.stop});
             if (options.stop.stop_requested()) return;
             codes[k] = std::make_shared<const PatternCode>(
-                PatternCode{waveforms[k], std::move(neural),
-                            rhythm_envelope(waveforms[k].samples_g, params.envelope)});
+                PatternCode{waveforms[k], samples, std::move(neural),
+                            rhythm_envelope(whole.samples_g, params.envelope)});
         });
     if (!finished || options.stop.stop_requested()) codes.clear();
     return codes;
@@ -134,6 +151,8 @@ PartShares part_shares(const Prediction& prediction, std::size_t pair) {
     const double all = of_nc + of_oc;
     return all > 0.0 ? PartShares{of_nc / all, of_oc / all} : PartShares{};
 }
+
+Waveform coded_waveform(const PatternCode& code) { return padded(code.waveform, code.samples); }
 
 bool is_felt(const PatternCode& code) {
     return std::ranges::any_of(code.neural.activation,

@@ -3,7 +3,7 @@
 //     PM_ij = w_NC rank(NC)_ij + w_OC rank(OC)_ij
 //
 // Source    Lim & Park 2023, section 5.3.
-// Input     waveforms of one length at 10 kHz
+// Input     waveforms at 10 kHz; shorter ones count as followed by zeros, to the longest of them
 // Output    NC, OC and PM of every pair. PM depends on the set: adding a pattern changes all of it.
 // Left out  everything but intensity, spectrum and rhythm as one fingertip feels them.
 // Exact     same input, same bits, on any number of threads; also when results are reused.
@@ -26,7 +26,8 @@ namespace tact {
 
 // One pattern as the model sees it.
 struct PatternCode {
-    Waveform waveform;  // padded to the set's length
+    Waveform waveform;        // as it was given ...
+    std::size_t samples = 0;  // ... and how many with the zeros up to the longest, which are coded
     NeuralCode neural;
     std::vector<double> envelope;
 };
@@ -52,10 +53,13 @@ struct PredictOptions {
     std::function<void(double)> progress;  // share of the work done, 0..1, from any thread
 };
 
-// The codes of all waveforms (they must have equal lengths); none when stopped.
+// The codes of all waveforms; none when stopped.
 std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Waveform> waveforms,
                                                               const PerceptualModelParams& params,
                                                               const PredictOptions& options);
+
+// With the zeros up to the longest.
+Waveform coded_waveform(const PatternCode& code);
 
 // Whether any receptor answers to it, and the places of those to which none does.
 bool is_felt(const PatternCode& code);

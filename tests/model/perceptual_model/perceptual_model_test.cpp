@@ -119,6 +119,26 @@ TEST_CASE("perceptual model: an edit that reuses the rest gives the bits of a fr
     CHECK(kept == 7);  // six unchanged patterns, and the twin of one
 }
 
+TEST_CASE("perceptual model: zeros up to the longest waveform are those that it adds itself") {
+    std::vector<Waveform> own = short_set(6);
+    for (std::size_t k = 1; k < own.size(); ++k) own[k].samples_g.resize(900 - 100 * k);
+    const std::size_t longest = own[0].samples_g.size();
+    std::vector<Waveform> whole = own;
+    for (Waveform& one : whole) one = padded(one, longest);
+    const auto expected = predict(whole, {});
+    const auto got = predict(own, {});
+    CHECK(got->nc == expected->nc);
+    CHECK(got->oc == expected->oc);
+    CHECK(got->pm == expected->pm);
+    // Either way it is the same pattern. In a longer set it is coded again.
+    PredictOptions reuse;
+    reuse.previous = &*got;
+    CHECK(predict(whole, {}, reuse)->codes == got->codes);
+    own.back().samples_g.resize(longest + 500);
+    CHECK(predict(own, {}, reuse)->codes[2] != got->codes[2]);
+    CHECK(predict(own, {}, reuse)->pm == predict(own, {})->pm);
+}
+
 TEST_CASE("perceptual model: what changed parameters spoil is not reused") {
     const auto waveforms = short_set(5);
     const auto before = predict(waveforms, {});
