@@ -22,7 +22,9 @@ float widest_label_px(const Theme& theme, const MatrixScene& scene) {
 
 float scale_room_px(const Theme& theme, const MatrixScene& scene) {
     const ImFont* font = theme.fonts.small;
-    const float numbers = text_size(font, "0000 " + std::string{scene.quantity}).x;
+    const std::string most = grouped(largest_of(scene)) + " " + std::string{scene.quantity};
+    const float numbers =
+        std::max(text_size(font, "0000 " + std::string{scene.quantity}).x, text_size(font, most).x);
     const float flat = is_flat(scene) ? text_size(font, "all pairs equal").x : 0.0F;
     return std::max(numbers, flat) + 5.0F * theme.gap_px;
 }

@@ -20,7 +20,11 @@ namespace {
 
 double value_of(const MatrixScene& scene, std::size_t i, std::size_t j) {
     if (i == j) return std::numeric_limits<double>::quiet_NaN();
-    return scene.condensed[pair_index(scene.labels.size(), std::min(i, j), std::max(i, j))];
+    const auto object = [&scene](std::size_t row) {
+        return scene.order.empty() ? row : scene.order[row];
+    };
+    const auto [a, b] = std::minmax({object(i), object(j)});
+    return scene.condensed[pair_index(scene.labels.size(), a, b)];
 }
 
 // Objects [first, last) in one drawn row.
@@ -321,10 +325,12 @@ MatrixAction draw_matrix(const char* id, const Theme& theme, const Rect& area,
     draw_names(list, theme, area, layout, scene, pointed);
     if (action.hovered) {
         const auto [i, j] = *action.hovered;
-        const std::array<std::string, 2> lines{
+        const std::array<std::string, 3> lines{
             std::string{scene.quantity} + " " + value_text(value_of(scene, i, j), shades.largest),
-            scene.labels[i] + " – " + scene.labels[j]};
-        draw_readout(list, theme, area, ImGui::GetIO().MousePos, lines);
+            scene.labels[i] + " – " + scene.labels[j],
+            "Its cell has the colour of a mean: up to 3 x 3 pairs around it."};
+        const std::size_t told = layout.shown < n ? 3 : 2;
+        draw_readout(list, theme, area, ImGui::GetIO().MousePos, std::span(lines).first(told));
     }
     return action;
 }

@@ -4,7 +4,8 @@
 // Output    the pair under the mouse and the clicked pair
 // If all pairs are equal and not zero, a text says so, and all have one quiet tone.
 // Valid     any n; at most kMostCells x kMostCells cells are drawn. With more objects, a cell shows
-//           the mean of at most 3 x 3 of its pairs, evenly spread: the cost is bounded.
+//           the mean of at most 3 x 3 of its pairs, evenly spread: the cost is bounded. The read-out
+//           says so, and gives the pair under the mouse.
 // Left out  reordering, dendrograms.
 #pragma once
 
@@ -26,7 +27,8 @@ using Pair = std::pair<std::size_t, std::size_t>;
 
 struct MatrixScene {
     std::span<const double> condensed{};      // n (n - 1) / 2 values
-    std::span<const std::string> labels{};    // n names
+    std::span<const std::string> labels{};    // n names, one of each row
+    std::span<const std::size_t> order{};     // the object of each row; empty: the given order
     double largest = 0.0;                     // value with the darkest colour; 0: the largest of
                                               // all
     std::string_view quantity{};              // name of the values, for scale and read-out: "PM"

@@ -88,6 +88,58 @@ TEST_CASE("matrix: a cell has the colour of its value") {
     }
 }
 
+TEST_CASE("matrix: rows in an order look as the matrix that has them so") {
+    for (const std::size_t n : {12U, 500U}) {
+        CAPTURE(n);
+        const Example listed = example(n);
+        Example moved;
+        std::vector<std::size_t> order;
+        for (std::size_t k = 0; k < n; ++k) order.push_back((7 * k + 3) % n);
+        for (std::size_t i = 0; i < n; ++i) {
+            moved.labels.push_back(listed.labels[order[i]]);
+            for (std::size_t j = i + 1; j < n; ++j) {
+                const auto [a, b] = std::minmax({order[i], order[j]});
+                moved.condensed.push_back(listed.condensed[pair_index(n, a, b)]);
+            }
+        }
+        MatrixScene by_order = scene_of(listed);
+        by_order.labels = moved.labels;
+        by_order.order = order;
+        const ImVec2 mouse{300.0F, 200.0F};  // the read-out is the pair's, too
+        CHECK(picture(by_order, mouse).rgba == picture(scene_of(moved), mouse).rgba);
+        CHECK(picture(by_order).rgba != picture(scene_of(listed)).rgba);
+    }
+}
+
+TEST_CASE("matrix: a cell that several pairs share has the colour of their mean") {
+    constexpr std::size_t kObjects = 400;
+    const Example e = example(kObjects);
+    MatrixLayout layout;
+    const Image image = picture(scene_of(e), std::nullopt, nullptr, &layout);
+    REQUIRE(layout.shown < kObjects);
+    REQUIRE(3 * layout.shown >= kObjects);  // so that no pair is left out
+    const auto first = [&](std::size_t cell) { return cell * kObjects / layout.shown; };
+    const auto middle = [&](std::size_t cell, float begin, float extent) {
+        const float side = extent / static_cast<float>(layout.shown);
+        return static_cast<int>(std::round(begin + static_cast<float>(cell) * side));
+    };
+    for (const auto& [row, column] : {Pair{0, 150}, {30, 90}, {120, 20}, {5, 5}}) {
+        CAPTURE(row);
+        double sum = 0.0;
+        int pairs = 0;
+        for (std::size_t i = first(row); i < first(row + 1); ++i) {
+            for (std::size_t j = first(column); j < first(column + 1); ++j) {
+                if (i == j) continue;
+                sum += std::abs(static_cast<double>(i) - static_cast<double>(j));
+                ++pairs;
+            }
+        }
+        CHECK(pixel(image, middle(column, layout.cells.min.x, layout.cells.width()),
+                    middle(row, layout.cells.min.y, layout.cells.height())) ==
+              closeness_colour(sum / pairs / (kObjects - 1.0)));
+    }
+}
+
 TEST_CASE("matrix: the mouse over a cell names its row and its column") {
     for (const std::size_t n : {2U, 12U, 100U, 1000U}) {
         const Example e = example(n);
