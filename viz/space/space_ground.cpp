@@ -149,8 +149,7 @@ Rect draw_scale_bar(const SpaceStage& stage, const Rect& cross) {
     const double times = most / px_of_one / decade;
     const double length = decade * (times >= 5.0 ? 5.0 : times >= 2.0 ? 2.0 : 1.0);
     const auto px = static_cast<float>(length * px_of_one);
-    const std::string words =
-        "about " + std::string(stage.scene.quantity) + " " + significant_digits(length, 3);
+    const std::string words = "about " + std::string(stage.scene.quantity) + " " + grouped(length);
     const ImVec2 size = text_size(theme.fonts.small, words);
     const ImVec2 end{cross.max.x + theme.gap_px, stage.pane.max.y - theme.gap_px};
     const float tick = 4.0F * theme.scale;
