@@ -13,7 +13,9 @@
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
+#include "model/map/clusters.h"
 #include "model/map/landmarks.h"
+#include "model/map/map_scale.h"
 #include "model/perceptual_model/refinement.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/subset/separation.h"
@@ -64,6 +66,30 @@ double cells_per_s() {
 }
 
 }  // namespace
+
+namespace {
+
+void note_pairs(LiveMap& map) {
+    const Prediction& prediction = map.prediction;
+    const Dissimilarity& pm = prediction.pm;
+    map.sorted_pm = sorted_values(pm);
+    map.closest =
+        static_cast<std::size_t>(std::ranges::min_element(pm.condensed) - pm.condensed.begin());
+    map.alike = {clustered_order(pm), clustered_order(prediction.nc),
+                 clustered_order(prediction.oc)};
+}
+
+void place(LiveMap& map, PerceptualSpace space) {
+    map.space = std::move(space);
+    map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
+}
+
+}  // namespace
+
+void note_facts(LiveMap& map) {
+    note_pairs(map);
+    map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
+}
 
 bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
     return a.dimensions == b.dimensions && a.preview == b.preview &&
@@ -218,12 +244,13 @@ namespace {
 
 LiveMap map_of(const LiveMapRequest& request, std::shared_ptr<const PatternSet> set,
                Prediction prediction) {
-    LiveMap map{request, std::move(prediction), {}, 0.0, std::move(set), {}};
+    LiveMap map;
+    map.request = request;
     map.request.coarse.reset();
     map.request.wanted.reset();
-    map.sorted_pm = sorted_values(map.prediction.pm);
-    const auto& pm = map.prediction.pm.condensed;
-    map.closest = static_cast<std::size_t>(std::ranges::min_element(pm) - pm.begin());
+    map.prediction = std::move(prediction);
+    map.played = std::move(set);
+    note_pairs(map);
     return map;
 }
 
@@ -268,13 +295,12 @@ std::vector<std::shared_ptr<const PatternCode>> LiveMapWork::codes_of(const Run&
     for (std::size_t k = 0; k < codes.size(); ++k) {
         if (!codes[k]) open.push_back(k);
     }
-    const std::size_t longest = longest_samples(set);
     PredictOptions options = run.options;
     options.previous = nullptr;
     options.threads = 1;
-    // One by one: all waveforms of a large set would not fit beside its codes.
+    options.least_samples = longest_samples(set);
     parallel_for(open.size(), threads_, run.stop, [&](std::size_t k) {
-        const Waveform waveform = padded(waveform_of(set.vibrations[open[k]]), longest);
+        const Waveform waveform = waveform_of(set.vibrations[open[k]]);
         const auto code = pattern_codes({&waveform, 1}, set.model, options);
         if (!code.empty()) codes[open[k]] = code[0];
     });
@@ -290,7 +316,7 @@ std::optional<LiveMap> LiveMapWork::previewed(const Run& run) {
     auto prediction = predict(std::move(codes), run.set->model, options);
     if (!prediction) return std::nullopt;
     LiveMap map = map_of(run.request, run.set, std::move(*prediction));
-    map.space = moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop);
+    place(map, moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop));
     return map;
 }
 
@@ -299,7 +325,7 @@ LiveMap LiveMapWork::part(Run& run, const Prediction& prediction, double exact_s
     LiveMap map = map_of(run.request, run.set, prediction);
     map.request.preview = true;
     map.exact_share = exact_share;
-    map.space = moved_space(map.prediction.pm, run.request.dimensions, run.shown.get(), run.stop);
+    place(map, moved_space(map.prediction.pm, run.request.dimensions, run.shown.get(), run.stop));
     run.shown = std::make_shared<const LiveMap>(map);
     return map;
 }
@@ -344,12 +370,12 @@ std::optional<LiveMap> LiveMapWork::full(Run& run) {
             if (std::chrono::steady_clock::now() - told < kBetweenParts) return;
             LiveMap on_its_way = map;
             on_its_way.request.preview = true;
-            on_its_way.space = space_at(pm, points, params);
+            place(on_its_way, space_at(pm, points, params));
             run.partly(std::move(on_its_way));
             told = std::chrono::steady_clock::now();
         };
     }
-    map.space = nonmetric_mds(pm, params, run.stop, {}, lower);
+    place(map, nonmetric_mds(pm, params, run.stop, {}, lower));
     return map;
 }
 

@@ -75,6 +75,13 @@ struct LiveMapRequest {
 // Whether both have one answer: names, notes and locks make no difference to the model.
 bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b);
 
+// The rows of each matrix with alike ones beside each other (clusters.h).
+struct RowOrders {
+    std::vector<std::size_t> pm;
+    std::vector<std::size_t> nc;
+    std::vector<std::size_t> oc;
+};
+
 // One answer: a snapshot that panels draw as long as they like.
 struct LiveMap {
     LiveMapRequest request;
@@ -82,14 +89,19 @@ struct LiveMap {
     PerceptualSpace space;
     double seconds = 0.0;                      // it took; 0: not to be told
     std::shared_ptr<const PatternSet> played;  // what was compared: the set, or what a device plays
-    // PM of all pairs, ascending: of half a million, no frame could wait for it.
-    std::vector<double> sorted_pm;
-    std::size_t closest = 0;  // the pair of the least PM, in condensed order
     // Share of the pairs whose PM comes of exact values, 0..1. At 1 a preview has PM itself, and
     // its points are on their way.
     double exact_share = 0.0;
     bool is_kept = false;  // what is finished of it is in a file
+    // Facts of all pairs: of half a million, no frame could wait for them.
+    std::vector<double> sorted_pm;  // ascending
+    std::size_t closest = 0;        // the pair of the least PM, in condensed order
+    RowOrders alike;
+    double length_of_pm = 0.0;  // of one PM in the space (map_scale.h)
 };
+
+// Fills in the facts of a map that has its matrices and its points.
+void note_facts(LiveMap& map);
 
 // Largest PM of all pairs; 0 without pairs.
 double largest_pm(const LiveMap& map);

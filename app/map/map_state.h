@@ -109,10 +109,10 @@ struct ShownScale {
 struct ShownOrder {
     std::shared_ptr<const LiveMap> of;
     MatrixQuantity quantity = MatrixQuantity::pm;
-    std::vector<std::size_t> order;  // rows of the map, as the matrix has them
-    Dissimilarity matrix;            // in that order
-    std::vector<std::string> labels;
-    bool is_held = false;  // as it was before something began to be dragged
+    bool is_clustered = true;
+    std::vector<std::size_t> order;   // rows of the map, as the matrix has them
+    std::vector<std::string> labels;  // in that order
+    bool is_held = false;             // as it was before something began to be dragged
 };
 
 // Which map and which document those that are not felt were found in.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
@@ -9,7 +10,6 @@
 #include "app/map/matrix_panel.h"
 #include "app/progress/failure.h"
 #include "app/ui/widgets.h"
-#include "model/map/clusters.h"
 #include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
@@ -37,47 +37,51 @@ double shown_largest(ShownMap& shown_map) {
     return kept.value;
 }
 
-// The matrix as it is to be drawn: its rows by the list, or alike ones beside each other.
+const std::vector<std::size_t>& alike_rows(const ShownMap& shown_map) {
+    const RowOrders& alike = shown_map.transition.shown->alike;
+    if (shown_map.quantity == MatrixQuantity::nc) return alike.nc;
+    if (shown_map.quantity == MatrixQuantity::oc) return alike.oc;
+    return alike.pm;
+}
+
+// The rows as they are to be drawn: by the list, or alike ones beside each other.
 const ShownOrder& shown_order(ShownMap& shown_map) {
     ShownOrder& kept = shown_map.order;
     const auto& map = shown_map.transition.shown;
-    const bool is_known = kept.of == map && kept.quantity == shown_map.quantity;
+    const bool is_known = kept.of == map && kept.quantity == shown_map.quantity &&
+                          kept.is_clustered == shown_map.clustered_matrix;
     if (is_known && !(kept.is_held && !ImGui::IsAnyItemActive())) return kept;
-    const Dissimilarity& matrix = shown_matrix(shown_map);
+    const std::size_t size = shown_matrix(shown_map).size;
+    const bool is_clustered = shown_map.clustered_matrix && alike_rows(shown_map).size() == size;
     // While something is dragged, rows do not jump.
-    const bool is_held = ImGui::IsAnyItemActive() && kept.order.size() == matrix.size;
-    kept = {map,
-            shown_map.quantity,
-            is_held ? std::move(kept.order) : clustered_order(matrix),
-            {matrix.size, {}},
-            {}};
-    kept.is_held = is_held;
-    for (std::size_t i = 0; i < matrix.size; ++i) {
-        kept.labels.push_back(map->request.set->vibrations[kept.order[i]].name);
-        for (std::size_t j = i + 1; j < matrix.size; ++j) {
-            kept.matrix.condensed.push_back(matrix(kept.order[i], kept.order[j]));
-        }
+    const bool is_held =
+        is_clustered && kept.is_clustered && ImGui::IsAnyItemActive() && kept.order.size() == size;
+    std::vector<std::size_t> order(size);
+    std::iota(order.begin(), order.end(), 0U);
+    if (is_held) {
+        order = std::move(kept.order);
+    } else if (is_clustered) {
+        order = alike_rows(shown_map);
+    }
+    kept = {map, shown_map.quantity, shown_map.clustered_matrix, std::move(order), {}, is_held};
+    for (const std::size_t row : kept.order) {
+        kept.labels.push_back(map->request.set->vibrations[row].name);
     }
     return kept;
 }
 
 // Where a row of the map is drawn.
-std::size_t drawn_row(const ShownMap& shown_map, std::size_t row) {
-    if (!shown_map.clustered_matrix) return row;
-    const auto& order = shown_map.order.order;
-    return static_cast<std::size_t>(std::ranges::find(order, row) - order.begin());
-}
-
-std::size_t row_of_map(const ShownMap& shown_map, std::size_t drawn) {
-    return shown_map.clustered_matrix ? shown_map.order.order[drawn] : drawn;
+std::size_t drawn_row(const ShownOrder& order, std::size_t row) {
+    return static_cast<std::size_t>(std::ranges::find(order.order, row) - order.order.begin());
 }
 
 // All that are selected, as drawn.
-std::vector<std::size_t> selected_rows(const Workspace& work, const ShownMap& shown_map) {
+std::vector<std::size_t> selected_rows(const Workspace& work, const ShownMap& shown_map,
+                                       const ShownOrder& order) {
     const RowPlaces places = places_in_document(work, shown_map);
     std::vector<std::size_t> rows;
     for (std::size_t drawn = 0; drawn < places.size(); ++drawn) {
-        const auto place = places[row_of_map(shown_map, drawn)];
+        const auto place = places[order.order[drawn]];
         const bool selected =
             place && (*place == work.selection.current || work.selection.others.contains(*place));
         if (selected) rows.push_back(drawn);
@@ -119,8 +123,7 @@ Rect draw_order_choice(Ui& ui, ShownMap& shown_map, Rect foot) {
 }
 
 // The pair's numbers beneath the map: all three, so that PM explains itself.
-void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optional<Pair> pair,
-               const std::vector<std::string>& labels) {
+void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optional<Pair> pair) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = ui.theme;
     if (!pair) {
@@ -130,10 +133,12 @@ void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optiona
         return;
     }
     const auto [i, j] = *pair;
-    const Prediction& prediction = shown_map.transition.shown->prediction;
+    const LiveMap& map = *shown_map.transition.shown;
+    const Prediction& prediction = map.prediction;
     const std::size_t m = prediction.pm.condensed.size();
     const std::size_t k = pair_index(prediction.pm.size, std::min(i, j), std::max(i, j));
-    const std::string names = labels[i] + "   " + labels[j];
+    const auto& all = map.request.set->vibrations;
+    const std::string names = all[i].name + "   " + all[j].name;
     const std::string shown_names = shortened(theme.fonts.semibold, names, 0.5F * area.width());
     draw_text(list, theme.fonts.semibold, area.min, theme.text, shown_names);
     const ImVec2 taken = text_size(theme.fonts.semibold, shown_names);
@@ -160,6 +165,14 @@ std::optional<Pair> pair_in_map(const Workspace& work, const PatternSet& mapped)
     const auto b = place_named(mapped, all[*hovered].name);
     if (!a || !b || *a == *b) return std::nullopt;
     return Pair{*a, *b};
+}
+
+void note_selected(Ui& ui, const Rect& area, const std::vector<std::size_t>& rows,
+                   const std::vector<std::string>& labels) {
+    if (ui.rects.file.empty()) return;
+    std::string names;
+    for (const std::size_t row : rows) names += labels[row] + "|";
+    note_rect(ui.rects, "matrix selected", area.min, area.max, names);
 }
 
 // Clicks choose a pair or a row; what is pointed at is told to the other panes.
@@ -202,8 +215,8 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
         return;
     }
     const PatternSet& mapped = *shown_map.transition.shown->request.set;
-    const ShownOrder* order = shown_map.clustered_matrix ? &shown_order(shown_map) : nullptr;
-    const std::vector<std::string> labels = order ? order->labels : names_of(mapped);
+    const ShownOrder& order = shown_order(shown_map);
+    const std::vector<std::string>& labels = order.labels;
     // Low panes need it for the map; the pair under the mouse is told there, too.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const bool has_foot = !ui.as_picture && area.height() > 9.0F * line;
@@ -213,35 +226,31 @@ void draw_matrix_panel(Ui& ui, Workspace& work, ShownMap& shown_map) {
     area.max.y = foot_area.min.y - ui.theme.gap_px * 0.5F;
 
     MatrixScene scene;
-    scene.condensed = order ? order->matrix.condensed : shown_matrix(shown_map).condensed;
+    scene.condensed = shown_matrix(shown_map).condensed;
+    scene.order = order.order;
     scene.labels = labels;
     scene.quantity = quantity_name(shown_map.quantity);
     scene.largest = shown_largest(shown_map);
     scene.stale = looks_stale(ui, "matrix", shown_map.transition.shown,
                               map_state(work, shown_map) == MapState::stale);
-    const std::vector<std::size_t> selected = selected_rows(work, shown_map);
+    const std::vector<std::size_t> selected = selected_rows(work, shown_map, order);
     scene.selected = selected;
     scene.pointed = pair_in_map(work, mapped);
     if (scene.pointed) {
-        scene.pointed = Pair{drawn_row(shown_map, scene.pointed->first),
-                             drawn_row(shown_map, scene.pointed->second)};
+        scene.pointed =
+            Pair{drawn_row(order, scene.pointed->first), drawn_row(order, scene.pointed->second)};
     }
     note_rect(
         ui.rects, "view:Matrix", area.min, area.max,
         scene.pointed ? labels[scene.pointed->first] + "|" + labels[scene.pointed->second] : "");
-    std::string selected_names;
-    for (const std::size_t row : selected) selected_names += labels[row] + "|";
-    note_rect(ui.rects, "matrix selected", area.min, area.max, selected_names);
+    note_selected(ui, area, selected, labels);
     const MatrixAction action = draw_matrix("matrix", ui.theme, area, scene);
     act_on(work, action, labels);
     if (!has_foot) return;
     const Rect rest = draw_order_choice(ui, shown_map, foot_area);
     std::optional<Pair> hovered = action.hovered;
-    if (hovered) {
-        hovered =
-            Pair{row_of_map(shown_map, hovered->first), row_of_map(shown_map, hovered->second)};
-    }
-    draw_pair(ui, shown_map, rest, hovered, names_of(mapped));
+    if (hovered) hovered = Pair{order.order[hovered->first], order.order[hovered->second]};
+    draw_pair(ui, shown_map, rest, hovered);
 }
 
 }  // namespace tact

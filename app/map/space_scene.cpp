@@ -19,7 +19,11 @@ namespace {
 double length_of_pm(ShownMap& shown_map) {
     ShownScale& kept = shown_map.scale;
     const auto& map = shown_map.transition.shown;
-    if (kept.of != map) kept = {map, length_of_one(shown_map.transition.to, map->prediction.pm)};
+    if (kept.of == map) return kept.length_of_one;
+    // The points stand as in the map, or where they are held.
+    const Eigen::MatrixXd& points = shown_map.transition.to;
+    const bool is_held = shown_map.held && shown_map.held->points == points;
+    kept = {map, is_held ? length_of_one(points, map->prediction.pm) : map->length_of_pm};
     return kept.length_of_one;
 }
 

@@ -115,7 +115,7 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     if (const Prediction* previous = usable(options, params)) {
         for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
     }
-    std::size_t samples = 0;
+    std::size_t samples = options.least_samples;
     for (const Waveform& one : waveforms) samples = std::max(samples, one.samples_g.size());
     std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
     const bool finished =

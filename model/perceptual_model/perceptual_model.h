@@ -51,6 +51,7 @@ struct PredictOptions {
     const Prediction* previous = nullptr;
     std::stop_token stop;
     std::function<void(double)> progress;  // share of the work done, 0..1, from any thread
+    std::size_t least_samples = 0;  // of the longest waveform, if it is not among those given
 };
 
 // The codes of all waveforms; none when stopped.

@@ -45,7 +45,7 @@ std::shared_ptr<const LiveMap> made_map(const App& app) {
         map.prediction.nc_rank.push_back(static_cast<double>(pairs - k));
         map.prediction.oc_rank.push_back(static_cast<double>(k + 1));
     }
-    map.sorted_pm = sorted_values(map.prediction.pm);
+    note_facts(map);
     return std::make_shared<const LiveMap>(std::move(map));
 }
 
