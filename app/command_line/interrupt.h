@@ -7,9 +7,9 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <stop_token>
-#include <thread>
+
+#include "model/system/signal_watch.h"
 
 namespace tact {
 
@@ -22,7 +22,6 @@ enum class Interrupted { too_early, is_the_end };
 class Interrupt {
   public:
     explicit Interrupt(Interrupted what = Interrupted::too_early);
-    ~Interrupt();
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
@@ -35,15 +34,10 @@ class Interrupt {
     void be_silent() { is_silent_ = true; }
 
   private:
-    void watch();
-
     Interrupted what_;
-    sigset_t signals_{};
-    sigset_t mask_before_{};
     std::stop_source stop_;
-    std::stop_source end_;
     std::atomic<bool> is_silent_{false};
-    std::jthread watcher_;
+    SignalWatch watch_;  // last: ends before what it stops
 };
 
 // The signal that an Interrupt was asked to stop by; 0: none.

@@ -25,8 +25,8 @@
 #include <thread>
 #include <utility>
 
-#include "app/jobs/background.h"
 #include "model/common/thrown.h"
+#include "model/system/process.h"
 
 namespace tact {
 
@@ -121,7 +121,7 @@ class LatestJob {
   private:
     struct Run {
         Request request;
-        std::stop_source stop;
+        mutable std::stop_source stop;  // libc++ stops by a source that may change
     };
 
     bool is_same_work(const Run& running, const Run& newer) const {
@@ -137,7 +137,7 @@ class LatestJob {
     }
 
     void run(const std::stop_token& quit) {
-        give_way_to_interface();
+        give_way();
         while (const std::shared_ptr<const Run> run = next(quit)) {
             std::string failure;
             std::shared_ptr<const Answer> answer;

@@ -3,6 +3,7 @@
 #include <array>
 #include <ctime>
 
+#include "model/system/calendar.h"
 #include "model/text/atomic_file.h"
 
 namespace tact {
@@ -26,8 +27,7 @@ void keep_private(const std::filesystem::path& folder) {
 std::filesystem::path unused_file(const std::filesystem::path& folder, const std::string& prefix,
                                   const std::string& ending) {
     const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
+    const std::tm local = local_parts(now).value_or(std::tm{});
     std::array<char, 32> stamp{};
     std::strftime(stamp.data(), stamp.size(), "%Y%m%d-%H%M%S", &local);
     const std::string name = prefix + stamp.data();

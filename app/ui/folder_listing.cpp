@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "model/system/calendar.h"
 #include "model/text/natural_order.h"
 
 namespace tact {
@@ -38,10 +40,10 @@ std::string changed_at(const fs::path& path) {
     const auto of_system = std::chrono::file_clock::to_sys(at);
     const std::time_t seconds = std::chrono::system_clock::to_time_t(
         std::chrono::time_point_cast<std::chrono::system_clock::duration>(of_system));
-    std::tm here{};
-    if (localtime_r(&seconds, &here) == nullptr) return {};
+    const std::optional<std::tm> here = local_parts(seconds);
+    if (!here) return {};
     char text[32];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &here)};
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &*here)};
 }
 
 }  // namespace

@@ -11,9 +11,7 @@
 #include <string>
 #include <thread>
 
-#ifdef __linux__
-#include <sched.h>
-#endif
+#include "model/system/process.h"
 
 namespace tact {
 
@@ -64,15 +62,6 @@ double least_quota(const fs::path& root, std::string_view group, const Quota& qu
 int variable(const char* name) {
     const char* text = std::getenv(name);
     return text == nullptr ? 0 : static_cast<int>(std::min(number_of(text), 1e6));
-}
-
-int bound_processors(int machine) {
-#ifdef __linux__
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(CPU_COUNT(&set), 1);
-#endif
-    return machine;  // more than a cpu_set_t holds, or a system that cannot say
 }
 
 // What does not change while the program runs.

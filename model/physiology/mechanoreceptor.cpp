@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "assets/assets.h"
 #include "model/common/portable.h"
 #include "model/physiology/log_curve.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -31,15 +31,6 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-std::optional<double> number_in(const std::string& cell) {
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (fault != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
-}
-
 // Adds one line of a table to the curve of its receptor; returns the error, or an empty text.
 std::string add_knot(const std::vector<std::string>& header, const std::string& line,
                      const TableTraits& table, PerReceptor<Curve>& curves) {
@@ -55,11 +46,11 @@ std::string add_knot(const std::vector<std::string>& header, const std::string& 
         kTraits, [&](const ReceptorTraits& t) { return cell("receptor") == t.afferent; });
     if (receptor == kTraits.end()) return "expected a receptor of FA1, FA2, SA1, SA2";
     Curve& curve = curves[static_cast<std::size_t>(receptor - kTraits.begin())];
-    const auto frequency_hz = number_in(cell("frequency_hz"));
+    const auto frequency_hz = finite_number_in(cell("frequency_hz"));
     const double above_hz = curve.frequency_hz.empty() ? 0.0 : curve.frequency_hz.back();
     if (!frequency_hz || *frequency_hz <= above_hz) return "expected frequencies that ascend";
     const std::string& written = cell(table.column);
-    const auto value = number_in(written);
+    const auto value = finite_number_in(written);
     if (!value) return std::string("expected a number as ") + table.column;
     if (!table.values.contains(*value)) {
         return std::string("expected ") + table.expected + ", got " + written;

@@ -15,7 +15,9 @@
 // FFTW asks the C library for its sines when it makes a plan, and so has other ones, and other last
 // bits, on a processor without FMA. A program's own definition comes before the library's: this is
 // the sincos of the whole process.
-extern "C" void sincos(double angle_rad, double* sine, double* cosine) noexcept {
+// It throws as little as that one is declared to, which differs between libraries.
+extern "C" void sincos(double angle_rad, double* sine,
+                       double* cosine) noexcept(noexcept(sincos(0.0, nullptr, nullptr))) {
     const std::complex<double> point = tact::portable::polar(1.0, angle_rad);
     *sine = point.imag();
     *cosine = point.real();

@@ -1,25 +1,19 @@
 #include "model/text/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <charconv>
-#include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <mutex>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "model/system/process.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -28,53 +22,53 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason(int code) { return std::generic_category().message(code); }
-
-Error not_written(const fs::path& path, int code) {
-    return Error{path.string() + ": cannot be written: " + reason(code)};
+Error not_written(const fs::path& path, std::error_code fault) {
+    return Error{path.string() + ": cannot be written: " + fault.message()};
 }
 
-Error not_read(const fs::path& path, int code) {
-    if (code == ENOENT) return Error{path.string() + ": there is no such file"};
-    return Error{path.string() + ": cannot be read: " + reason(code)};
+Error not_written(const fs::path& path, std::errc why) {
+    return not_written(path, std::make_error_code(why));
+}
+
+Error not_read(const fs::path& path, std::error_code fault) {
+    if (fault == std::errc::no_such_file_or_directory) {
+        return Error{path.string() + ": there is no such file"};
+    }
+    return Error{path.string() + ": cannot be read: " + fault.message()};
 }
 
 // What a path names instead of a file, as the end of a sentence; empty: a file.
-std::string kind_fault(const struct stat& about) {
-    if (S_ISDIR(about.st_mode)) return "is a folder, expected a file";
-    if (S_ISFIFO(about.st_mode)) return "is a pipe, expected a file";
-    if (S_ISSOCK(about.st_mode)) return "is a socket, expected a file";
-    if (!S_ISREG(about.st_mode)) return "is a device, expected a file";
+std::string kind_fault(FileKind kind) {
+    switch (kind) {
+        case FileKind::file:
+            return {};
+        case FileKind::folder:
+            return "is a folder, expected a file";
+        case FileKind::pipe:
+            return "is a pipe, expected a file";
+        case FileKind::socket:
+            return "is a socket, expected a file";
+        case FileKind::device:
+            return "is a device, expected a file";
+    }
     return {};
 }
 
 // Why a file cannot be read, or empty.
-std::string reading_fault(const struct stat& about, std::size_t most_bytes) {
-    if (std::string fault = kind_fault(about); !fault.empty()) return fault;
-    if (about.st_size <= static_cast<off_t>(most_bytes)) return {};
+std::string reading_fault(const FileFacts& facts, std::size_t most_bytes) {
+    if (std::string fault = kind_fault(facts.kind); !fault.empty()) return fault;
+    if (facts.bytes <= most_bytes) return {};
     return "expected at most " + grouped_digits(most_bytes) + " bytes";
 }
-
-// Closes when it goes.
-struct Descriptor {
-    int number = -1;
-
-    explicit Descriptor(int opened) : number(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
-    }
-};
 
 constexpr std::string_view kTemporaryBegin = ".tactspace-";
 constexpr std::string_view kTemporaryEnd = ".part";
 
 // The process that a temporary file's name says made it; 0: another program's.
-pid_t maker_of(std::string_view name) {
+std::int64_t maker_of(std::string_view name) {
     if (!name.starts_with(kTemporaryBegin) || !name.ends_with(kTemporaryEnd)) return 0;
     name.remove_prefix(kTemporaryBegin.size());
-    pid_t maker = 0;
+    std::int64_t maker = 0;
     const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), maker);
     return fault == std::errc{} && *end == '-' && maker > 0 ? maker : 0;
 }
@@ -139,7 +133,7 @@ fs::path resolved(const fs::path& path) {
 
 void remove_unfinished_files() {
     for (std::atomic<char*>& place : unfinished) {
-        if (const char* const name = place.exchange(nullptr)) ::unlink(name);
+        if (const char* const name = place.exchange(nullptr)) remove_at_once(name);
     }
 }
 
@@ -170,35 +164,34 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
       noted_(std::exchange(other.noted_, nullptr)),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      file_(std::move(other.file_)) {}
 
 AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    file_ = {};
+    if (!temporary_.empty()) remove_at_once(temporary_.c_str());
     forget(noted_);
 }
 
 Expected<AtomicFile> AtomicFile::open(const fs::path& path, unsigned new_mode) {
     AtomicFile file(path);
     file.target_ = link_target(path);
-    if (file.target_.empty()) return not_written(path, ELOOP);
-    struct stat old {};
-    const bool exists = ::stat(file.target_.c_str(), &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) return not_written(path, EISDIR);
-    if (exists && ::access(file.target_.c_str(), W_OK) != 0) return not_written(path, errno);
-    if (exists && !S_ISREG(old.st_mode)) {
-        file.descriptor_ = ::open(file.target_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (file.descriptor_ < 0) return not_written(path, errno);
+    if (file.target_.empty()) return not_written(path, std::errc::too_many_symbolic_link_levels);
+    std::error_code fault;
+    const FileFacts old = facts_of(file.target_, fault);
+    const bool exists = !fault;
+    if (exists && old.kind == FileKind::folder) return not_written(path, std::errc::is_a_directory);
+    if (exists) fault = writing_fault(file.target_);
+    if (exists && fault) return not_written(path, fault);
+    if (exists && old.kind != FileKind::file) {
+        file.file_ = OpenFile(file.target_, FileUse::write_to, 0, fault);
+        if (fault) return not_written(path, fault);
         return file;
     }
     if (auto opened = file.open_temporary(exists ? 0600 : mode_of_new(file.target_, new_mode));
         !opened)
         return opened.error();
-    if (exists) {
-        // The owner first, as that clears bits of the mode. Only root may give files away.
-        [[maybe_unused]] const int owned = ::fchown(file.descriptor_, old.st_uid, old.st_gid);
-        if (::fchmod(file.descriptor_, old.st_mode & 07777) != 0) return not_written(path, errno);
-    }
+    if (exists) fault = file.file_.take_owner_and_mode_of(file.target_);
+    if (exists && fault) return not_written(path, fault);
     return file;
 }
 
@@ -208,33 +201,34 @@ Expected<Done> AtomicFile::open_temporary(unsigned mode) {
     static std::atomic<unsigned> serial{0};
     for (;;) {
         std::string name(kTemporaryBegin);
-        name += std::to_string(::getpid()) + "-" + std::to_string(serial++);
+        name += std::to_string(own_process()) + "-" + std::to_string(serial++);
         name += kTemporaryEnd;
         const fs::path file = folder_of(target_) / name;
         // Noted before it is there: a signal may come in between.
         noted_ = noted(file);
-        descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (descriptor_ >= 0) {
+        std::error_code fault;
+        file_ = OpenFile(file, FileUse::make, mode, fault);
+        if (!fault) {
             temporary_ = file;
             return Done{};
         }
-        const int code = errno;
         forget(std::exchange(noted_, nullptr));
-        if (code != EEXIST) return not_written(path_, code);
+        if (fault != std::errc::file_exists) return not_written(path_, fault);
     }
 }
 
 Expected<Done> AtomicFile::append(std::string_view bytes) {
-    if (!write_all(descriptor_, bytes)) return not_written(path_, errno);
+    if (const std::error_code fault = file_.write(bytes)) return not_written(path_, fault);
     return Done{};
 }
 
 Expected<Done> AtomicFile::commit() {
     // Pipes and terminals cannot be synced, and need not be.
-    if (!temporary_.empty() && ::fsync(descriptor_) != 0) return not_written(path_, errno);
-    if (::close(std::exchange(descriptor_, -1)) != 0) return not_written(path_, errno);
+    std::error_code fault = temporary_.empty() ? std::error_code() : file_.sync();
+    if (fault) return not_written(path_, fault);
+    if (fault = file_.close(); fault) return not_written(path_, fault);
     if (temporary_.empty()) return Done{};
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) return not_written(path_, errno);
+    if (fault = put_in_place_of(temporary_, target_); fault) return not_written(path_, fault);
     temporary_.clear();
     forget(std::exchange(noted_, nullptr));
     sync_folder_of(target_);
@@ -249,49 +243,48 @@ Expected<Done> write_atomically(const fs::path& path, std::string_view bytes, un
 }
 
 void remove_abandoned_files(const fs::path& folder) {
-    constexpr std::time_t kDayS = 24 * 60 * 60;
+    constexpr std::int64_t kDayS = 24 * 60 * 60;
     std::error_code fault;
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
          entry.increment(fault)) {
         const fs::path& file = entry->path();
-        const pid_t maker = maker_of(file.filename().native());
-        if (maker == 0 || ::kill(maker, 0) == 0 || errno != ESRCH) continue;
-        struct stat about {};
-        if (::lstat(file.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) continue;
-        const bool is_old = about.st_mtime < std::time(nullptr) - kDayS;
-        if (is_old && about.st_uid == ::geteuid()) ::unlink(file.c_str());
+        const std::int64_t maker = maker_of(file.filename().string());
+        if (maker == 0 || is_running(maker) || !is_own_and_older_than(file, kDayS)) continue;
+        std::error_code none;
+        fs::remove(file, none);
     }
 }
 
 Expected<std::size_t> readable_size(const fs::path& path) {
-    struct stat about {};
-    if (::stat(path.c_str(), &about) != 0) return not_read(path, errno);
-    if (const std::string fault = reading_fault(about, kMaxFileBytes); !fault.empty()) {
-        return Error{path.string() + ": " + fault};
+    std::error_code fault;
+    const FileFacts facts = facts_of(path, fault);
+    if (fault) return not_read(path, fault);
+    if (const std::string why = reading_fault(facts, kMaxFileBytes); !why.empty()) {
+        return Error{path.string() + ": " + why};
     }
-    return static_cast<std::size_t>(about.st_size);
+    return static_cast<std::size_t>(facts.bytes);
 }
 
 Expected<std::string> read_text_file(const fs::path& path, std::size_t most_bytes) {
     // First by name, as opening alone makes some devices act; then what was opened.
     if (const auto size = readable_size(path); !size) return size.error();
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-    struct stat about {};
-    if (file.number < 0 || ::fstat(file.number, &about) != 0) return not_read(path, errno);
-    if (const std::string fault = reading_fault(about, most_bytes); !fault.empty()) {
-        return Error{path.string() + ": " + fault};
+    std::error_code fault;
+    OpenFile file(path, FileUse::read, 0, fault);
+    const FileFacts facts = fault ? FileFacts{} : file.facts(fault);
+    if (fault) return not_read(path, fault);
+    if (const std::string why = reading_fault(facts, most_bytes); !why.empty()) {
+        return Error{path.string() + ": " + why};
     }
     // Read to the end, whatever the size said: files in /proc say 0, others may grow.
     constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
     std::string bytes;
     std::string piece(kPieceBytes, '\0');
-    bytes.reserve(static_cast<std::size_t>(about.st_size));
+    bytes.reserve(static_cast<std::size_t>(facts.bytes));
     for (;;) {
-        const ssize_t count = ::read(file.number, piece.data(), piece.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return not_read(path, errno);
+        const std::size_t count = file.read(piece.data(), piece.size(), fault);
+        if (fault) return not_read(path, fault);
         if (count == 0) return bytes;
-        bytes.append(piece, 0, static_cast<std::size_t>(count));
+        bytes.append(piece, 0, count);
         if (bytes.size() > most_bytes) {
             return Error{path.string() + ": expected at most " + grouped_digits(most_bytes) +
                          " bytes"};
@@ -299,41 +292,25 @@ Expected<std::string> read_text_file(const fs::path& path, std::size_t most_byte
     }
 }
 
-Expected<int> open_alone(const fs::path& path, bool make) {
-    struct stat about {};
+Expected<OpenFile> open_alone(const fs::path& path, bool make) {
+    std::error_code fault;
     // First by name, then what was opened: as for reading.
-    const bool is_there = ::stat(path.c_str(), &about) == 0;
-    std::string fault = is_there ? kind_fault(about) : std::string();
-    if (!fault.empty()) return Error{path.string() + ": " + fault};
-    const int flags = O_RDWR | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (make ? O_CREAT : 0);
-    const int descriptor = ::open(path.c_str(), flags, mode_of_new(path, 0666));
-    if (descriptor < 0) return not_written(path, errno);
-    if (::fstat(descriptor, &about) == 0) fault = kind_fault(about);
-    // A file system without locks must not keep anyone from working.
-    if (fault.empty() && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        fault = "another tactspace is writing it, expected to be alone";
+    const FileFacts named = facts_of(path, fault);
+    std::string why = fault ? std::string() : kind_fault(named.kind);
+    if (!why.empty()) return Error{path.string() + ": " + why};
+    OpenFile file(path, make ? FileUse::extend_or_make : FileUse::extend, mode_of_new(path, 0666),
+                  fault);
+    if (fault) return not_written(path, fault);
+    const FileFacts opened = file.facts(fault);
+    if (!fault) why = kind_fault(opened.kind);
+    if (why.empty() && !file.lock()) {
+        why = "another tactspace is writing it, expected to be alone";
     }
-    if (fault.empty()) return descriptor;
-    ::close(descriptor);
-    return Error{path.string() + ": " + fault};
+    if (why.empty()) return file;
+    return Error{path.string() + ": " + why};
 }
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
-void sync_folder_of(const fs::path& file) {
-    const int descriptor = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
-    ::close(descriptor);
-}
+void sync_folder_of(const fs::path& file) { sync_folder(folder_of(file)); }
 
 std::string head_of_file(const fs::path& path, std::size_t bytes) {
     std::error_code none;

@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "model/common/expected.h"
+#include "model/system/open_file.h"
 
 namespace tact {
 
@@ -46,7 +47,7 @@ class AtomicFile {
     std::filesystem::path target_;     // with links followed
     std::filesystem::path temporary_;  // empty: none to remove
     char* noted_ = nullptr;            // where remove_unfinished_files() finds it
-    int descriptor_ = -1;
+    OpenFile file_;
 };
 
 Expected<Done> write_atomically(const std::filesystem::path& path, std::string_view bytes,
@@ -78,13 +79,10 @@ Expected<std::string> read_text_file(const std::filesystem::path& path,
 // The first bytes of a regular file, to tell what it is by; empty where it cannot be read.
 std::string head_of_file(const std::filesystem::path& path, std::size_t bytes = 4096);
 
-// A regular file that grows while a program runs, to be read and appended to: its descriptor, for
-// the caller to close. Until then no other program gets one: that, and whatever else the path
-// names, is an Error at once. `make`: a missing file is made.
-Expected<int> open_alone(const std::filesystem::path& path, bool make);
-
-// All of the bytes; false, with errno, where that is not possible.
-bool write_all(int descriptor, std::string_view bytes);
+// A regular file that grows while a program runs, to be read and appended to. Until it is closed no
+// other program gets it: that, and whatever else the path names, is an Error at once. `make`: a
+// missing file is made.
+Expected<OpenFile> open_alone(const std::filesystem::path& path, bool make);
 
 // A new file is safe from a power cut only when its folder is. A failure is nobody's: what is lost
 // then is the name, not the file.

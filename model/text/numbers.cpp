@@ -8,6 +8,8 @@
 #include <string>
 #include <system_error>
 
+#include "model/system/leading_number.h"
+
 namespace tact {
 
 namespace {
@@ -59,12 +61,9 @@ std::optional<double> finite_number_in(std::string_view text) {
     text = trimmed(text);
     // from_chars takes no plus sign; other programs write one.
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
+    const std::optional<LeadingNumber> number = leading_number(text);
+    if (!number || number->length != text.size()) return std::nullopt;
+    return number->value;
 }
 
 void append_digits(std::string& text, double value) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "model/common/portable.h"
 #include "model/common/units.h"
+#include "model/system/leading_number.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -82,9 +82,10 @@ std::optional<Parts> parts_of(std::string text) {
         rest = trimmed(rest.substr(1));
         if (rest.starts_with('+') || rest.starts_with('-')) return std::nullopt;
     }
-    const auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), parts.number);
-    if (fault != std::errc{} || !std::isfinite(parts.number)) return std::nullopt;
-    parts.unit = trimmed({end, static_cast<std::size_t>(rest.data() + rest.size() - end)});
+    const std::optional<LeadingNumber> number = leading_number(rest);
+    if (!number) return std::nullopt;
+    parts.number = number->value;
+    parts.unit = trimmed(rest.substr(number->length));
     return parts;
 }
 

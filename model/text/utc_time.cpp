@@ -2,12 +2,13 @@
 
 #include <ctime>
 
+#include "model/system/calendar.h"
+
 namespace tact {
 
 std::string utc_now() {
     const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
+    const std::tm parts = utc_parts(now).value_or(std::tm{});
     char text[32];
     std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
     return text;

@@ -21,6 +21,7 @@
 
 #include "model/common/expected.h"
 #include "model/study/study_record.h"
+#include "model/system/open_file.h"
 
 namespace tact {
 
@@ -74,16 +75,12 @@ class StudyLog {
 
     const std::filesystem::path& path() const { return path_; }
 
-    StudyLog(StudyLog&& other) noexcept;
-    StudyLog& operator=(StudyLog&&) = delete;
-    ~StudyLog();
-
   private:
-    StudyLog(std::filesystem::path path, int descriptor)
-        : path_(std::move(path)), descriptor_(descriptor) {}
+    StudyLog(std::filesystem::path path, OpenFile file)
+        : path_(std::move(path)), file_(std::move(file)) {}
 
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    OpenFile file_;
 };
 
 }  // namespace tact

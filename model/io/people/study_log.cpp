@@ -1,9 +1,4 @@
 // Writing a participant's file: line by line, each on the disk before the next.
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -18,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error system_fault(const fs::path& path, const std::string& what) {
-    return Error{path.string() + ": " + what + ": " + std::generic_category().message(errno)};
+Error not_written(const fs::path& path, std::error_code why) {
+    return Error{path.string() + ": cannot be written: " + why.message()};
 }
 
 // Bytes of the text up to the end of its last whole line.
@@ -53,17 +48,17 @@ Expected<Done> write_study_file(const fs::path& path, const StudyRecord& record)
 }
 
 Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& header) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
-                                  mode_of_new(path, 0666));
-    if (descriptor < 0 && errno == EEXIST) {
+    std::error_code fault;
+    OpenFile file(path, FileUse::make, mode_of_new(path, 0666), fault);
+    if (fault == std::errc::file_exists) {
         return Error{path.string() + ": is there already, expected another code for participant " +
                      in_quotes(header.participant.code)};
     }
-    if (descriptor < 0) return system_fault(path, "cannot be written");
-    StudyLog log(path, descriptor);
-    ::flock(descriptor, LOCK_EX | LOCK_NB);
+    if (fault) return not_written(path, fault);
+    StudyLog log(path, std::move(file));
+    log.file_.lock();
     if (auto written = log.append(header_line(header)); !written) {
-        ::unlink(path.c_str());
+        remove_at_once(path.c_str());
         return written.error();
     }
     sync_folder_of(path);
@@ -71,9 +66,9 @@ Expected<StudyLog> StudyLog::begin(const fs::path& path, const StudyHeader& head
 }
 
 Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& record) {
-    const Expected<int> descriptor = open_alone(path, false);
-    if (!descriptor) return descriptor.error();
-    StudyLog log(path, *descriptor);
+    Expected<OpenFile> file = open_alone(path, false);
+    if (!file) return file.error();
+    StudyLog log(path, *std::move(file));
     // Read under the lock: what is appended to is what the person is asked from.
     const Expected<std::string> text = read_text_file(path);
     if (!text) return text.error();
@@ -83,31 +78,22 @@ Expected<StudyLog> StudyLog::resume(const fs::path& path, const StudyRecord& rec
         answers_given(*now) != answers_given(record)) {
         return Error{path.string() + ": has changed meanwhile; expected the file as it was left"};
     }
-    std::size_t end = whole_lines(*text);
-    if (now->is_torn || end == text->size()) {
-        if (::ftruncate(*descriptor, static_cast<off_t>(end)) != 0) {
-            return system_fault(path, "cannot be written");
-        }
-    } else if (!write_all(*descriptor, "\n")) {  // all there but the end of the line
-        return system_fault(path, "cannot be written");
-    }
+    const std::size_t end = whole_lines(*text);
+    const bool lacks_only_its_end = !now->is_torn && end < text->size();
+    const std::error_code fault = lacks_only_its_end ? log.file_.write("\n") : log.file_.cut(end);
+    if (fault) return not_written(path, fault);
     return log;
 }
 
 Expected<Done> StudyLog::append(const std::string& line) {
-    const off_t end = ::lseek(descriptor_, 0, SEEK_END);
-    if (write_all(descriptor_, line + "\n") && ::fdatasync(descriptor_) == 0) return Done{};
-    Error fault = system_fault(path_, "cannot be written");
+    std::error_code none;
+    const std::uint64_t end = file_.facts(none).bytes;
+    std::error_code fault = file_.write(line + "\n");
+    if (!fault) fault = file_.sync_content();
+    if (!fault) return Done{};
     // A second try must not follow half a line.
-    [[maybe_unused]] const int cut = end < 0 ? 0 : ::ftruncate(descriptor_, end);
-    return fault;
-}
-
-StudyLog::StudyLog(StudyLog&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-StudyLog::~StudyLog() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!none) file_.cut(end);
+    return not_written(path_, fault);
 }
 
 }  // namespace tact

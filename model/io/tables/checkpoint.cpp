@@ -1,10 +1,7 @@
 #include "model/io/tables/checkpoint.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -54,21 +51,8 @@ Error fault(const fs::path& path, const std::string& what) {
     return Error{path.string() + ": " + what};
 }
 
-Error system_fault(const fs::path& path, const std::string& what) {
-    return fault(path, what + ": " + std::generic_category().message(errno));
-}
-
-// Bytes that were there to read at a place, at most `size`.
-std::size_t read_at(int descriptor, std::uint64_t place, void* bytes, std::size_t size) {
-    std::size_t so_far = 0;
-    while (so_far < size) {
-        const ssize_t got = ::pread(descriptor, static_cast<char*>(bytes) + so_far, size - so_far,
-                                    static_cast<off_t>(place + so_far));
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) break;
-        so_far += static_cast<std::size_t>(got);
-    }
-    return so_far;
+Error not_written(const fs::path& path, std::error_code why) {
+    return fault(path, "cannot be written: " + why.message());
 }
 
 struct Record {
@@ -77,15 +61,16 @@ struct Record {
 };
 
 // The whole record at a place; false if it is missing or torn.
-bool read_record(int descriptor, std::uint64_t place, std::uint64_t patterns, Record& record) {
+bool read_record(const OpenFile& file, std::uint64_t place, std::uint64_t patterns,
+                 Record& record) {
     RecordHead& head = record.head;
-    if (read_at(descriptor, place, &head, sizeof head) != sizeof head) return false;
+    if (file.read_at(place, &head, sizeof head) != sizeof head) return false;
     if (head.part > static_cast<std::uint32_t>(Part::oc)) return false;
     if (head.tile >= tile_count(patterns)) return false;
     if (head.values != pair_count(tile_at(patterns, head.tile))) return false;
     record.values.resize(head.values);
     const std::size_t size = head.values * sizeof(double);
-    return read_at(descriptor, place + sizeof head, record.values.data(), size) == size &&
+    return file.read_at(place + sizeof head, record.values.data(), size) == size &&
            head.checksum == checksum_of(head, record.values);
 }
 
@@ -94,12 +79,12 @@ std::uint64_t size_of(const Record& record) {
 }
 
 // Where the next whole record begins, from `place` on; none up to the end of the file.
-std::optional<std::uint64_t> next_record(int descriptor, std::uint64_t place,
+std::optional<std::uint64_t> next_record(const OpenFile& file, std::uint64_t place,
                                          std::uint64_t patterns, Record& record) {
-    const auto end =
-        static_cast<std::uint64_t>(std::max<off_t>(::lseek(descriptor, 0, SEEK_END), 0));
+    std::error_code none;
+    const std::uint64_t end = file.facts(none).bytes;
     for (; place + sizeof(RecordHead) <= end; place += sizeof(double)) {
-        if (read_record(descriptor, place, patterns, record)) return place;
+        if (read_record(file, place, patterns, record)) return place;
     }
     return std::nullopt;
 }
@@ -134,9 +119,9 @@ std::optional<TileKey> kept_key(const fs::path& path) {
 }
 
 Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) {
-    const Expected<int> descriptor = open_alone(path, true);
-    if (!descriptor) return descriptor.error();
-    Checkpoint checkpoint(path, *descriptor, key.patterns);
+    Expected<OpenFile> file = open_alone(path, true);
+    if (!file) return file.error();
+    Checkpoint checkpoint(path, *std::move(file), key.patterns);
     if (const auto taken = checkpoint.take_up(key); !taken) return taken.error();
     return checkpoint;
 }
@@ -144,7 +129,7 @@ Expected<Checkpoint> Checkpoint::open(const fs::path& path, const TileKey& key) 
 Expected<Done> Checkpoint::take_up(const TileKey& key) {
     const Header expected{.key = key};
     Header header;
-    const std::size_t got = read_at(descriptor_, 0, &header, sizeof header);
+    const std::size_t got = file_.read_at(0, &header, sizeof header);
     const bool is_begun = got < sizeof header && std::memcmp(&header, &expected, got) == 0;
     if (!is_begun && header.magic != kMagic) {
         return fault(path_, "is no checkpoint of tactspace; expected to keep one under this name");
@@ -152,9 +137,9 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
     if (is_begun) {
         // A new file, or one of which not even the header came to be.
         const std::string_view bytes(reinterpret_cast<const char*>(&expected), sizeof expected);
-        if (::ftruncate(descriptor_, 0) != 0 || !write_all(descriptor_, bytes)) {
-            return system_fault(path_, "cannot be written");
-        }
+        std::error_code why = file_.cut(0);
+        if (!why) why = file_.write(bytes);
+        if (why) return not_written(path_, why);
         end_ = sizeof expected;
         return Done{};
     }
@@ -168,20 +153,18 @@ Expected<Done> Checkpoint::take_up(const TileKey& key) {
     }
     Record record;
     end_ = sizeof header;
-    while (const auto place = next_record(descriptor_, end_, patterns_, record)) {
+    while (const auto place = next_record(file_, end_, patterns_, record)) {
         if (*place != end_) ++damaged_places_;
         end_ = *place + size_of(record);
     }
-    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
-        return system_fault(path_, "cannot be written");
-    }
+    if (const std::error_code why = file_.cut(end_)) return not_written(path_, why);
     return Done{};
 }
 
 Expected<Done> Checkpoint::read(Part part, const Take& take) const {
     Record record;
     for (std::uint64_t place = sizeof(Header); place < end_;) {
-        const auto found = next_record(descriptor_, place, patterns_, record);
+        const auto found = next_record(file_, place, patterns_, record);
         if (!found || *found >= end_) {
             return fault(path_, "cannot be read again; it changed meanwhile");
         }
@@ -199,27 +182,18 @@ Expected<Done> Checkpoint::append(Part part, std::size_t tile, std::span<const d
     head.checksum = checksum_of(head, values);
     std::string bytes(reinterpret_cast<const char*>(&head), sizeof head);
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-    if (!write_all(descriptor_, bytes)) return system_fault(path_, "cannot be written");
+    if (const std::error_code why = file_.write(bytes)) return not_written(path_, why);
     const auto now = std::chrono::steady_clock::now();
     if (now - synced_ >= kSyncEvery) {
-        ::fdatasync(descriptor_);
+        file_.sync_content();
         synced_ = now;
     }
     return Done{};
 }
 
-void Checkpoint::remove() { ::unlink(path_.c_str()); }
-
-Checkpoint::Checkpoint(Checkpoint&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      patterns_(other.patterns_),
-      end_(other.end_),
-      damaged_places_(other.damaged_places_),
-      synced_(other.synced_) {}
-
-Checkpoint::~Checkpoint() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+void Checkpoint::remove() {
+    std::error_code none;
+    fs::remove(path_, none);
 }
 
 }  // namespace tact

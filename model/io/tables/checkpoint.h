@@ -23,6 +23,7 @@
 
 #include "model/common/expected.h"
 #include "model/perceptual_model/tiles.h"
+#include "model/system/open_file.h"
 
 namespace tact {
 
@@ -64,17 +65,13 @@ class Checkpoint {
     // The work is done: away with the file.
     void remove();
 
-    Checkpoint(Checkpoint&& other) noexcept;
-    Checkpoint& operator=(Checkpoint&&) = delete;
-    ~Checkpoint();
-
   private:
-    Checkpoint(std::filesystem::path path, int descriptor, std::uint64_t patterns)
-        : path_(std::move(path)), descriptor_(descriptor), patterns_(patterns) {}
+    Checkpoint(std::filesystem::path path, OpenFile file, std::uint64_t patterns)
+        : path_(std::move(path)), file_(std::move(file)), patterns_(patterns) {}
     Expected<Done> take_up(const TileKey& key);
 
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    OpenFile file_;
     std::uint64_t patterns_ = 0;
     std::uint64_t end_ = 0;  // of the records that were there
     std::size_t damaged_places_ = 0;

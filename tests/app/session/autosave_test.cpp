@@ -152,9 +152,7 @@ TEST_CASE("autosave: whatever is written into the kept folder during a run is pr
     CHECK(mode_of(places.state / "running") == kOwner);
     REQUIRE(write_atomically(folder / "whole", "x"));
     CHECK(mode_of(folder / "whole") == kOwner);
-    const auto log = open_alone(folder / "log", true);
-    REQUIRE(log);
-    ::close(*log);
+    REQUIRE(open_alone(folder / "log", true));
     CHECK(mode_of(folder / "log") == kOwner);
     // Beside it, what the umask says: the folder is of the same kind, and another one.
     REQUIRE(write_atomically(places.state.string() + " beside", "x"));

@@ -1,4 +1,4 @@
-#include "app/jobs/background.h"
+#include "model/system/process.h"
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace background_test {
+namespace process_test {
 
 using namespace tact;
 
@@ -17,18 +17,18 @@ int niceness() { return getpriority(PRIO_PROCESS, 0); }
 
 }  // namespace
 
-TEST_CASE("background: work gives way to the window, however nice that is itself") {
+TEST_CASE("process: work gives way to the window, however nice that is itself") {
     constexpr int kNicest = 19;
     const int of_window = niceness();
     int of_work = 0;
     int of_its_thread = 0;
     int after_another = 0;
     std::thread([&] {
-        give_way_to_interface();
+        give_way();
         of_work = niceness();
         std::thread([&] { of_its_thread = niceness(); }).join();
         setpriority(PRIO_PROCESS, 0, kNicest);
-        give_way_to_interface();
+        give_way();
         after_another = niceness();
     }).join();
     CHECK(niceness() == of_window);
@@ -38,4 +38,4 @@ TEST_CASE("background: work gives way to the window, however nice that is itself
 }
 #endif
 
-}  // namespace background_test
+}  // namespace process_test
