@@ -1,9 +1,10 @@
 #include "app/screen/kept_frame.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <epoxy/gl.h>
 
 #include <utility>
+
+#include "app/screen/open_gl.h"
 
 namespace tact {
 

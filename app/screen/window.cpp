@@ -329,6 +329,7 @@ Expected<Done> run_window(const WindowOptions& options, const WindowClient& clie
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context);
     glfwDestroyWindow(window.glfw);
+    if (client.end) client.end();
     return Done{};
 }
 

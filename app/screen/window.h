@@ -80,6 +80,8 @@ struct WindowClient {
     std::function<void(float content_scale)> build_fonts;
     // After the frame is on the screen.
     std::function<void()> after_frame;
+    // The window is closed. Not in a browser, whose page goes without a word.
+    std::function<void()> end;
 };
 
 // More screens than one are plugged in. While a window is open.
@@ -88,8 +90,8 @@ bool has_second_screen();
 // Some screen would show a window.
 bool display_available();
 
-// Opens the window, makes the ImGui context and returns when the window is closed. An Error says
-// why it cannot open.
+// Opens the window, makes the ImGui context and returns when the window is closed; in a browser at
+// once, while the page keeps the client. An Error says why it cannot open.
 Expected<Done> run_window(const WindowOptions& options, const WindowClient& client);
 
 // Has a frame drawn soon; from any thread, without a window too.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 #include "app/compare/compare_follow.h"
 #include "app/document/files.h"
@@ -81,6 +82,50 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     return request;
 }
 
+struct Running {
+    App app = make_app();
+    EmergencyStop stop;
+};
+
+void end(Running& running) {
+    App& app = running.app;
+    running.stop.watch(nullptr);
+    // Jobs end before the window that they wake.
+    release_device(app.studying);
+    stop_sound(app.timeline, app.play);
+    app.play.phones.reset();
+    end_phones(app.phones);
+    stop_jobs(app);
+    end_session(app);
+}
+
+WindowClient client_of(const std::shared_ptr<Running>& running) {
+    WindowClient client;
+    client.frame = [running](const FrameContext& context) {
+        return draw_window_frame(running->app, running->stop, context);
+    };
+    client.escape = [running] { running->stop.stop(); };
+    client.display_gone = [running] {
+        const Expected<Done> kept = keep_before_end(running->app);
+        return kept ? std::string() : kept.error().message;
+    };
+    client.drop = [running](const std::vector<std::filesystem::path>& paths) {
+        drop_paths(running->app, paths);
+    };
+    client.close = [running] {
+        const bool closes = close_window(running->app);
+        if (closes) running->stop.stop();
+        return closes;
+    };
+    client.build_fonts = [running](float content_scale) {
+        running->app.ui.content_scale = content_scale;
+        make_theme(running->app);
+    };
+    client.after_frame = [running] { continue_exports(running->app); };
+    client.end = [running] { end(*running); };
+    return client;
+}
+
 }  // namespace
 
 Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
@@ -95,7 +140,9 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
             "no display to open a window on; \"tactspace predict SET\" and \"tactspace snapshot "
             "SET\" work without one (see tactspace --help)"};
     }
-    App app = make_app();
+    // The page of a browser keeps it longer than this function runs.
+    const auto running = std::make_shared<Running>();
+    App& app = running->app;
     watch_for_crashes(crash_report_file());
     app.ui.wake = wake_window;
     app.manual.program = running_program();
@@ -105,39 +152,8 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     make_jobs(app);
     make_sound(app.ui, app.timeline, app.play);
     request_maps(app.work, app.shown_map, app.rendered);
-
-    EmergencyStop stop;
-    WindowClient client;
-    client.frame = [&app, &stop](const FrameContext& context) {
-        return draw_window_frame(app, stop, context);
-    };
-    client.escape = [&stop] { stop.stop(); };
-    client.display_gone = [&app] {
-        const Expected<Done> kept = keep_before_end(app);
-        return kept ? std::string() : kept.error().message;
-    };
-    client.drop = [&app](const std::vector<std::filesystem::path>& paths) {
-        drop_paths(app, paths);
-    };
-    client.close = [&app, &stop] {
-        const bool closes = close_window(app);
-        if (closes) stop.stop();
-        return closes;
-    };
-    client.build_fonts = [&app](float content_scale) {
-        app.ui.content_scale = content_scale;
-        make_theme(app);
-    };
-    client.after_frame = [&app] { continue_exports(app); };
-    const Expected<Done> answer = run_window(options_of(app), client);
-    stop.watch(nullptr);
-    // Jobs end before the window that they wake.
-    release_device(app.studying);
-    stop_sound(app.timeline, app.play);
-    app.play.phones.reset();
-    end_phones(app.phones);
-    stop_jobs(app);
-    end_session(app);
+    const Expected<Done> answer = run_window(options_of(app), client_of(running));
+    if (!answer) end(*running);
     return answer;
 }
 
