@@ -17,12 +17,12 @@ import tempfile
 
 
 class Browser:
-    def __init__(self, profile):
+    def __init__(self, profile, more="--disable-gpu"):
         to_child, self.commands = os.pipe()
         self.answers, from_child = os.pipe()
         # Both ends are put where Chromium looks for them.
         script = f"exec 3<&{to_child} 4>&{from_child}; exec chromium --headless=new --no-sandbox " \
-                 "--disable-gpu --hide-scrollbars --disable-dev-shm-usage --remote-debugging-pipe --no-first-run " \
+                 f"{more} --hide-scrollbars --disable-dev-shm-usage --remote-debugging-pipe --no-first-run " \
                  f"--disable-background-networking --mute-audio --user-data-dir={profile} about:blank"
         self.process = subprocess.Popen(["bash", "-c", script], pass_fds=(to_child, from_child),
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
