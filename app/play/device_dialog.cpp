@@ -1,6 +1,5 @@
 // The dialog of devices: a list, the chosen one, and its settings.
 
-
 #include "app/play/calibrating.h"
 #include "app/play/play_panels.h"
 #include "app/play/playing.h"

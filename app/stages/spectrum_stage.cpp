@@ -1,6 +1,5 @@
 // Components over thresholds; in the large spectrum the thresholds can be moved.
 
-
 #include "app/stages/stage_pictures.h"
 #include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"

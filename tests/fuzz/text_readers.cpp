@@ -10,6 +10,7 @@
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/write_effect.h"
+#include "model/io/folders/percent_code.h"
 #include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/io/people/exclusions_file.h"
@@ -27,7 +28,6 @@
 #include "model/pattern/rhythm_edit.h"
 #include "model/physiology/mechanoreceptor.h"
 #include "model/text/numbers.h"
-#include "model/io/folders/percent_code.h"
 #include "model/text/typed_number.h"
 #include "tests/fuzz/readers.h"
 

@@ -4,8 +4,8 @@
 // Output    the pair under the mouse and the clicked pair
 // If all pairs are equal and not zero, a text says so, and all have one quiet tone.
 // Valid     any n; at most kMostCells x kMostCells cells are drawn. With more objects, a cell shows
-//           the mean of at most 3 x 3 of its pairs, evenly spread: the cost is bounded. The read-out
-//           says so, and gives the pair under the mouse.
+//           the mean of at most 3 x 3 of its pairs, evenly spread: the cost is bounded. The
+//           read-out says so, and gives the pair under the mouse.
 // Left out  reordering, dendrograms.
 #pragma once
 
