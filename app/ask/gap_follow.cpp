@@ -10,7 +10,6 @@
 #include "model/ask/gap_candidates.h"
 #include "model/pattern/same_vibration.h"
 #include "model/text/numbers.h"
-#include "viz/drawing/plot.h"
 
 namespace tact {
 

@@ -13,7 +13,6 @@
 #include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"
 #include "viz/drawing/marks.h"
-#include "viz/drawing/plot.h"
 
 namespace tact {
 

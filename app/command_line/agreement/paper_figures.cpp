@@ -17,7 +17,6 @@
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 #include "model/text/numbers.h"
-#include "viz/drawing/plot.h"
 
 namespace tact {
 

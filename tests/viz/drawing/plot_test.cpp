@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "model/text/numbers.h"
 #include "tests/support/drawn_svg.h"
 #include "tests/support/svg_elements.h"
 #include "viz/drawing/marks.h"
