@@ -124,7 +124,7 @@ TEST_CASE("map: where the exact one has to be asked for, a preview is shown, sai
     CHECK(now.shown->exact_share > 0.0);
     CHECK(map_state(app.work, app.shown_map) == MapState::preview);
     CHECK((now.from - stood).norm() < 0.05 * stood.norm());
-    CHECK((now.to - stood).norm() < 0.2 * stood.norm());
+    CHECK((now.to - stood).norm() < 0.7 * stood.norm());  // a map of its own would be at 1.4
     stop_jobs(app);
 }
 
