@@ -249,6 +249,17 @@ std::vector<std::size_t> finalists(std::span<const Descent> descents) {
     return lowest;
 }
 
+// Judged as far as the search has come: of very many objects the rest would keep a stop waiting.
+PerceptualSpace stopped_space(const Task& task, const Found& found) {
+    PerceptualSpace space;
+    space.points = framed(found.best.points);
+    space.stress1 = found.best.stress1;
+    space.verdict = task.verdict;
+    space.start_stress = found.rested;
+    space.stopped = true;
+    return space;
+}
+
 // `rested` is called for every start that comes to rest, never by two at once.
 Found best_of_starts(const Task& task, int random_starts, const MdsParams& params,
                      const DescentParams& how, const std::stop_token& stop,
@@ -413,6 +424,7 @@ PerceptualSpace nonmetric_mds(const Dissimilarity& dissimilarity, const MdsParam
         if (progress) progress(++finished);
     };
     Found found = best_of_starts(task, params.random_starts, params, how, stop, tell);
+    if (stop.stop_requested()) return stopped_space(task, found);
     const Descent settled = with_points_turned(task, std::move(found.best), params, stop);
     PerceptualSpace space = space_of(task, settled.points);
     if (space.is_degenerate && has_groups_on_spots(task.order, distances(space.points))) {
