@@ -169,9 +169,8 @@ std::string preview_words(const LiveMap& map, bool exact_waits, double exact_s) 
     }
     if (exact_s < kWorthWordsS || map.exact_share <= 0.0) return {};
     const int exact = static_cast<int>(100.0 * map.exact_share);
-    std::string words = "A preview, from the selected pattern outwards " + std::to_string(exact) +
-                        " % exact: " + may_change;
-    if (map.is_kept) words += " What is exact is kept: a restart continues from there.";
+    std::string words = "A preview, " + std::to_string(exact) + " % exact: " + may_change;
+    if (map.is_kept) words += " A restart continues it.";
     return words;
 }
 
