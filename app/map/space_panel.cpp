@@ -303,7 +303,7 @@ float draw_headline(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& ar
     }
     const auto [a, b] = pair_at(map.prediction.pm.size, map.closest);
     const auto& all = map.request.set->vibrations;
-    const std::string pm = significant(map.sorted_pm.front());
+    const std::string pm = grouped(map.sorted_pm.front());
     const float used = x + text_size(theme.fonts.headline, pm).x + theme.gap_px;
     const std::string preview = state == MapState::preview ? ", preview" : "";
     const std::string what = shortened(

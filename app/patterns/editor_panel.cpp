@@ -83,8 +83,8 @@ void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
     std::string words = head + ": not computed yet";
     if (rows) {
         const LiveMap& map = *shown_map.transition.shown;
-        words = head + ": " + significant(map.prediction.pm(rows->first, rows->second)) + " of " +
-                significant(largest_pm(map));
+        words = head + ": " + grouped(map.prediction.pm(rows->first, rows->second)) + " of " +
+                grouped(largest_pm(map));
         const MapState state = map_state(work, shown_map);
         if (state == MapState::preview) words += ", a preview";
         if (state == MapState::stale) words += ", of before the last change";

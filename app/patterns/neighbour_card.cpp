@@ -18,8 +18,8 @@ namespace {
 
 std::string pm_words(const Workspace& work, const ShownMap& shown_map, const Neighbour& pair) {
     const LiveMap& map = *shown_map.transition.shown;
-    std::string words = "PM " + significant(map.prediction.pm(pair.own, pair.closest)) + " of " +
-                        significant(largest_pm(map));
+    std::string words = "PM " + grouped(map.prediction.pm(pair.own, pair.closest)) + " of " +
+                        grouped(largest_pm(map));
     const MapState state = map_state(work, shown_map);
     if (state == MapState::preview) words += ", preview";
     if (state == MapState::stale) words += ", before the edit";
