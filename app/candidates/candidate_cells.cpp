@@ -96,11 +96,14 @@ void draw_cell(Ui& ui, Workspace& work, const CandidateRow& row, CandidateColumn
             break;
     }
     std::string words = cell_words(row, column);
-    // Half a number would be a wrong one: without room the further carriers are a plus.
-    if (!row.further_hz.empty() && text_size(theme.fonts.regular, words).x > cell.width())
+    const auto is_wide = [&] { return text_size(theme.fonts.regular, words).x > cell.width(); };
+    // Half a number would be a wrong one: without room the further carriers are a plus, and any
+    // other number is smaller.
+    if (column == CandidateColumn::carrier && !row.further_hz.empty() && is_wide())
         words = words.substr(0, words.find(' ')) + "+";
-    const ImVec2 size = text_size(theme.fonts.regular, words);
-    draw_text(*ImGui::GetWindowDrawList(), theme.fonts.regular,
+    const ImFont* font = is_wide() ? theme.fonts.small : theme.fonts.regular;
+    const ImVec2 size = text_size(font, words);
+    draw_text(*ImGui::GetWindowDrawList(), font,
               {cell.max.x - size.x, cell.centre().y - size.y / 2.0F}, theme.text, words);
 }
 

@@ -34,8 +34,13 @@ constexpr float kLeastSqueeze = 0.96F;
 
 }  // namespace
 
-std::vector<ColumnSpan> column_places(float width_px, float scale) {
+std::vector<ColumnSpan> column_places(float width_px, float scale, float nearest_px) {
     std::vector<ColumnWidth> shown(kColumnWidths.begin(), kColumnWidths.end());
+    for (ColumnWidth& column : shown) {
+        if (column.column != CandidateColumn::nearest) continue;
+        column.least_px = std::max(column.least_px, nearest_px);
+        column.most_px = std::max(column.most_px, nearest_px);
+    }
     const auto sum = [&shown](float ColumnWidth::*width) {
         float total = 0.0F;
         for (const ColumnWidth& column : shown) total += column.*width;

@@ -15,6 +15,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
+#include "model/dissimilarity/dissimilarity.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -155,6 +156,12 @@ void follow_current_row(const Workspace& work, const std::vector<CandidateRow>& 
     if (at + row_px > top + height) ImGui::SetScrollY(at + row_px - height);
 }
 
+// PM is a rank among the pairs, so at most their number.
+float nearest_px(const Ui& ui, const Workspace& work) {
+    const auto pairs = static_cast<double>(pair_count(work.document.set.vibrations.size()));
+    return text_size(ui.theme.fonts.regular, grouped(pairs)).x / ui.theme.scale + 12.0F;
+}
+
 }  // namespace
 
 PatternAction draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& shown_map,
@@ -165,8 +172,8 @@ PatternAction draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& sho
     for (const CandidateRow& row : rows) work.selection.table_order.push_back(row.place);
     if (!ui.as_picture) draw_table_tools(ui, work, rows.size());
     const float scroll_px = ImGui::GetStyle().ScrollbarSize;
-    const std::vector<ColumnSpan> places =
-        column_places(ImGui::GetContentRegionAvail().x - scroll_px, ui.theme.scale);
+    const std::vector<ColumnSpan> places = column_places(
+        ImGui::GetContentRegionAvail().x - scroll_px, ui.theme.scale, nearest_px(ui, work));
     draw_headings(ui, state, places);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     if (ImGui::BeginChild("candidates")) {

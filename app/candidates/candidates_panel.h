@@ -16,11 +16,12 @@ PatternAction draw_candidates_panel(Ui& ui, Workspace& work, const ShownMap& sho
 
 // Which columns a table of this width has, and where each begins and ends. The picture takes what
 // is left over; in a narrow table the duration goes first, then it, the rhythm, the modulation.
+// `nearest_px`: what the largest PM takes, at a scale of 1; it has that where the table has room.
 struct ColumnSpan {
     CandidateColumn column;
     float begin_px = 0.0F;
     float end_px = 0.0F;
 };
-std::vector<ColumnSpan> column_places(float width_px, float scale);
+std::vector<ColumnSpan> column_places(float width_px, float scale, float nearest_px = 0.0F);
 
 }  // namespace tact

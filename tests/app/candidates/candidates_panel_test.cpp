@@ -189,6 +189,19 @@ TEST_CASE("candidates: a narrow table keeps name, numbers and who is picked") {
     }
 }
 
+TEST_CASE("candidates: the largest PM has room beside the other numbers") {
+    constexpr float kLargestPx = 85.0F;
+    for (const float width : {520.0F, 700.0F, 1600.0F}) {
+        CAPTURE(width);
+        const auto places = column_places(width, 1.0F, kLargestPx);
+        const auto nearest =
+            std::ranges::find(places, CandidateColumn::nearest, &ColumnSpan::column);
+        REQUIRE(nearest != places.end());
+        CHECK(nearest->end_px - nearest->begin_px >= 0.96F * kLargestPx);
+        CHECK(places.back().end_px <= width + 0.5F);
+    }
+}
+
 TEST_CASE("candidates: what is drawn shows its peak, its mean frequency and its ticks") {
     PatternSet set = short_patterns(3);
     auto& drawn = std::get<Pattern>(set.vibrations[1].source);
