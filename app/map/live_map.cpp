@@ -69,14 +69,19 @@ double cells_per_s() {
 
 namespace {
 
-void note_pairs(LiveMap& map) {
+// The order of the rows of 2,000 patterns takes a tenth of a second: a stop is heeded between them.
+void note_pairs(LiveMap& map, const std::stop_token& stop) {
     const Prediction& prediction = map.prediction;
     const Dissimilarity& pm = prediction.pm;
     map.sorted_pm = sorted_values(pm);
     map.closest =
         static_cast<std::size_t>(std::ranges::min_element(pm.condensed) - pm.condensed.begin());
-    map.alike = {clustered_order(pm), clustered_order(prediction.nc),
-                 clustered_order(prediction.oc)};
+    for (const auto& [order, matrix] : {std::pair{&map.alike.pm, &prediction.pm},
+                                        {&map.alike.nc, &prediction.nc},
+                                        {&map.alike.oc, &prediction.oc}}) {
+        if (stop.stop_requested()) return;
+        *order = clustered_order(*matrix);
+    }
 }
 
 void place(LiveMap& map, PerceptualSpace space) {
@@ -87,7 +92,7 @@ void place(LiveMap& map, PerceptualSpace space) {
 }  // namespace
 
 void note_facts(LiveMap& map) {
-    note_pairs(map);
+    note_pairs(map, {});
     map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
 }
 
@@ -243,14 +248,14 @@ struct LiveMapWork::Run {
 namespace {
 
 LiveMap map_of(const LiveMapRequest& request, std::shared_ptr<const PatternSet> set,
-               Prediction prediction) {
+               Prediction prediction, const std::stop_token& stop) {
     LiveMap map;
     map.request = request;
     map.request.coarse.reset();
     map.request.wanted.reset();
     map.prediction = std::move(prediction);
     map.played = std::move(set);
-    note_pairs(map);
+    note_pairs(map, stop);
     return map;
 }
 
@@ -315,14 +320,14 @@ std::optional<LiveMap> LiveMapWork::previewed(const Run& run) {
     options.envelope_decimation = preview_grain(*run.set).value_or(kGrains.back()).decimation;
     auto prediction = predict(std::move(codes), run.set->model, options);
     if (!prediction) return std::nullopt;
-    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction), run.stop);
     place(map, moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop));
     return map;
 }
 
 // A part of a full run. Its points drift from where they were shown last.
 LiveMap LiveMapWork::part(Run& run, const Prediction& prediction, double exact_share) {
-    LiveMap map = map_of(run.request, run.set, prediction);
+    LiveMap map = map_of(run.request, run.set, prediction, run.stop);
     map.request.preview = true;
     map.exact_share = exact_share;
     place(map, moved_space(map.prediction.pm, run.request.dimensions, run.shown.get(), run.stop));
@@ -358,7 +363,7 @@ std::optional<LiveMap> LiveMapWork::full(Run& run) {
     run.progress = kPredictionShare;
     const bool in_parts = run.partly && run.shown;
     if (in_parts) run.partly(part(run, *prediction, 1.0));
-    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction), run.stop);
     map.exact_share = 1.0;
     const Dissimilarity& pm = map.prediction.pm;
     MdsParams params = standard_mds_params(pm.size, run.request.dimensions);
