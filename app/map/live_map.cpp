@@ -300,12 +300,12 @@ std::vector<std::shared_ptr<const PatternCode>> LiveMapWork::codes_of(const Run&
     for (std::size_t k = 0; k < codes.size(); ++k) {
         if (!codes[k]) open.push_back(k);
     }
+    const std::size_t longest = longest_samples(set);
     PredictOptions options = run.options;
     options.previous = nullptr;
     options.threads = 1;
-    options.least_samples = longest_samples(set);
     parallel_for(open.size(), threads_, run.stop, [&](std::size_t k) {
-        const Waveform waveform = waveform_of(set.vibrations[open[k]]);
+        const Waveform waveform = padded(waveform_of(set.vibrations[open[k]]), longest);
         const auto code = pattern_codes({&waveform, 1}, set.model, options);
         if (!code.empty()) codes[open[k]] = code[0];
     });

@@ -35,9 +35,14 @@ std::size_t hash_of(const Waveform& waveform) {
     return std::hash<std::string_view>{}({bytes, own.size_bytes()});
 }
 
+Waveform trimmed(const Waveform& waveform) {
+    const std::span<const double> own = own_samples(waveform);
+    return {waveform.rate_hz, {own.begin(), own.end()}};
+}
+
 bool is_code_of(const PatternCode& code, const Waveform& waveform, std::size_t samples) {
     return code.samples == samples && code.waveform.rate_hz == waveform.rate_hz &&
-           std::ranges::equal(own_samples(code.waveform), own_samples(waveform));
+           std::ranges::equal(code.waveform.samples_g, own_samples(waveform));
 }
 
 // Where each code stood in the earlier prediction; a code is shared exactly when it was reused.
@@ -115,7 +120,7 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     if (const Prediction* previous = usable(options, params)) {
         for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
     }
-    std::size_t samples = options.least_samples;
+    std::size_t samples = 0;
     for (const Waveform& one : waveforms) samples = std::max(samples, one.samples_g.size());
     std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
     const bool finished =
@@ -133,7 +138,7 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
             NeuralCode neural = neural_code(whole, params.coding, {options.stop});
             if (options.stop.stop_requested()) return;
             codes[k] = std::make_shared<const PatternCode>(
-                PatternCode{waveforms[k], samples, std::move(neural),
+                PatternCode{trimmed(waveforms[k]), samples, std::move(neural),
                             rhythm_envelope(whole.samples_g, params.envelope)});
         });
     if (!finished || options.stop.stop_requested()) codes.clear();

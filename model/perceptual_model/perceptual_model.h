@@ -26,8 +26,8 @@ namespace tact {
 
 // One pattern as the model sees it.
 struct PatternCode {
-    Waveform waveform;        // as it was given ...
-    std::size_t samples = 0;  // ... and how many with the zeros up to the longest, which are coded
+    Waveform waveform;        // without the zeros at its end
+    std::size_t samples = 0;  // that were coded: with the zeros up to the longest
     NeuralCode neural;
     std::vector<double> envelope;
 };
@@ -51,7 +51,6 @@ struct PredictOptions {
     const Prediction* previous = nullptr;
     std::stop_token stop;
     std::function<void(double)> progress;  // share of the work done, 0..1, from any thread
-    std::size_t least_samples = 0;  // of the longest waveform, if it is not among those given
 };
 
 // The codes of all waveforms; none when stopped.

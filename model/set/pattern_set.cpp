@@ -33,15 +33,10 @@ std::vector<Waveform> model_waveforms(const PatternSet& set) { return model_wave
 
 std::vector<Waveform> model_waveforms(const PatternSet& set, int threads) {
     const std::size_t longest = longest_samples(set);
-    std::vector<Waveform> waveforms = own_waveforms(set, threads);
-    for (Waveform& one : waveforms) one = padded(std::move(one), longest);
-    return waveforms;
-}
-
-std::vector<Waveform> own_waveforms(const PatternSet& set, int threads) {
     std::vector<Waveform> waveforms(set.vibrations.size());
-    parallel_for(waveforms.size(), threads, {},
-                 [&](std::size_t k) { waveforms[k] = waveform_of(set.vibrations[k]); });
+    parallel_for(waveforms.size(), threads, {}, [&](std::size_t k) {
+        waveforms[k] = padded(waveform_of(set.vibrations[k]), longest);
+    });
     return waveforms;
 }
 

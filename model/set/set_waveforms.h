@@ -10,7 +10,4 @@ namespace tact {
 // threads = 0: all cores.
 std::vector<Waveform> model_waveforms(const PatternSet& set, int threads);
 
-// Each as long as itself: without the zeros up to the longest, which the model adds (predict()).
-std::vector<Waveform> own_waveforms(const PatternSet& set, int threads);
-
 }  // namespace tact
