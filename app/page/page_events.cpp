@@ -9,6 +9,12 @@
 
 #include "app/page/page_events.h"
 
+// Of page.js.
+extern "C" {
+void page_copy(const char* text);
+void page_listen();  // to what html5.h has no function for: pasted texts and dropped files
+}
+
 namespace tact {
 
 namespace {
@@ -238,33 +244,6 @@ EM_BOOL on_focus(int kind, const EmscriptenFocusEvent*, void* user) {
 
 PageEvents* listening = nullptr;  // for what JavaScript calls by name
 
-// What has no function in html5.h.
-EM_JS(void, listen_for_texts_and_files, (), {
-    const give = (name, text) = > {
-        const bytes = stringToNewUTF8(text);
-        Module[name](bytes);
-        _free(bytes);
-    };
-    addEventListener(
-        'paste', (event) = > {
-            give('_page_pasted', event.clipboardData.getData('text/plain'));
-            event.preventDefault();
-        });
-    addEventListener('contextmenu', (event) = > event.preventDefault());
-    addEventListener('dragover', (event) = > event.preventDefault());
-    addEventListener(
-        'drop', async(event) = > {
-            event.preventDefault();
-            const folder = '/dropped';
-            const files = [... event.dataTransfer.files];
-            if (!FS.analyzePath(folder).exists) FS.mkdir(folder);
-            for (const file of files) {
-                FS.writeFile(folder + '/' + file.name, new Uint8Array(await file.arrayBuffer()));
-            }
-            give('_page_dropped', files.map((file) = > folder + '/' + file.name).join('\n'));
-        });
-});
-
 }  // namespace
 
 extern "C" EMSCRIPTEN_KEEPALIVE void page_pasted(const char* text) {
@@ -301,20 +280,13 @@ void listen_to_page(PageEvents& events) {
     emscripten_set_touchcancel_callback(kCanvas, &events, EM_TRUE, on_touch);
     emscripten_set_focus_callback(page, &events, EM_TRUE, on_focus);
     emscripten_set_blur_callback(page, &events, EM_TRUE, on_focus);
-    listen_for_texts_and_files();
+    page_listen();
 }
 
 double page_time_s() { return emscripten_get_now() / 1000.0; }
 
 float page_scale() { return static_cast<float>(emscripten_get_device_pixel_ratio()); }
 
-void copy_in_page(const std::string& text) {
-    EM_ASM(
-        {
-            const clipboard = navigator.clipboard;
-            if (clipboard) clipboard.writeText(UTF8ToString($0)).catch(() = > {});
-        },
-        text.c_str());
-}
+void copy_in_page(const std::string& text) { page_copy(text.c_str()); }
 
 }  // namespace tact

@@ -16,6 +16,12 @@
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
 
+// Of page.js.
+extern "C" {
+int page_is_there();  // 0: node
+void page_show_cursor(const char* name);
+}
+
 namespace tact {
 namespace {
 
@@ -90,8 +96,7 @@ void show_cursor(Page& page) {
     constexpr std::array kNames{"default",     "text",        "move",    "ns-resize",  "ew-resize",
                                 "nesw-resize", "nwse-resize", "pointer", "not-allowed"};
     const auto which = static_cast<std::size_t>(wanted);
-    EM_ASM({ document.getElementById('canvas').style.cursor = UTF8ToString($0); },
-           kNames[std::min(which, kNames.size() - 1)]);
+    page_show_cursor(kNames[std::min(which, kNames.size() - 1)]);
 }
 
 void heed(Page& page, const FrameRequest& request, double now_s) {
@@ -162,9 +167,7 @@ bool is_context_made() {
 
 bool has_second_screen() { return false; }
 
-bool display_available() {
-    return EM_ASM_INT({ return typeof document == 'undefined' ? 0 : 1; }) == 1;
-}
+bool display_available() { return page_is_there() != 0; }
 
 Expected<Done> run_window(const WindowOptions&, const WindowClient& client) {
     if (!display_available()) return Error{"no display: node has no page to draw on"};
