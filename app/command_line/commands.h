@@ -325,6 +325,7 @@ struct SeparateCommand {
     std::vector<std::string> among;   // others that count; empty: all
     double percent = 5.0;             // of the pairs are too close ...
     std::optional<double> threshold;  // ... or those up to this PM
+    double time_limit_s = 120.0;      // of the search, for each of the two
     std::filesystem::path out;        // empty: standard output
 };
 Expected<Done> run(const SeparateCommand& command);

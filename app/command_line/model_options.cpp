@@ -164,6 +164,11 @@ void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chose
                 "%, default: 5. A change must bring the pattern farther from each other pattern "
                 "than that share of all pairs are apart, and farther than this pair is now")
             ->check(within(0.0, 100.0));
+    separate
+        .add_option("--time-limit", command.time_limit_s,
+                    "s for the search of changes, for each pattern that may be changed; "
+                    "default: 120")
+        ->check(within(0.0, kMost));
     separate.add_option("--threshold", command.threshold, "instead farther than this PM")
         ->check(within(0.0, kMost))
         ->excludes(closest);

@@ -264,6 +264,28 @@ Expected<Done> write_result(const std::filesystem::path& out,
 }
 
 std::function<void(double)> progress_line(const std::string& what) {
+    return progress_line_with(what, {});
+}
+
+void tell_search(SubsetOptions& options, const std::string& what) {
+    struct SoFar {
+        std::mutex mutex;
+        std::string words;
+    };
+    const auto so_far = std::make_shared<SoFar>();
+    options.so_far = [so_far](double found, double bound) {
+        const std::scoped_lock lock(so_far->mutex);
+        so_far->words = "; " + significant_digits(found, 4) + " found, none is above " +
+                        significant_digits(bound, 4);
+    };
+    options.progress = progress_line_with(what, [so_far] {
+        const std::scoped_lock lock(so_far->mutex);
+        return so_far->words;
+    });
+}
+
+std::function<void(double)> progress_line_with(const std::string& what,
+                                               std::function<std::string()> said) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const std::chrono::milliseconds interval(terminal ? 200 : 60'000);
     struct State {
@@ -271,7 +293,7 @@ std::function<void(double)> progress_line(const std::string& what) {
         std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
         std::chrono::steady_clock::time_point shown = begin;
     };
-    return [what = shown_text(what), terminal, interval,
+    return [what = shown_text(what), said = std::move(said), terminal, interval,
             state = std::make_shared<State>()](double share) {
         const std::scoped_lock lock(state->mutex);
         const auto now = std::chrono::steady_clock::now();
@@ -286,8 +308,10 @@ std::function<void(double)> progress_line(const std::string& what) {
             return;
         }
         const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
-        std::fprintf(stderr, terminal ? "\r%s: %.0f %%, %s left\033[K" : "%s: %.0f %%, %s left\n",
-                     what.c_str(), 100.0 * share, duration_text(std::ceil(left_s)).c_str());
+        const std::string end = said ? said() : std::string();
+        std::fprintf(
+            stderr, terminal ? "\r%s: %.0f %%, %s left%s\033[K" : "%s: %.0f %%, %s left%s\n",
+            what.c_str(), 100.0 * share, duration_text(std::ceil(left_s)).c_str(), end.c_str());
     };
 }
 

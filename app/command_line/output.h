@@ -14,6 +14,7 @@
 #include "devices/calibration/rendering.h"
 #include "model/set/named_place.h"
 #include "model/set/pattern_set.h"
+#include "model/subset/subset.h"
 
 namespace tact {
 
@@ -62,7 +63,12 @@ Expected<Done> write_result(const std::filesystem::path& out,
                             const std::function<void(std::ostream&)>& write);
 
 // A progress function with the time left: for a person at a terminal one line that rewrites itself,
-// for a log a line every minute.
+// for a log a line every minute. `said`: what the line ends with, when it is shown.
 std::function<void(double)> progress_line(const std::string& what);
+std::function<void(double)> progress_line_with(const std::string& what,
+                                               std::function<std::string()> said);
+
+// The same for a search of a subset: with what was found so far, and what no subset exceeds.
+void tell_search(SubsetOptions& options, const std::string& what);
 
 }  // namespace tact

@@ -65,6 +65,8 @@ std::optional<PartedPair> parted_pair(const PatternSet& meant, const PatternSet&
     separating.threads = options.threads;
     separating.stop = options.stop;
     separating.felt = options.felt;
+    separating.time_limit_s = options.time_limit_s;
+    separating.cut_off = [&result] { result.is_cut_off = true; };
     for (const std::size_t place : pair.changeable) {
         separating.progress = told("changing " + meant.vibrations[place].name);
         const auto found = separations(meant, *prediction, place, result.threshold, separating);
@@ -81,6 +83,7 @@ nlohmann::json json_of(const PartedPair& parted, const std::vector<std::string>&
                         {"dissimilarity", parted.dissimilarity},
                         {"threshold", parted.threshold},
                         {"changes", nlohmann::json::array()}};
+    if (parted.is_cut_off) json["cut_off"] = true;
     for (const auto& [place, one] : parted.changes) {
         json["changes"].push_back(
             {{"pattern", names[place]},

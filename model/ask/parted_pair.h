@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stop_token>
@@ -44,6 +45,7 @@ struct PartedPair {
     double dissimilarity = 0.0;  // PM
     double threshold = 0.0;      // to be exceeded, PM
     std::vector<PartingChange> changes;
+    bool is_cut_off = false;  // at the time limit: smaller changes may exist
 };
 
 struct PartingOptions {
@@ -51,6 +53,8 @@ struct PartingOptions {
     std::stop_token stop{};
     // What is told how far a part of the work is, 0..1, from any thread; may be empty.
     std::function<std::function<void(double)>(const std::string& what)> progress_of{};
+    // s, of the search of changes, for each pattern that may be changed; pairs are compared before.
+    double time_limit_s = std::numeric_limits<double>::infinity();
     std::function<Waveform(const Waveform&)> felt{};  // as in SeparationOptions
 };
 
@@ -59,7 +63,7 @@ std::optional<PartedPair> parted_pair(const PatternSet& meant, const PatternSet&
                                       const PairToPart& pair, const PartingOptions& options);
 
 // {"pair", "dissimilarity", "threshold", "changes": [{"pattern", "parameter", "from", "to",
-// "felt_steps", "nearest"}]}: of the command separate and of Python.
+// "felt_steps", "nearest"}], "cut_off" where it is so}: of the command separate and of Python.
 nlohmann::json json_of(const PartedPair& parted, const std::vector<std::string>& names);
 
 }  // namespace tact

@@ -95,9 +95,13 @@ class HeaviestSearch {
         }
     }
 
+    // Called of each node that is explored, but not more often than a person can read.
+    void every_node(std::function<void()> call) { call_ = std::move(call); }
+
     // False: the limit was reached.
     bool explore(Node& node) const {
         if (limit_.reached()) return false;
+        if (call_ && is_due()) call_();
         return !work_off(node, [this](Branch branch) { return explore(branch.node); });
     }
 
@@ -112,6 +116,15 @@ class HeaviestSearch {
     }
 
   private:
+    bool is_due() const {
+        constexpr std::int64_t kEveryMs = 50;
+        const std::int64_t now = std::chrono::duration_cast<std::chrono::milliseconds>(
+                                     std::chrono::steady_clock::now().time_since_epoch())
+                                     .count();
+        std::int64_t last = last_call_ms_;
+        return now - last >= kEveryMs && last_call_ms_.compare_exchange_strong(last, now);
+    }
+
     bool may_join(std::size_t a, std::size_t b) const {
         return problem_.graph == nullptr || problem_.graph->has(a, b);
     }
@@ -272,6 +285,8 @@ class HeaviestSearch {
     const SearchLimit& limit_;
     const Eigen::MatrixXd& distances_;
     Units divisor_;
+    std::function<void()> call_{};
+    mutable std::atomic<std::int64_t> last_call_ms_ = 0;
 };
 
 }  // namespace
@@ -310,30 +325,42 @@ bool BestSets::would_keep(Units sum, std::span<const std::size_t> lowest) const 
 }
 
 HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const SearchLimit& limit,
-                          int threads, const std::function<void(double)>& progress) {
+                          int threads, const HeaviestTold& told) {
     assert(problem.kept.size() <= problem.count && "more to keep than to choose");
-    const HeaviestSearch search(problem, best, limit);
+    HeaviestSearch search(problem, best, limit);
     if (!search.has_time_for_shift(problem.others.size())) {
         return {false, bound_of_farthest(problem)};
     }
     Node root = search.root();
     // The branches of the root are the tasks; each continues from what the others have found.
     std::vector<Branch> tasks;
-    HeaviestRun run;
     const std::optional<Units> left = search.work_off(root, [&tasks](Branch branch) {
         tasks.push_back(std::move(branch));
         return true;
     });
-    std::vector<char> is_done(tasks.size(), 0);
+    std::vector<std::atomic<bool>> is_done(tasks.size());
     std::atomic<std::size_t> done = 0;
+    const auto bound_of_rest = [&] {
+        Units bound = std::max(best.floor(), left.value_or(std::numeric_limits<Units>::min()));
+        for (std::size_t k = 0; k < tasks.size(); ++k) {
+            if (!is_done[k]) bound = std::max(bound, tasks[k].bound);
+        }
+        return bound;
+    };
+    if (told) {
+        search.every_node([&] {
+            const auto share = static_cast<double>(done) / static_cast<double>(tasks.size());
+            told(share, best.floor(), bound_of_rest());
+        });
+    }
     parallel_for(tasks.size(), threads, {}, [&](std::size_t k) {
-        is_done[k] = search.explore(tasks[k].node) ? 1 : 0;
-        const auto share = static_cast<double>(++done) / static_cast<double>(tasks.size());
-        if (progress) progress(share);
+        is_done[k] = search.explore(tasks[k].node);
+        ++done;
     });
+    HeaviestRun run;
     if (left) run = {false, *left};
     for (std::size_t k = 0; k < tasks.size(); ++k) {
-        if (is_done[k] != 0) continue;
+        if (is_done[k]) continue;
         run.bound = run.is_complete ? tasks[k].bound : std::max(run.bound, tasks[k].bound);
         run.is_complete = false;
     }

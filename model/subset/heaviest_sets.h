@@ -68,8 +68,12 @@ struct HeaviestRun {
     Units bound = 0;          // ... and no set left out has a sum above this
 };
 
-// Offers sets to `best` until it holds the best of all. `progress` gets 0..1, from any thread.
+// What is told of a search under way, from any thread: how much is done, 0..1, the worst sum that
+// is kept, and a sum that no set exceeds which is left to be looked at or kept.
+using HeaviestTold = std::function<void(double share, Units kept, Units bound)>;
+
+// Offers sets to `best` until it holds the best of all.
 HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const SearchLimit& limit,
-                          int threads, const std::function<void(double)>& progress = {});
+                          int threads, const HeaviestTold& told = {});
 
 }  // namespace tact

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/common/portable.h"
+#include "model/subset/search_limit.h"
 
 namespace tact {
 
@@ -39,11 +40,35 @@ struct Outcome {
     bool parts = false;
 };
 
+// When the search ends: at the person's stop, or at the limit, where the trial under way ends, too.
+class Ending {
+  public:
+    explicit Ending(const SeparationOptions& options)
+        : limit_(limit_of(options.time_limit_s, options.stop)),
+          with_person_(options.stop, [this] { both_.request_stop(); }) {}
+
+    std::stop_token token() const { return both_.get_token(); }
+    bool is_by_person() const { return limit_.stop.stop_requested(); }
+    bool reached() {
+        if (limit_.reached()) both_.request_stop();
+        return both_.stop_requested();
+    }
+    // Enough is left to confirm what was found.
+    bool may_search(double limit_s) {
+        return !reached() && (!limit_.is_by_clock() || limit_.left_s() > 0.4 * limit_s);
+    }
+
+  private:
+    SearchLimit limit_;
+    std::stop_source both_;
+    std::stop_callback<std::function<void()>> with_person_;
+};
+
 // The set with one pattern changed, as the model sees it: one row is computed, all is ranked again.
 class Trial {
   public:
     Trial(const PatternSet& set, const PerceptualModelParams& params, std::size_t place,
-          double threshold, const SeparationOptions& options)
+          double threshold, const SeparationOptions& options, Ending& ending)
         : set_(set),
           params_(params),
           place_(place),
@@ -59,7 +84,8 @@ class Trial {
             std::iota(others_.begin(), others_.end(), std::size_t{0});
         }
         predict_.threads = options.threads;
-        predict_.stop = options.stop;
+        predict_.stop = ending.token();
+        predict_.progress = [&ending](double) { (void)ending.reached(); };
     }
 
     // Beside what `previous` holds; none when stopped.
@@ -213,9 +239,18 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
     if (pattern == nullptr) return std::nullopt;
     if (!std::isfinite(threshold)) return std::vector<Separation>{};
     const FeltSteps& felt = set.felt_steps;
-    Trial trial(set, prediction.params, place, threshold, options);
+    Ending ending(options);
+    Trial trial(set, prediction.params, place, threshold, options, ending);
+    // Nothing when the person stopped it.
+    const auto at_limit =
+        [&](std::vector<Separation> known) -> std::optional<std::vector<Separation>> {
+        if (ending.is_by_person()) return std::nullopt;
+        if (options.cut_off) options.cut_off();
+        std::ranges::stable_sort(known, {}, &Separation::steps);
+        return known;
+    };
     const std::optional<Prediction> coarse = trial.coarse();
-    if (!coarse) return std::nullopt;
+    if (!coarse) return at_limit({});
     std::vector<Way> ways = ways_of(*pattern, felt);
     double done = 0.0;
     const double all = static_cast<double>(ways.size() + 2 * kMostGiven);
@@ -228,9 +263,12 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
         return outcome ? std::optional(outcome->parts) : std::nullopt;
     };
     std::vector<Way> found;
+    bool is_whole = true;
     for (Way& way : ways) {
+        is_whole = is_whole && ending.may_search(options.time_limit_s);
+        if (!is_whole) break;
         const auto narrowed = narrow(way, felt, parts_coarsely);
-        if (!narrowed) return std::nullopt;
+        if (!narrowed) return at_limit({});
         if (*narrowed) found.push_back(way);
         tell(1.0);
     }
@@ -239,12 +277,13 @@ std::optional<std::vector<Separation>> separations(const PatternSet& set,
     for (const Way& way : found) {
         if (result.size() == kMostGiven) break;
         const auto sure = confirmed(way, *pattern, felt, prediction, trial);
-        if (!sure) return std::nullopt;
+        if (!sure) return at_limit(std::move(result));
         result.insert(result.end(), sure->begin(), sure->end());
         tell(2.0);
     }
-    std::ranges::stable_sort(result, {}, &Separation::steps);
     if (options.progress) options.progress(1.0);
+    if (!is_whole) return at_limit(std::move(result));
+    std::ranges::stable_sort(result, {}, &Separation::steps);
     return result;
 }
 

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -49,6 +50,10 @@ struct SeparationOptions {
     int threads = 0;  // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from this thread
+    // s. Where it ends the search, `cut_off` is called, and what is given is what was confirmed
+    // till then: smaller changes may exist.
+    double time_limit_s = std::numeric_limits<double>::infinity();
+    std::function<void()> cut_off{};
     // What is felt of a vibration, as long as it is: where a device plays it. None: itself. The
     // prediction is then of what is felt, too.
     std::function<Waveform(const Waveform&)> felt{};

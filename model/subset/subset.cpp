@@ -18,13 +18,6 @@ constexpr std::size_t kMostTies = 4096;
 
 using Indices = std::vector<std::size_t>;
 
-// A share of the whole progress.
-std::function<void(double)> part(const std::function<void(double)>& progress, double from,
-                                 double to) {
-    if (!progress) return {};
-    return [progress, from, to](double share) { progress(from + (to - from) * share); };
-}
-
 struct Picking {
     WholeDistances distances;
     Eigen::MatrixXd real;
@@ -55,6 +48,15 @@ Picking picking_of(const Dissimilarity& dissimilarity, const SubsetProblem& prob
         if (!is_dropped && !is_kept) picking.others.push_back(v);
     }
     return picking;
+}
+
+// What is done of the work or of the time, whichever is more: at the limit it ends in any case.
+void tell_share(const Picking& picking, const SubsetOptions& options, double share) {
+    if (!options.progress) return;
+    const double of_time = picking.limit.is_by_clock() && options.time_limit_s > 0.0
+                               ? 1.0 - picking.limit.left_s() / options.time_limit_s
+                               : 0.0;
+    options.progress(std::clamp(std::max(share, of_time), 0.0, 1.0));
 }
 
 // Every exchange of one member that leaves all pairs so far apart: a floor for the search.
@@ -179,9 +181,16 @@ void add_alternatives(const Picking& picking, const Dissimilarity& dissimilarity
 
 // The weakest pair as far apart as can be, then the sum as large as can be.
 Units pick_max_min(const Picking& picking, const Dissimilarity& dissimilarity, Indices start,
-                   const std::function<void(double)>& progress, SubsetAnswer& answer) {
-    const WidestSet widest = widest_set(picking.widest(), std::move(start), std::nullopt,
-                                        picking.limit, part(progress, 0.0, 0.6));
+                   const SubsetOptions& options, SubsetAnswer& answer) {
+    const WidestSet widest =
+        widest_set(picking.widest(), std::move(start), std::nullopt, picking.limit,
+                   [&](double share, Units found, Units bound) {
+                       if (options.so_far) {
+                           options.so_far(largest_meant(picking.distances, found, 1),
+                                          largest_meant(picking.distances, bound, 1));
+                       }
+                       tell_share(picking, options, 0.6 * share);
+                   });
     BestSets best(1);
     best.offer(heavy_set(picking.distances, widest.members));
     answer.proof = SubsetProof::open;
@@ -198,18 +207,25 @@ Units pick_max_min(const Picking& picking, const Dissimilarity& dissimilarity, I
 }
 
 void pick_max_sum(const Picking& picking, const Dissimilarity& dissimilarity, Indices start,
-                  const std::function<void(double)>& progress, SubsetAnswer& answer) {
+                  const SubsetOptions& options, SubsetAnswer& answer) {
     BestSets best(1);
     best.offer(heavy_set(picking.distances, std::move(start)));
-    const HeaviestRun run = find_heaviest(picking.heaviest(), best, picking.limit, picking.threads,
-                                          part(progress, 0.0, 0.8));
+    const std::size_t pairs = pair_count(picking.problem.count);
+    const HeaviestRun run =
+        find_heaviest(picking.heaviest(), best, picking.limit, picking.threads,
+                      [&](double share, Units found, Units bound) {
+                          if (options.so_far) {
+                              options.so_far(largest_meant(picking.distances, found, pairs),
+                                             largest_meant(picking.distances, bound, pairs));
+                          }
+                          tell_share(picking, options, 0.8 * share);
+                      });
     const HeavySet found = best.sets().front();
     answer.best = subset_of(dissimilarity, found.members);
     answer.proof = run.is_complete ? SubsetProof::optimal : SubsetProof::open;
     answer.bound = run.is_complete
                        ? answer.best.sum
-                       : largest_meant(picking.distances, std::max(run.bound, found.sum),
-                                       pair_count(picking.problem.count));
+                       : largest_meant(picking.distances, std::max(run.bound, found.sum), pairs);
 }
 
 std::size_t different(Indices indices) {
@@ -275,9 +291,9 @@ Expected<SubsetAnswer> most_distinct_subset(const Dissimilarity& dissimilarity,
     SubsetAnswer answer;
     Units widest = 0;
     if (problem.objective == SubsetObjective::max_min) {
-        widest = pick_max_min(picking, dissimilarity, std::move(start), options.progress, answer);
+        widest = pick_max_min(picking, dissimilarity, std::move(start), options, answer);
     } else {
-        pick_max_sum(picking, dissimilarity, std::move(start), options.progress, answer);
+        pick_max_sum(picking, dissimilarity, std::move(start), options, answer);
     }
     if (options.progress) options.progress(0.8);
     if (options.alternatives > 0 && answer.proof == SubsetProof::optimal) {

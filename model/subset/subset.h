@@ -61,7 +61,10 @@ struct SubsetOptions {
     std::size_t alternatives = 0;
     int threads = 0;  // 0: all cores
     std::stop_token stop{};
-    std::function<void(double)> progress{};  // 0..1, from any thread
+    std::function<void(double)> progress{};  // 0..1, from any thread; of the time limit, if nearer
+    // The objective of the best subset so far, and what no subset exceeds; from any thread, before
+    // progress is told. The last digits may be rounded up.
+    std::function<void(double found, double bound)> so_far{};
 };
 
 // An Error where no subset of n objects can be as asked.

@@ -19,8 +19,7 @@ std::vector<std::size_t> far_from_kept(const WidestProblem& problem, Units least
 }
 
 WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> start,
-                     std::optional<Units> bound, const SearchLimit& limit,
-                     const std::function<void(double)>& progress) {
+                     std::optional<Units> bound, const SearchLimit& limit, const WidestTold& told) {
     const std::vector<Units> values = distinct_values(problem.distances);
     const auto place_of = [&values](Units value) {
         return static_cast<std::size_t>(std::ranges::upper_bound(values, value) - values.begin()) -
@@ -33,6 +32,7 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
     std::size_t low = place_of(widest.weakest);
     std::size_t high = place_of(std::min({of_kept, values.back(), bound.value_or(of_kept)}));
     const double all = portable::log2(static_cast<double>(high - low + 2));
+    if (told) told(0.0, widest.weakest, std::max(widest.weakest, values[high]));
     while (low < high) {
         const std::size_t middle = low + (high - low + 1) / 2;
         const Graph graph = graph_of(problem.distances, values[middle]);
@@ -48,7 +48,8 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
             high = middle - 1;
         }
         const double left = portable::log2(static_cast<double>(high - std::min(low, high) + 2));
-        if (progress) progress(all > 1.0 ? (all - left) / (all - 1.0) : 1.0);
+        const double share = all > 1.0 ? (all - left) / (all - 1.0) : 1.0;
+        if (told) told(share, widest.weakest, std::max(widest.weakest, values[high]));
     }
     std::ranges::sort(widest.members);
     widest.bound = std::max(widest.weakest, values[high]);

@@ -29,10 +29,13 @@ struct WidestSet {
     Units bound = 0;  // no set has a weakest pair above it; equal to `weakest` where proven
 };
 
-// Begins with `start`, a set of the problem. `bound`: known already. `progress` gets 0..1.
+// What is told after each question: how much is done, 0..1, the weakest pair found, and its bound.
+using WidestTold = std::function<void(double share, Units found, Units bound)>;
+
+// Begins with `start`, a set of the problem. `bound`: known already.
 WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> start,
                      std::optional<Units> bound, const SearchLimit& limit,
-                     const std::function<void(double)>& progress = {});
+                     const WidestTold& told = {});
 
 // Those of `others` that are at least so far from all that are kept.
 std::vector<std::size_t> far_from_kept(const WidestProblem& problem, Units least);

@@ -57,7 +57,7 @@ Expected<SubsetAnswer> picked_for_report(const ReportCommand& command, const Pat
     options.time_limit_s = command.time_limit_s;
     options.threads = command.common.threads;
     options.stop = stop;
-    options.progress = progress_line("picking");
+    tell_search(options, "picking");
     return most_distinct_subset(pm, problem, options);
 }
 

@@ -57,6 +57,7 @@ Expected<PartedPair> parted(const SeparateCommand& command, const FeltSet& sets,
     options.threads = command.common.threads;
     options.stop = stop;
     options.progress_of = progress_line;
+    options.time_limit_s = command.time_limit_s;
     if (sets.labels.by) {
         options.felt = [&by = *sets.labels.by](const Waveform& meant) {
             return rendering(by, meant).waveform;
@@ -74,6 +75,11 @@ std::string text_of(const PartedPair& result, const Labels& labels,
     std::string text = text_of(labels) + "PM of " + names[result.a] + " and " + names[result.b] +
                        "  " + significant_digits(result.dissimilarity, 6) + "\nto be exceeded  " +
                        significant_digits(result.threshold, 6) + "\n\n";
+    const std::string cut_off =
+        result.is_cut_off ? "time ran out: smaller changes may exist (--time-limit)\n" : "";
+    if (result.changes.empty() && result.is_cut_off) {
+        return text + "time ran out before a change was found (--time-limit)\n";
+    }
     if (result.changes.empty()) {
         return text +
                "no change of a single number is enough: change the rhythm, or add a carrier\n";
@@ -87,7 +93,7 @@ std::string text_of(const PartedPair& result, const Labels& labels,
                         significant_digits(one.to, 6), fixed_digits(one.steps, 1),
                         significant_digits(one.nearest, 6), names[one.nearest_to]});
     }
-    return text + aligned(rows) +
+    return text + aligned(rows) + cut_off +
            "\na felt step is the least change that people are taken to feel: 1.5 dB, 20 % of a "
            "frequency; felt_steps in the set file changes that\n";
 }

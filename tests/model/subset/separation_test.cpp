@@ -202,6 +202,29 @@ TEST_CASE("separation: the same on one and on four threads; none when stopped") 
     CHECK_FALSE(separations(set, prediction, 0, prediction.pm(0, 1), options));
 }
 
+TEST_CASE("separation: past a limit in seconds it says so, and gives no more than it confirmed") {
+    const PatternSet set = short_set();
+    const Prediction prediction = predicted(set);
+    SeparationOptions options;
+    bool is_cut_off = false;
+    options.cut_off = [&is_cut_off] { is_cut_off = true; };
+    const auto whole = separations(set, prediction, 0, prediction.pm(0, 1), options);
+    REQUIRE(whole);
+    CHECK_FALSE(is_cut_off);
+    options.time_limit_s = 0.0;
+    const auto none = separations(set, prediction, 0, prediction.pm(0, 1), options);
+    REQUIRE(none);
+    CHECK(none->empty());
+    CHECK(is_cut_off);
+    // A stop by the person is no answer, limit or not.
+    std::stop_source stop;
+    stop.request_stop();
+    options.stop = stop.get_token();
+    is_cut_off = false;
+    CHECK_FALSE(separations(set, prediction, 0, prediction.pm(0, 1), options));
+    CHECK_FALSE(is_cut_off);
+}
+
 TEST_CASE("pattern parameters: a number that a pattern has not stays none") {
     Pattern plain;
     CHECK_FALSE(value_of(plain, PatternParameter::second_carrier));

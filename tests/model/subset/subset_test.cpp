@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
@@ -317,6 +318,34 @@ TEST_CASE("whole distances: half ranks of many objects keep their sums and order
         }
     }
     CHECK(distinct_values(whole).size() == values.size());
+}
+
+TEST_CASE("subset: a search tells what it has and what nothing exceeds, ever closer together") {
+    const Dissimilarity apart = of_points(60, 3, 8);
+    for (const SubsetObjective objective : {SubsetObjective::max_min, SubsetObjective::max_sum}) {
+        SubsetOptions options;
+        options.threads = 1;
+        double found = 0.0;
+        double bound = std::numeric_limits<double>::infinity();
+        int told = 0;
+        options.so_far = [&](double now, double most) {
+            ++told;
+            CHECK(now >= found);
+            CHECK(most <= bound);
+            CHECK(now <= most);
+            found = now;
+            bound = most;
+        };
+        const SubsetAnswer answer =
+            *most_distinct_subset(apart, {.count = 6, .objective = objective}, options);
+        REQUIRE(answer.proof == SubsetProof::optimal);
+        const double best = objective == SubsetObjective::max_min
+                                ? answer.best.weakest_dissimilarity
+                                : answer.best.sum;
+        CHECK(told > 0);
+        CHECK(bound >= best);
+        CHECK(found <= best * (1.0 + 1e-6));  // rounded up in its last digits
+    }
 }
 
 }  // namespace subset_test
