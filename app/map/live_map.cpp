@@ -13,7 +13,7 @@
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/map/clusters.h"
+#include "model/map/group_tree.h"
 #include "model/map/landmarks.h"
 #include "model/map/map_scale.h"
 #include "model/perceptual_model/refinement.h"
@@ -80,7 +80,7 @@ void note_pairs(LiveMap& map, const std::stop_token& stop) {
                                         {&map.alike.nc, &prediction.nc},
                                         {&map.alike.oc, &prediction.oc}}) {
         if (stop.stop_requested()) return;
-        *order = clustered_order(*matrix);
+        *order = clustered_order(group_tree(*matrix));
     }
 }
 

@@ -7,8 +7,8 @@
 #include "app/document/editing.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
-#include "model/map/clusters.h"
 #include "model/map/explained_share.h"
+#include "model/map/group_tree.h"
 #include "model/set/parameter_paths.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colormap.h"
@@ -96,9 +96,9 @@ void colour_clusters(const Ui& ui, ShownMap& shown_map, std::vector<PatternLook>
     ShownClusters& known = shown_map.clusters;
     const int count = shown_map.look.clusters;
     if (known.of != shown_map.transition.shown || known.count != count) {
-        known = {
-            shown_map.transition.shown, count,
-            clusters(shown_map.transition.shown->prediction.pm, static_cast<std::size_t>(count))};
+        known = {shown_map.transition.shown, count,
+                 clusters(group_tree(shown_map.transition.shown->prediction.pm),
+                          static_cast<std::size_t>(count))};
     }
     for (std::size_t k = 0; k < looks.size() && k < known.group.size(); ++k) {
         looks[k] = pattern_look(ui.theme, known.group[k]);

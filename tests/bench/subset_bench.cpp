@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/common/random.h"
+#include "model/map/group_tree.h"
 #include "tests/bench/owed.h"
 
 using namespace tact;
@@ -62,6 +63,16 @@ void ten_of_many(benchmark::State& state, SubsetObjective objective, Kind kind, 
     owe_at_most(state, slowest_s, bar_s, "s");
 }
 
+// The tree of groups of many, on one core.
+void group_tree_of_ranks(benchmark::State& state, double bar_s) {
+    const Dissimilarity apart = instance(Kind::ranks, static_cast<std::size_t>(state.range(0)), 1);
+    Best best;
+    for (auto _ : state) {
+        best.turn([&] { benchmark::DoNotOptimize(group_tree(apart)); });
+    }
+    owe_at_most(state, best.shortest_s, bar_s, "s");
+}
+
 void max_min_points(benchmark::State& state, double bar_s) {
     ten_of_many(state, SubsetObjective::max_min, Kind::points, bar_s);
 }
@@ -116,3 +127,7 @@ BENCHMARK_CAPTURE(max_sum_points, 500, 30.0)
     ->Name("subset/max_sum/points/500")
     ->Arg(500)
     ->Iterations(2);
+BENCHMARK_CAPTURE(group_tree_of_ranks, 2000, 1.0)
+    ->Name("subset/group_tree/ranks/2000")
+    ->Arg(2000)
+    ->Iterations(3);

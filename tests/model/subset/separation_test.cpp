@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "model/common/random.h"
-#include "model/map/clusters.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/set_subset.h"
@@ -241,21 +240,6 @@ TEST_CASE("pattern parameters: a number that a pattern has not stays none") {
     CHECK(with_value(drawn, PatternParameter::amplitude, 2.0) == louder);
     CHECK(value_of(with_value(plain, PatternParameter::attack, 0.25), PatternParameter::attack) ==
           0.25);
-}
-
-TEST_CASE("clusters: near ones together, numbered by their first; as many as asked for") {
-    const Dissimilarity line = on_a_line({0.0, 10.0, 0.1, 10.2, 20.0});
-    CHECK(clusters(line, 3) == std::vector<std::size_t>{0, 1, 0, 1, 2});
-    CHECK(clusters(line, 1) == std::vector<std::size_t>(5, 0));
-    CHECK(clusters(line, 9) == std::vector<std::size_t>{0, 1, 2, 3, 4});
-    CHECK(clusters({0, {}}, 2).empty());
-    CHECK(clusters({1, {}}, 2) == std::vector<std::size_t>{0});
-}
-
-TEST_CASE("clusters: average linkage joins by means, not by nearest neighbours") {
-    // scipy.cluster.hierarchy: fcluster(average([1, 2.6, 4.4, 1.6, 3.4, 1.8]), 2, "maxclust") gives
-    // 1 1 2 2; with single() 1 1 1 2.
-    CHECK(clusters(on_a_line({0.0, 1.0, 2.6, 4.4}), 2) == std::vector<std::size_t>{0, 0, 1, 1});
 }
 
 TEST_CASE("stability: draws without any uncertainty all pick the same, and no point moves") {
