@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, Commands& commands, Chosen& chosen) {
     add_calibrate_command(app, commands.calibrate, chosen);
     add_subset_command(app, commands.subset, chosen);
     add_report_command(app, commands.report, chosen);
+    add_groups_command(app, commands.groups, chosen);
     add_separate_command(app, commands.separate, chosen);
     add_steps_command(app, commands.steps, chosen);
     add_edit_command(app, commands.edit, chosen);

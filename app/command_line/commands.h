@@ -318,6 +318,17 @@ struct ReportCommand {
 };
 Expected<Done> run(const ReportCommand& command);
 
+struct GroupsCommand {
+    CommonOptions common;
+    std::optional<int> count;      // of groups ...
+    std::optional<double> cut;     // ... or where the tree is cut, PM; neither: a usual count
+    std::filesystem::path matrix;  // instead of PM
+    TableHints written;
+    std::filesystem::path out;      // a table, .csv
+    std::filesystem::path central;  // a set file for the patterns that stand for the groups
+};
+Expected<Done> run(const GroupsCommand& command);
+
 struct SeparateCommand {
     CommonOptions common;
     std::string pair;                 // "A,B"

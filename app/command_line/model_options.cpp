@@ -141,6 +141,34 @@ void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen) {
         ->check(within(0.0, kMost));
 }
 
+void add_groups_command(CLI::App& app, GroupsCommand& command, Chosen& chosen) {
+    CLI::App& groups = add_command(
+        app, "groups", "a set in groups of alike patterns: a tree, cut by a number or by PM",
+        command, chosen);
+    add_rendering(groups, command.common);
+    add_exporting(groups, command.common);
+    add_only(groups, command.common);
+    CLI::Option* count = groups
+                             .add_option("-n,--count", command.count,
+                                         "number of groups; default: 8, or half of a small set")
+                             ->check(within(1, 10'000));
+    groups
+        .add_option("--cut", command.cut,
+                    "instead the PM at which the tree is cut: two groups stay apart whose pairs "
+                    "have a mean above it")
+        ->check(within(0.0, kMost))
+        ->excludes(count);
+    groups.add_option("--matrix", command.matrix,
+                      "dissimilarities from a CSV file, by names, instead of PM");
+    add_table_hints(groups, command.written);
+    groups.add_option("--out", command.out, "a table of all patterns with their groups, .csv");
+    groups.add_option("--central", command.central,
+                      "a set file for the most central pattern of each group, or its locked ones");
+    groups.footer(
+        "Patterns that nobody feels, and dropped ones, are no part of the tree. --json has the "
+        "whole tree,\nits joins as SciPy's linkage numbers them.");
+}
+
 void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen) {
     CLI::App& separate = add_command(
         app, "separate", "the smallest changes that part two patterns people may confuse", command,

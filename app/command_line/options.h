@@ -65,6 +65,7 @@ void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen)
 void add_space_command(CLI::App& app, SpaceCommand& command, Chosen& chosen);
 void add_subset_command(CLI::App& app, SubsetCommand& command, Chosen& chosen);
 void add_report_command(CLI::App& app, ReportCommand& command, Chosen& chosen);
+void add_groups_command(CLI::App& app, GroupsCommand& command, Chosen& chosen);
 void add_separate_command(CLI::App& app, SeparateCommand& command, Chosen& chosen);
 void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen);
 void add_findings_command(CLI::App& app, FindingsCommand& command, Chosen& chosen);
@@ -110,6 +111,7 @@ struct Commands {
     TrainCommand train;
     SubsetCommand subset;
     ReportCommand report;
+    GroupsCommand groups;
     SeparateCommand separate;
     StepsCommand steps;
     PlanCommand plan;

@@ -268,6 +268,12 @@ const Checks& checks() {
          [](const Bench& b) {
              b.check_says({"report", b.modelled, "--out", b.at("r.html")});
          }},
+        {"groups",
+         [](const Bench& b) {
+             b.check_says({"groups", b.modelled, "--out", b.at("g.csv")});
+             b.check_says({"groups", b.modelled, "--json"});
+             b.check_says({"groups", b.plain, "--matrix", b.matrix, "--out", b.at("g.csv")});
+         }},
         {"separate",
          [](const Bench& b) {
              b.check_says({"separate", b.modelled, "--pair", "v1,v4"});

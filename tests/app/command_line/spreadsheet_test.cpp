@@ -167,6 +167,11 @@ const Checks& checks() {
          [](const Bench& b) {
              b.check({"findings", "--csv", b.out_at("f.csv")}, {{"f.csv", {}}});
          }},
+        {"groups",
+         [](const Bench& b) {
+             b.check({"groups", b.set, "-n", "2", "--out", b.out_at("g.csv")},
+                     {{"g.csv", pattern_names()}});
+         }},
         {"export",
          [](const Bench& b) {
              b.check({"export", b.set, "--format", "csv", "--out", b.out_at("e")}, {});
