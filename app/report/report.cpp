@@ -20,10 +20,14 @@ std::size_t grouped_patterns(const CloseGroups& close) {
     return count;
 }
 
+}  // namespace
+
 std::string pair_html(const Report& report, const ConfusablePair& pair) {
     return name_html(report, pair.a) + " \u2013 " + name_html(report, pair.b) +
            " <span class=\"value\">" + value_text(report, pair.dissimilarity) + "</span>";
 }
+
+namespace {
 
 // One group of nearly everything says little: who reads it is to know why, and what to do.
 std::string chain_remark(const Report& report) {
@@ -55,9 +59,10 @@ std::string threshold_sentence(const Report& report) {
 
 // How the groups fall apart below the threshold: it is nobody's measurement.
 std::string ladder_sentence(const Report& report) {
+    const Dissimilarity felt = felt_pairs(report.dissimilarity, report.unfelt);
     const double at = report.closer_than.dissimilarity;
     const auto left_at = [&](double threshold) {
-        return grouped_digits(distinct_count(groups_below(report.dissimilarity, threshold)));
+        return grouped_digits(distinct_count(groups_below(felt, threshold)));
     };
     return "Were each group one, " + left_at(at) + " would be left of " +
            counted(report.set.vibrations.size(), "pattern", "patterns") +
@@ -113,6 +118,33 @@ std::string sure_html(const Report& report) {
 
 std::string tile(const std::string& number, const std::string& words) {
     return "<div><b>" + number + "</b>" + words + "</div>";
+}
+
+std::string and_more(std::size_t count, const std::string& what) {
+    if (count == 0) return {};
+    return "<p class=\"dim\">And " + grouped_digits(count) + " more " + what + ".</p>\n";
+}
+
+std::string names_html(const Report& report, const std::vector<std::size_t>& places) {
+    const std::size_t named = std::min(places.size(), kMostNamed);
+    std::string html = "<div class=\"names\">";
+    for (std::size_t k = 0; k < named; ++k) {
+        html += (k == 0 ? "" : " ") + name_html(report, places[k]);
+    }
+    if (named < places.size()) html += " and " + grouped_digits(places.size() - named) + " more";
+    return html + "</div>";
+}
+
+Dissimilarity felt_pairs(Dissimilarity dissimilarity, const std::vector<std::size_t>& unfelt) {
+    const std::size_t n = dissimilarity.size;
+    for (const std::size_t k : unfelt) {
+        for (std::size_t other = 0; other < n; ++other) {
+            if (other == k) continue;
+            const auto [i, j] = std::minmax(k, other);
+            dissimilarity.condensed[pair_index(n, i, j)] = std::numeric_limits<double>::infinity();
+        }
+    }
+    return dissimilarity;
 }
 
 bool is_picked(const Report& report, std::size_t place) {
@@ -189,16 +221,13 @@ namespace {
 
 std::string groups_table(const Report& report, const CloseGroups& close) {
     HtmlTable table{{{"patterns"}, {"closest pair"}, {"farthest pair"}}, {}, "groups"};
-    for (const CloseGroup& group : close.groups) {
-        std::string members;
-        for (const std::size_t place : group.members) {
-            members += (members.empty() ? "" : " ") + name_html(report, place);
-        }
-        table.rows.push_back({"<div class=\"names\">" + members + "</div>",
-                              pair_html(report, group.closest),
+    const std::size_t listed = std::min(close.groups.size(), kMostGroups);
+    for (std::size_t k = 0; k < listed; ++k) {
+        const CloseGroup& group = close.groups[k];
+        table.rows.push_back({names_html(report, group.members), pair_html(report, group.closest),
                               group.members.size() > 2 ? pair_html(report, group.farthest) : ""});
     }
-    return html_of(table);
+    return html_of(table) + and_more(close.groups.size() - listed, "smaller groups");
 }
 
 }  // namespace
@@ -220,7 +249,7 @@ std::string closer_section(const Report& report) {
     std::string html = "<p>" + threshold_sentence(report) + "</p>\n";
     if (report.closer.groups.empty()) return html_section("closer", title, html);
     html += "<p>" + ladder_sentence(report) + "</p>\n" + chain_remark(report) +
-            groups_table(report, report.closer) +
+            closest_html(report) + groups_table(report, report.closer) +
             "<p class=\"dim\">Single linkage: each member is below the threshold from some other, "
             "not from all. Ringed names are picked.</p>\n";
     return html_section("closer", title, html);
@@ -270,8 +299,9 @@ std::string report_page(const Report& report) {
                               : "by " + html_escaped(report.quantity)) +
                 (report.by ? ", " + html_escaped(words_on(*report.by)) : "") + ".";
     page.body = labels_html(report) + tiles(report) + map_section(report) + groups_section(report) +
-                closer_section(report) + subset_section(report) + patterns_section(report) +
-                matrix_section(report) + assumed_section(report);
+                alike_section(report) + closer_section(report) + unfelt_section(report) +
+                subset_section(report) + patterns_section(report) + matrix_section(report) +
+                assumed_section(report);
     page.foot =
         "<p>Made by " + html_escaped(report.program) +
         (report.date.empty() ? "" : ", " + html_escaped(report.date)) +

@@ -3,8 +3,11 @@
 // Input     what was computed of the set elsewhere; nothing here decides
 // Output    one HTML page that stands alone (html.h): map, groups, subset, table of patterns with
 //           players, matrix, what was assumed
-// Valid     any n; the matrix up to kMostMatrixRows, players up to kMostPlayedBytes together: the
-//           page says what it leaves out
+// Valid     any n: a page of 1,000 patterns stays below 5 MB and opens at once. The matrix is a
+// table
+//           up to kMostMatrixRows and a picture beyond, lists are cut, players and rows of the
+//           table are there as long as they have room, those of the picked ones first; the page
+//           says what it leaves out
 // Exact     same input, same bytes.
 #pragma once
 
@@ -14,6 +17,7 @@
 
 #include "devices/calibration/rendering.h"
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/grouping/set_groups.h"
 #include "model/map/mds.h"
 #include "model/set/measured_twin.h"
 #include "model/set/pattern_set.h"
@@ -23,7 +27,11 @@
 
 namespace tact {
 
-inline constexpr std::size_t kMostMatrixRows = 300;
+inline constexpr std::size_t kMostMatrixRows = 160;
+inline constexpr std::size_t kMostListedPatterns = 1000;
+inline constexpr std::size_t kMostNamed = 60;    // of one group
+inline constexpr std::size_t kMostGroups = 40;   // of one table
+inline constexpr std::size_t kMostClosest = 20;  // pairs
 
 // What pairs of a set are held against, and where that is from.
 struct CloserThan {
@@ -44,6 +52,8 @@ struct Report {
     std::string space_of = "PM";         // ... by this
     CloseGroups confused;                // within a felt step: the verdict "same"
     CloseGroups closer{};                // than a pair that was chosen: no sign of a confusion
+    std::vector<PatternGroup> alike{};   // the tree of groups, cut; empty: not asked for
+    std::vector<std::size_t> unfelt{};   // places that nobody feels: apart
     std::string left_out{};              // "1 not felt pattern left out"; of the picks
     CloserThan closer_than{};            // which
     const Stability* stability = nullptr;  // how sure: if it was asked
@@ -55,6 +65,9 @@ struct Report {
 };
 
 std::string report_page(const Report& report);
+
+// The same, but that what nobody feels is close to nothing: pairs with it are no numbers.
+Dissimilarity felt_pairs(Dissimilarity dissimilarity, const std::vector<std::size_t>& unfelt);
 
 // Default: the weakest pair of the most distinct patterns, and whether these are proven.
 CloserThan closer_than_picked(const SubsetAnswer& answer);

@@ -39,6 +39,9 @@ constexpr const char* kLooks = R"css(
 .patterns td:nth-child(5){width:92px;padding-right:0}
 .groups td{vertical-align:top}
 .groups td:nth-child(1){width:50%}
+.alike td{vertical-align:top}
+.alike td:nth-child(2){width:56%}
+.pairs{display:block;width:min(100%,760px);image-rendering:pixelated}
 .wave{display:block;width:172px;height:32px}
 .wave path{fill:var(--accent)}
 .wave .edge{fill:none;stroke:var(--accent);stroke-width:1.5;vector-effect:non-scaling-stroke}

@@ -77,12 +77,10 @@ std::string shade_styles() {
 std::string matrix_section(const Report& report) {
     const std::size_t n = report.dissimilarity.size;
     const std::string heading = report.quantity + " of every pair";
-    if (n > kMostMatrixRows) {
-        return html_section("matrix", heading,
-                            "<p>Left out: the page would be too large with more than " +
-                                grouped_digits(kMostMatrixRows) + " patterns.</p>\n");
-    }
     const double most = largest(report.dissimilarity);
+    if (n > kMostMatrixRows) {
+        return html_section("matrix", heading, legend(most) + matrix_picture(report, most));
+    }
     const std::vector<std::size_t> order = by_groups(report);
     // Ends of cells and rows go without saying in HTML: a fifth of the page.
     std::string html =

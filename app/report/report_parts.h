@@ -11,6 +11,12 @@ namespace tact {
 std::string name_html(const Report& report, std::size_t place);
 bool is_picked(const Report& report, std::size_t place);
 
+// Names beside each other, as many as a group has room for.
+std::string names_html(const Report& report, const std::vector<std::size_t>& places);
+std::string pair_html(const Report& report, const ConfusablePair& pair);
+// "And 12 more pairs."; empty: there are no more.
+std::string and_more(std::size_t count, const std::string& what);
+
 // "PM 34.5".
 std::string value_text(const Report& report, double dissimilarity);
 
@@ -19,6 +25,11 @@ std::string tile(const std::string& number, const std::string& words);
 
 std::string map_section(const Report& report);
 std::string groups_section(const Report& report);
+std::string alike_section(const Report& report);   // report_library.cpp; empty: not asked for
+std::string closest_html(const Report& report);    // of large sets: a line a pair
+std::string unfelt_section(const Report& report);  // empty: all are felt
+// Of more patterns than a table has room for; `most`: the largest value.
+std::string matrix_picture(const Report& report, double most);
 std::string closer_section(const Report& report);
 std::string subset_section(const Report& report);
 std::string patterns_section(const Report& report);  // report_patterns.cpp

@@ -13,28 +13,49 @@ namespace tact {
 
 namespace {
 
-constexpr std::size_t kMostPlayedBytes = 24'000'000;  // more, and pages are slow to open
+constexpr std::size_t kMostPlayedBytes = 2'000'000;  // more, and pages are slow to open
+constexpr std::size_t kMostEagerPlayers = 50;        // browsers refuse many that are ready to play
 
-struct ShownWaves {
-    std::vector<Waveform> waves;
-    std::vector<WaveThumbnail> thumbnails;
-    double reach_g = 0.0;  // of the strongest
-    double end_s = 0.0;    // of the longest
-    bool played = true;
+struct ShownPattern {
+    std::size_t place = 0;
+    Waveform wave;
+    WaveThumbnail thumbnail;
+    bool has_player = false;
 };
 
-ShownWaves waves_of(const PatternSet& set) {
+struct ShownWaves {
+    std::vector<ShownPattern> all;  // ascending
+    std::size_t players = 0;
+    double reach_g = 0.0;  // of the strongest
+    double end_s = 0.0;    // of the longest
+};
+
+// Places in the order in which they are given room: the picked ones first.
+std::vector<std::size_t> by_weight(const Report& report) {
+    std::vector<std::size_t> places(report.felt.vibrations.size());
+    for (std::size_t k = 0; k < places.size(); ++k) places[k] = k;
+    std::ranges::stable_sort(places, std::ranges::greater{},
+                             [&](std::size_t k) { return is_picked(report, k); });
+    return places;
+}
+
+ShownWaves waves_of(const Report& report) {
     ShownWaves shown;
     std::size_t bytes = 0;
-    for (const Vibration& vibration : set.vibrations) {
-        shown.waves.push_back(waveform_of(vibration));
-        shown.reach_g = std::max(shown.reach_g, peak_g(shown.waves.back()));
-        shown.end_s = std::max(shown.end_s, duration_s(shown.waves.back()));
-        bytes += player_bytes(shown.waves.back());
+    for (const std::size_t place : by_weight(report)) {
+        if (shown.all.size() == kMostListedPatterns) break;
+        ShownPattern one{place, waveform_of(report.felt.vibrations[place]), {}, false};
+        shown.reach_g = std::max(shown.reach_g, peak_g(one.wave));
+        shown.end_s = std::max(shown.end_s, duration_s(one.wave));
+        bytes += player_bytes(one.wave);
+        one.has_player = bytes <= kMostPlayedBytes;
+        if (one.has_player) ++shown.players;
+        shown.all.push_back(std::move(one));
     }
-    shown.played = bytes <= kMostPlayedBytes;
-    for (const Waveform& wave : shown.waves)
-        shown.thumbnails.push_back(thumbnail_html(wave, shown.reach_g, shown.end_s));
+    std::ranges::sort(shown.all, {}, &ShownPattern::place);
+    for (ShownPattern& one : shown.all) {
+        one.thumbnail = thumbnail_html(one.wave, shown.reach_g, shown.end_s);
+    }
     return shown;
 }
 
@@ -129,6 +150,9 @@ std::string nearest_html(const Report& report, std::size_t place) {
 }
 
 std::string nearest_verdict(const Report& report, std::size_t place) {
+    if (std::ranges::find(report.unfelt, place) != report.unfelt.end()) {
+        return "<span class=\"verdict hard\">not felt</span>";
+    }
     const std::size_t nearest = report.closer.nearest[place].place;
     return nearest == place ? "" : verdict_html(pair_verdict(report.set, place, nearest));
 }
@@ -140,7 +164,8 @@ std::string note_html(const Vibration& vibration) {
 }
 
 std::string about_the_table(const ShownWaves& shown) {
-    const bool has_light = std::ranges::any_of(shown.thumbnails, &WaveThumbnail::is_light);
+    const bool has_light = std::ranges::any_of(
+        shown.all, [](const ShownPattern& one) { return one.thumbnail.is_light; });
     std::string html = "<p>The verdict is on a pattern and its nearest neighbour.";
     for (const PairVerdict verdict : kPairVerdicts) {
         html += " " + verdict_html(verdict) + ": " + html_escaped(sentence_of(verdict));
@@ -149,8 +174,12 @@ std::string about_the_table(const ShownWaves& shown) {
             " g and " + significant_digits(shown.end_s, 3) + " s." +
             (has_light ? " Lighter with an outline: modulated faster than can be drawn." : "") +
             "<span class=\"screen\"> ";
-    if (!shown.played) {
+    if (shown.players == 0) {
         return html + "Players are left out: they would make the page too large.</span></p>\n";
+    }
+    if (shown.players < shown.all.size()) {
+        html += "Players of " + grouped_digits(shown.players) +
+                " patterns, the picked ones first: more would make the page too large. ";
     }
     return html + "Players: at " + significant_digits(kPlayerRateHz, 4) +
            " Hz and 16 bits, the strongest pattern at full scale; for an actuator, not for "
@@ -165,22 +194,27 @@ std::string first_sentence(const std::string& note) {
 }
 
 std::string patterns_section(const Report& report) {
-    const ShownWaves shown = waves_of(report.felt);
+    const ShownWaves shown = waves_of(report);
     HtmlTable table{
         {{"#", true}, {"pattern"}, {"waveform"}, {"nearest"}, {"verdict"}}, {}, "patterns"};
-    for (std::size_t k = 0; k < shown.waves.size(); ++k) {
+    for (const ShownPattern& one : shown.all) {
+        const std::size_t k = one.place;
         const Vibration& vibration = report.set.vibrations[k];
-        std::string wave = shown.thumbnails[k].html;
-        if (shown.played) {
+        std::string wave = one.thumbnail.html;
+        if (one.has_player) {
             wave += "<div class=\"screen\">" +
-                    player_html(shown.waves[k], shown.reach_g, vibration.name) + "</div>";
+                    player_html(one.wave, shown.reach_g, vibration.name,
+                                shown.players <= kMostEagerPlayers) +
+                    "</div>";
         }
         table.rows.push_back({std::to_string(k + 1),
                               name_html(report, k) + "<div class=\"numbers\">" +
                                   parameters_html(vibration) + "</div>" + note_html(vibration),
                               wave, nearest_html(report, k), nearest_verdict(report, k)});
     }
-    return html_section("patterns", "Patterns", about_the_table(shown) + html_of(table));
+    return html_section("patterns", "Patterns",
+                        about_the_table(shown) + html_of(table) +
+                            and_more(report.set.vibrations.size() - shown.all.size(), "patterns"));
 }
 
 }  // namespace tact

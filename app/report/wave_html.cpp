@@ -121,11 +121,12 @@ std::size_t player_bytes(const Waveform& waveform) {
     return static_cast<std::size_t>(duration_s(waveform) * kPlayerRateHz * 2.0 * 4.0 / 3.0) + 200;
 }
 
-std::string player_html(const Waveform& waveform, double full_scale_g, const std::string& name) {
+std::string player_html(const Waveform& waveform, double full_scale_g, const std::string& name,
+                        bool is_ready) {
     const Waveform played = resampled(waveform, kPlayerRateHz);
-    return "<audio controls preload=\"metadata\" aria-label=\"" + html_escaped(name) +
-           "\" src=\"data:audio/wav;base64," + base64(wave_bytes(played, full_scale_g)) +
-           "\"></audio>";
+    return "<audio controls preload=\"" + std::string(is_ready ? "metadata" : "none") +
+           "\" aria-label=\"" + html_escaped(name) + "\" src=\"data:audio/wav;base64," +
+           base64(wave_bytes(played, full_scale_g)) + "\"></audio>";
 }
 
 }  // namespace tact

@@ -22,8 +22,10 @@ WaveThumbnail thumbnail_html(const Waveform& waveform, double reach_g, double en
 // As far as carriers go (1 kHz), with room for the filter; browsers play 3 kHz and more.
 inline constexpr double kPlayerRateHz = 4000.0;
 
-// All players of one page share a full scale, so that louder is stronger.
-std::string player_html(const Waveform& waveform, double full_scale_g, const std::string& name);
+// All players of one page share a full scale, so that louder is stronger. One that is not ready
+// waits until it is pressed: of ready ones a page may have about seventy.
+std::string player_html(const Waveform& waveform, double full_scale_g, const std::string& name,
+                        bool is_ready = true);
 
 // What a player takes of the page.
 std::size_t player_bytes(const Waveform& waveform);

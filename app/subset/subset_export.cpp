@@ -110,6 +110,10 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     const PatternSet& set = *map.request.set;
     std::string rating = of_people("rating", pick.mark);
     rating.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rating.front())));
+    // People felt all that they rated.
+    std::vector<std::size_t> nobody_feels;
+    if (!by_ratings) nobody_feels = unfelt(map.prediction.codes);
+    const Dissimilarity felt = felt_pairs(*pick.dissimilarity, nobody_feels);
     const StalePatterns stale = by_ratings ? stale_patterns(set) : StalePatterns{};
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
                         .mark = mark_of(set) | pick.mark,
@@ -123,8 +127,11 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
         .objective = pick.request.problem.objective,
         .answer = pick.answer,
         .space = map.space,
-        .confused = groups_within_a_step(set, *pick.dissimilarity),
-        .closer = groups_below(*pick.dissimilarity, than.dissimilarity),
+        .confused = groups_within_a_step(set, felt),
+        .closer = groups_below(felt, than.dissimilarity),
+        .alike = groups_at(groups_of_set(set, *pick.dissimilarity, nobody_feels),
+                           *pick.dissimilarity, shown.members.size()),
+        .unfelt = nobody_feels,
         .left_out = pick.request.with_unfelt ? std::string() : left_out_words(pick.request.unfelt),
         .closer_than = than,
         .by = labels.by,

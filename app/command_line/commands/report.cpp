@@ -31,6 +31,7 @@ struct ReportAnswer {
     CloserThan closer_than;
     PerceptualSpace space;
     std::optional<Stability> stability;
+    std::vector<PatternGroup> alike;    // as many as are picked
     std::vector<std::size_t> unfelt;    // that may not be picked unless they are kept ...
     std::vector<std::size_t> left_out;  // ... which these are not
 };
@@ -116,8 +117,11 @@ Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& se
     Expected<CloserThan> than = closer_than(command, sets.meant, answer);
     if (!than) return than.error();
     answer.closer_than = *std::move(than);
-    answer.closer = groups_below(answer.pm, answer.closer_than.dissimilarity);
-    answer.confused = groups_within_a_step(sets.meant, answer.pm);
+    const Dissimilarity felt = felt_pairs(answer.pm, answer.unfelt);
+    answer.closer = groups_below(felt, answer.closer_than.dissimilarity);
+    answer.confused = groups_within_a_step(sets.meant, felt);
+    answer.alike = groups_at(groups_of_set(sets.meant, answer.pm, answer.unfelt), answer.pm,
+                             answer.subset.best.members.size());
     if (const auto looked = look_at_likeness(command, sets, stop, answer); !looked) {
         return looked.error();
     }
@@ -150,6 +154,13 @@ nlohmann::json json_of(const ReportAnswer& answer, const PatternSet& set,
     for (const std::size_t place : answer.subset.best.members) {
         json["picked"].push_back(names[place]);
     }
+    json["alike"] = nlohmann::json::array();
+    for (const PatternGroup& group : answer.alike) {
+        nlohmann::json members = nlohmann::json::array();
+        for (const std::size_t place : group.members) members.push_back(names[place]);
+        json["alike"].push_back({{"central", names[group.central]}, {"patterns", members}});
+    }
+    for (const std::size_t k : answer.unfelt) json["not_felt"].push_back(names[k]);
     for (const std::size_t k : answer.left_out) json["left_out_unfelt"].push_back(names[k]);
     for (std::size_t k = 0; k < names.size(); ++k) {
         const NearestNeighbour& nearest = answer.closer.nearest[k];
@@ -198,6 +209,8 @@ Expected<Done> run(const ReportCommand& command) {
                   .space = answer->space,
                   .confused = answer->confused,
                   .closer = answer->closer,
+                  .alike = answer->alike,
+                  .unfelt = answer->unfelt,
                   .left_out = left_out_words(answer->left_out.size()),
                   .closer_than = answer->closer_than,
                   .by = sets->labels.by,

@@ -324,6 +324,7 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                                      ? "Rating"
                                      : traits(*metric_named(command.metric)).name;
     const CloserThan than = closer_than_picked(result.answer);
+    const Dissimilarity felt = felt_pairs(source.dissimilarity, source.unfelt);
     Report report{.set = source.set,
                   .felt = source.felt,
                   .dissimilarity = source.dissimilarity,
@@ -332,8 +333,11 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                   .answer = result.answer,
                   .space = space,
                   .space_of = quantity,
-                  .confused = groups_within_a_step(source.set, source.dissimilarity),
-                  .closer = groups_below(source.dissimilarity, than.dissimilarity),
+                  .confused = groups_within_a_step(source.set, felt),
+                  .closer = groups_below(felt, than.dissimilarity),
+                  .alike = groups_at(groups_of_set(source.set, source.dissimilarity, source.unfelt),
+                                     source.dissimilarity, result.answer.best.members.size()),
+                  .unfelt = source.unfelt,
                   .left_out = left_out_words(result.left_out.size()),
                   .closer_than = than,
                   .by = source.labels.by,

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "model/common/random.h"
+#include "tests/support/mixed_set.h"
 #include "tests/support/times_in.h"
 
 namespace report_test {
@@ -128,17 +130,60 @@ TEST_CASE("report: the matrix has a cell for each ordered pair, with names and v
                               std::vector<double>(pair_count(set.vibrations.size()), 1.0)};
     PerceptualSpace none;
     none.verdict = MdsVerdict::constant;
-    const Report left_out{.set = set,
-                          .felt = set,
-                          .dissimilarity = apart,
-                          .answer = large.answer,
-                          .space = none,
-                          .confused = {},
-                          .closer = groups_below(apart, 0.5)};
-    const std::string page = report_page(left_out);
-    CHECK(times_in(section(page, "matrix"), "Left out") == 1);
+    const Report thinned{.set = set,
+                         .felt = set,
+                         .dissimilarity = apart,
+                         .answer = large.answer,
+                         .space = none,
+                         .confused = {},
+                         .closer = groups_below(apart, 0.5)};
+    const std::string page = report_page(thinned);
+    CHECK(times_in(section(page, "matrix"), "<img class=\"pairs\"") == 1);
+    CHECK(times_in(section(page, "matrix"), "<td") == 0);
     CHECK(times_in(section(page, "map"), "any map fits") == 1);
     CHECK(times_in(section(page, "groups"), "There are no two such patterns") == 1);
+}
+
+TEST_CASE("report: of a thousand patterns it stays below 5 MB, cuts its lists and says so" *
+          doctest::test_suite("long")) {
+    const PatternSet set = mixed_set(1000);
+    RandomStream random{5};
+    Dissimilarity apart{1000, std::vector<double>(pair_count(1000))};
+    for (double& value : apart.condensed) value = next_even(random);
+    apart.condensed = average_ranks(apart.condensed);
+    const std::vector<std::size_t> unfelt{7, 11};
+    SubsetProblem problem{.count = 8};
+    problem.drop = unfelt;
+    const SubsetAnswer answer = *most_distinct_subset(apart, problem, {.time_limit_s = 2.0});
+    const Dissimilarity felt = felt_pairs(apart, unfelt);
+    PerceptualSpace none;
+    none.verdict = MdsVerdict::constant;
+    const SetGroups groups = groups_of_set(set, apart, unfelt);
+    const Report report{.set = set,
+                        .felt = set,
+                        .dissimilarity = apart,
+                        .answer = answer,
+                        .space = none,
+                        .confused = groups_within_a_step(set, felt),
+                        .closer = groups_below(felt, answer.best.weakest_dissimilarity),
+                        .alike = groups_at(groups, apart, 8),
+                        .unfelt = unfelt,
+                        .closer_than = closer_than_picked(answer)};
+    const std::string page = report_page(report);
+    CHECK(page.size() < 5'000'000);
+    // Who is picked can be felt, whatever else has room.
+    const std::string patterns = section(page, "patterns");
+    for (const std::size_t member : answer.best.members) {
+        CHECK(times_in(patterns, "aria-label=\"" + set.vibrations[member].name + "\"") == 1);
+    }
+    CHECK(times_in(patterns, "preload=\"metadata\"") <= 50);  // browsers refuse more
+    CHECK(times_in(patterns, "Players of ") == 1);
+    CHECK(times_in(patterns, ">not felt<") == unfelt.size());
+    CHECK(times_in(section(page, "unfelt"), "2 patterns") == 1);
+    CHECK(times_in(section(page, "alike"), "<tr><td>") == 8);
+    CHECK(times_in(section(page, "closer"), " more pairs.") == 1);
+    CHECK(times_in(section(page, "closer"), "</span> and ") >= 1);  // the names of a large group
+    CHECK(times_in(section(page, "closer"), ">" + set.vibrations[7].name + "<") == 0);
 }
 
 TEST_CASE("report: marks travel with the numbers: synthetic, device, trained model, labels") {
