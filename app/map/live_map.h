@@ -75,7 +75,7 @@ struct LiveMapRequest {
 // Whether both have one answer: names, notes and locks make no difference to the model.
 bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b);
 
-// The rows of each matrix with alike ones beside each other (clusters.h).
+// The rows of each matrix with alike ones beside each other (group_tree.h).
 struct RowOrders {
     std::vector<std::size_t> pm;
     std::vector<std::size_t> nc;

@@ -187,7 +187,9 @@ MapDecor map_decor(const Ui& ui, ShownMap& shown_map, const MapMarks& marks,
                    std::vector<PatternLook>& looks) {
     MapDecor decor{{}, {}, marks};
     const MapLook& look = shown_map.look;
-    if (look.clusters > 1) {
+    if (marks.looks.size() == looks.size()) {
+        looks = marks.looks;
+    } else if (look.clusters > 1) {
         colour_clusters(ui, shown_map, looks);
     } else if (const auto colour = colour_of(shown_map)) {
         colour_by(ui, shown_map, *colour, looks);

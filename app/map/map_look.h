@@ -28,6 +28,7 @@ struct MapMaybes {
 struct MapMarks {
     std::vector<std::size_t> chosen{};        // a subset: others step back
     std::vector<SpaceLink> links{};           // pairs that are too close
+    std::vector<PatternLook> looks{};         // instead of the patterns' own; empty: none
     std::vector<Eigen::Matrix3Xd> spread{};   // where each place might be as well
     std::optional<Eigen::MatrixXd> people{};  // the map of the ratings, laid over this one
     std::string people_text{};                // whose it is

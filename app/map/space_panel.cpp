@@ -389,7 +389,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
                               verdict_text(shown_map.transition.shown->space, places.size()));
     if (area.empty()) return {};
     const SpacePaneAction done = draw_space_scene(ui, work, shown_map, marks, places, area);
-    draw_map_legend(ui, shown_map, area);
+    if (marks.looks.empty()) draw_map_legend(ui, shown_map, area);
     std::string ghosts_text = marks.people_text;
     if (!marks.people && shows_unshifted(shown_map.transition)) {
         ghosts_text = kUnshiftedText;

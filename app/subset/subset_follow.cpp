@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/map/map_follow.h"
+#include "app/subset/groups_follow.h"
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric_matrix.h"
 #include "model/set/set_ratings.h"
@@ -177,6 +178,7 @@ void make_subset_jobs(const Ui& ui, SubsetState& picking) {
     picking.curve_job.begin(JobPolicy::supersede, follow_curve, ui.wake);
     picking.separation_job.begin(JobPolicy::supersede, find_separations, ui.wake);
     picking.stability_job.begin(JobPolicy::supersede, find_stability, ui.wake);
+    make_groups_job(ui, picking);
 }
 
 void stop_subset_jobs(SubsetState& picking) {
@@ -184,6 +186,7 @@ void stop_subset_jobs(SubsetState& picking) {
     picking.curve_job.end();
     picking.separation_job.end();
     picking.stability_job.end();
+    picking.groups_job.end();
 }
 
 void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
@@ -200,6 +203,7 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
                            layout.bench == BenchTab::candidates || work.selection.only_picked ||
                            !picking.export_to.empty() || !picking.report_to.empty();
     if (!is_wanted || !has_pairs) return;
+    follow_groups(shown_map, layout, picking);
     PickRequest request = request_of(work, shown_map, picking);
     if (request == picking.asked) return;
     picking.asked = request;
@@ -256,7 +260,7 @@ bool is_picking(const SubsetState& picking) { return picking.pick_job.busy(); }
 
 bool is_subset_busy(const SubsetState& picking) {
     return picking.pick_job.busy() || picking.curve_job.busy() || picking.separation_job.busy() ||
-           picking.stability_job.busy();
+           picking.stability_job.busy() || picking.groups_job.busy();
 }
 
 void cancel_picking(SubsetState& picking) {

@@ -1,13 +1,23 @@
 #include "app/subset/subset_marks.h"
 
+#include "app/subset/groups_follow.h"
 #include "app/subset/separation_follow.h"
 #include "app/subset/subset_follow.h"
 
 namespace tact {
 
-MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetState& picking) {
+MapMarks subset_marks(const Theme& theme, const Layout& layout, const ShownMap& shown_map,
+                      SubsetState& picking) {
     MapMarks marks;
     if (layout.bench != BenchTab::subset || !shown_map.transition.shown) return marks;
+    if (picking.view == SubsetView::groups) {
+        if (shown_groups(shown_map, picking) == nullptr) return marks;
+        const CutGroups& cut = cut_groups(picking);
+        for (const std::size_t group : cut.group_of) {
+            marks.looks.push_back(group_look(theme, cut, group));
+        }
+        return marks;
+    }
     const bool confusable = picking.view == SubsetView::confusable;
     const Subset* subset = shown_subset(shown_map, picking);
     if (subset && (!confusable || picking.too_close == TooClose::picked)) {

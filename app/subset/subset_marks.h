@@ -11,7 +11,8 @@
 
 namespace tact {
 
-MapMarks subset_marks(const Layout& layout, const ShownMap& shown_map, SubsetState& picking);
+MapMarks subset_marks(const Theme& theme, const Layout& layout, const ShownMap& shown_map,
+                      SubsetState& picking);
 
 // Names of the patterns that are in a pair that is too close, while that is what is shown.
 std::set<std::string> too_close_names(const Layout& layout, const SubsetState& picking);

@@ -34,6 +34,7 @@ namespace {
 void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, SubsetState& picking) {
     bool is_first = true;
     for (const auto& [view, name] : {std::pair{SubsetView::pick, "Pick"},
+                                     {SubsetView::groups, "Groups"},
                                      {SubsetView::confusable, "Too close"},
                                      {SubsetView::stability, "How sure"}}) {
         if (!is_first) flow_on(chip_width(ui, name), 2.0F * ui.theme.scale);
@@ -324,6 +325,9 @@ PatternAction draw_subset_panel(Ui& ui, Workspace& work, Timeline& timeline,
     switch (picking.view) {
         case SubsetView::pick:
             action = draw_pick_view(ui, work, timeline, shown_map, play, picking);
+            break;
+        case SubsetView::groups:
+            draw_groups_view(ui, work, shown_map, picking);
             break;
         case SubsetView::confusable:
             draw_too_close_view(ui, work, shown_map, picking);

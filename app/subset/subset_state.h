@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "app/jobs/query.h"
 #include "app/map/live_map.h"
 #include "model/evaluation/metric.h"
+#include "model/grouping/set_groups.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/study/ratings.h"
 #include "model/subset/separation.h"
@@ -75,7 +77,29 @@ struct FoundStability {
     Stability stability;
 };
 
-enum class SubsetView { pick, confusable, stability };
+// The groups of a map's patterns, by PM.
+struct GroupsRequest {
+    std::shared_ptr<const LiveMap> map;
+
+    bool operator==(const GroupsRequest&) const = default;
+};
+
+struct FoundGroups {
+    GroupsRequest request;
+    SetGroups groups;
+};
+
+// The tree cut, kept while neither changes.
+struct CutGroups {
+    std::shared_ptr<const FoundGroups> of;
+    std::size_t count = 0;
+    std::vector<PatternGroup> groups;
+    std::vector<std::size_t> colours;   // of each, as of patterns; kApart: of one pattern, none
+    std::vector<std::size_t> group_of;  // by row of the map; kApart: in none
+};
+inline constexpr std::size_t kApart = static_cast<std::size_t>(-1);
+
+enum class SubsetView { pick, confusable, stability, groups };
 
 // What is too close for comfort.
 enum class TooClose {
@@ -128,6 +152,10 @@ struct SubsetState {
     bool change_second = false;                                 // of the open pair
     std::optional<AppliedChange> applied{};                     // not yet checked
 
+    int group_count = 0;                // 0: the usual one, until another one is chosen ...
+    std::optional<double> cut;          // ... or where the tree is cut, PM
+    std::set<std::string> kept_groups;  // names that stand for groups, and are locked for that
+
     std::filesystem::path export_to;  // both: when a subset has been picked and the frame is done
     std::filesystem::path report_to;
 
@@ -136,12 +164,15 @@ struct SubsetState {
     Query<PickRequest, PickCurve> curve_job;
     Query<SeparationRequest, FoundSeparations> separation_job;
     Query<StabilityRequest, FoundStability> stability_job;
+    Query<GroupsRequest, FoundGroups> groups_job;
     PickRequest asked;
     PickRequest curve_asked;
     bool cancelled = false;  // by the person, until something else is asked for
     std::shared_ptr<const Pick> pick;
     std::shared_ptr<const PickCurve> curve;
     std::shared_ptr<const FoundSeparations> separations;
+    std::shared_ptr<const FoundGroups> groups;
+    CutGroups cut_groups;
     // The newest first: an answer is there again when undo leads back to what it was asked of.
     std::vector<std::shared_ptr<const FoundStability>> stabilities;
 };

@@ -19,6 +19,7 @@ std::string worth_text(double worth);
 
 PatternAction draw_pick_view(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                              PlayState& play, SubsetState& picking);
+void draw_groups_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);
 void draw_too_close_view(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking);
 void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                          SubsetState& picking);

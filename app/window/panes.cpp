@@ -449,7 +449,7 @@ void draw_content(App& app, Pane pane) {
 }  // namespace
 
 MapMarks map_marks(App& app) {
-    MapMarks marks = subset_marks(app.layout, app.shown_map, app.picking);
+    MapMarks marks = subset_marks(app.ui.theme, app.layout, app.shown_map, app.picking);
     if (app.shown_map.show_people) marks.people = people_over_map(app.shown_map, app.comparing);
     if (marks.people) marks.people_text = people_over_map_text(app.comparing);
     marks.maybes = shown_proposals(app.shown_map, app.proposals);

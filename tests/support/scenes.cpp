@@ -329,6 +329,10 @@ void add_bench(std::vector<Scene>& all) {
     all.push_back({"subset", [](Program& p) { show_subset(p, SubsetView::pick); }});
     all.push_back({"too close", [](Program& p) { show_subset(p, SubsetView::confusable); }});
     all.push_back({"how sure", [](Program& p) { show_subset(p, SubsetView::stability); }});
+    all.push_back({"groups", [](Program& p) {
+                       show_subset(p, SubsetView::groups);
+                       wait_until(p, [&] { return p.app.picking.groups != nullptr; });
+                   }});
     all.push_back({"too close, a pair", [](Program& p) {
                        p.app.picking.too_close = TooClose::share;
                        show_subset(p, SubsetView::confusable);

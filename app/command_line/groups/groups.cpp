@@ -95,9 +95,9 @@ std::string cut_text(const GroupsCommand& command, const GroupsAnswer& answer) {
     const auto [from, below] = cuts_of(answer.groups.tree, answer.cut.size());
     const std::string all = counted(answer.cut.size(), "group", "groups") + " of " +
                             counted(answer.groups.grouped.size(), "pattern", "patterns");
-    const std::string range = std::isfinite(below)
-                                  ? six_digits(from) + " to below " + six_digits(below)
-                                  : six_digits(from) + " and above";
+    const std::string range = std::isfinite(below) ? significant_digits(from, 6) + " to below " +
+                                                         significant_digits(below, 6)
+                                                   : significant_digits(from, 6) + " and above";
     return all + ", cut at " + quantity(command) + " " + range +
            " (mean of the pairs between two groups; average linkage)\n";
 }
@@ -113,7 +113,7 @@ std::string text_of(const GroupsCommand& command, const GroupsAnswer& answer, co
         if (group.members.size() > 1) {
             text += ", the most central of " + std::to_string(group.members.size()) +
                     "; farthest apart: " + names[group.far_a] + " and " + names[group.far_b] +
-                    ", " + quantity(command) + " " + six_digits(group.farthest);
+                    ", " + quantity(command) + " " + significant_digits(group.farthest, 6);
         }
         text += "\n ";
         text += list_of(group.members, names) + "\n";

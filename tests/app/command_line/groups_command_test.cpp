@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-// Patterns of 0.1 s, as DTW is quadratic; nobody feels the last but one, and the last one is dropped.
+// Patterns of 0.1 s, as DTW is quadratic; nobody feels the last but one, and the last is dropped.
 constexpr const char* kShortSet = R"({"tactspace": 1, "duration_s": 0.1, "patterns": [
     {"name": "a,1", "carriers": [{"frequency_hz": 150}]},
     {"name": "b", "carriers": [{"frequency_hz": 155}]},

@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "app/map/live_map.h"
-#include "model/map/clusters.h"
+#include "model/map/group_tree.h"
 #include "model/map/map_scale.h"
 #include "tests/support/mixed_set.h"
 
@@ -45,9 +45,9 @@ TEST_CASE("map facts: they are those of its pairs, however the map is turned") {
     const PatternSet set = short_mixed_set(8);
     for (const bool preview : {true, false}) {
         const LiveMap map = map_of(set, preview);
-        CHECK(map.alike.pm == clustered_order(map.prediction.pm));
-        CHECK(map.alike.nc == clustered_order(map.prediction.nc));
-        CHECK(map.alike.oc == clustered_order(map.prediction.oc));
+        CHECK(map.alike.pm == clustered_order(group_tree(map.prediction.pm)));
+        CHECK(map.alike.nc == clustered_order(group_tree(map.prediction.nc)));
+        CHECK(map.alike.oc == clustered_order(group_tree(map.prediction.oc)));
         CHECK(map.prediction.pm.condensed[map.closest] == map.sorted_pm.front());
         CHECK(std::ranges::is_sorted(map.sorted_pm));
         CHECK(map.sorted_pm.back() == largest_pm(map));

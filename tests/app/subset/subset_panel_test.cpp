@@ -321,8 +321,9 @@ TEST_CASE("subset panel: ellipses are gone with an edit, and are there again onc
     undo(app.ui, app.work);
     bench.wait([&] { return shown_stability(app.picking) != nullptr; });
     CHECK(shown_stability(app.picking)->moves == moves);
-    bench.wait(
-        [&] { return subset_marks(app.layout, app.shown_map, app.picking).spread == moves; });
+    bench.wait([&] {
+        return subset_marks(app.ui.theme, app.layout, app.shown_map, app.picking).spread == moves;
+    });
 }
 
 TEST_CASE("subset panel: a report waits for the subset of the set as it is, whatever tab is open") {

@@ -55,7 +55,8 @@ std::vector<View> views() {
     const auto nothing = [](App&) {};
     bench("matrix", BenchTab::matrix, nothing);
     bench("candidates", BenchTab::candidates, nothing);
-    for (const SubsetView view : {SubsetView::pick, SubsetView::confusable, SubsetView::stability})
+    for (const SubsetView view :
+         {SubsetView::pick, SubsetView::confusable, SubsetView::stability, SubsetView::groups})
         bench("subset " + std::to_string(static_cast<int>(view)), BenchTab::subset,
               [view](App& app) { app.picking.view = view; });
     for (const CompareView view : {CompareView::table, CompareView::scatter})

@@ -82,8 +82,8 @@ struct Large : Program {
             look("bench tab " + std::to_string(static_cast<int>(tab)));
         }
         app.layout.bench = BenchTab::subset;
-        for (const SubsetView view :
-             {SubsetView::pick, SubsetView::confusable, SubsetView::stability}) {
+        for (const SubsetView view : {SubsetView::pick, SubsetView::confusable,
+                                      SubsetView::stability, SubsetView::groups}) {
             app.picking.view = view;
             look("subset view " + std::to_string(static_cast<int>(view)));
         }
