@@ -9,7 +9,7 @@
 
 #include "app/page/page_events.h"
 
-// Of page.js.
+// In page.js.
 extern "C" {
 void page_copy(const char* text);
 void page_listen();  // to what html5.h has no function for: pasted texts and dropped files

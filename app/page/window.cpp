@@ -16,7 +16,7 @@
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
 
-// Of page.js.
+// In page.js.
 extern "C" {
 int page_is_there();  // 0: node
 void page_show_cursor(const char* name);

@@ -70,9 +70,57 @@ class Page:
                 self.browser.all_of("Runtime.consoleAPICalled")]
         return logged + thrown + said
 
+    def widgets(self):
+        """What is on the screen, by name: its rectangle and its value."""
+        lines = self.value("FS.analyzePath('/tmp/widgets').exists ? FS.readFile('/tmp/widgets', {encoding: 'utf8'}) : ''")
+        found = {}
+        for line in lines.splitlines():
+            name, left, top, right, bottom, value = line.split("\t")
+            found[name] = (int(left), int(top), int(right), int(bottom), value)
+        return found
+
+    def until_widget(self, name, wanted, what, seconds=600.0):
+        end = time.monotonic() + seconds
+        while True:
+            widget = self.widgets().get(name)
+            if widget and wanted(widget[4]):
+                return widget
+            if time.monotonic() > end:
+                sys.exit(f"{what}: did not happen; {name} is {widget}; {json.dumps(self.messages())[:3000]}")
+            time.sleep(0.05)
+
+    def mouse(self, kind, x, y):
+        self.browser.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
+                         buttons=0 if kind == "mouseReleased" else 1)
+
     def picture(self, path):
         shot = self.browser.ask("Page.captureScreenshot")
         pathlib.Path(path).write_bytes(base64.b64decode(shot["data"]))
+
+
+def edit(page):
+    """A slider is dragged: the map follows, says that it is a preview, and is exact again."""
+    title = "title:Perceptual space"
+    page.until_widget(title, lambda value: value.startswith("exact"), "an exact map")
+    cell = page.widgets()["matrix selected"][4]
+    left, top, right, bottom, before = page.widgets()["slider:modulation_hz"]
+    page.mouse("mousePressed", left + 8, (top + bottom) // 2)
+    for step in range(1, 6):
+        page.mouse("mouseMoved", left + 8 + step * (right - left - 16) // 8, (top + bottom) // 2)
+    began = time.monotonic()
+    page.until_widget("slider:modulation_hz", lambda value: value != before, "the slider follows the mouse")
+    page.until_widget(title, lambda value: "preview" in value, "a preview of the map")
+    print(f"preview {1000 * (time.monotonic() - began):.0f} ms after the slider was moved")
+    page.mouse("mouseReleased", left + 8 + 5 * (right - left - 16) // 8, (top + bottom) // 2)
+    page.until_widget(title, lambda value: value.startswith("exact"), "an exact map after the edit")
+    print(f"exact {time.monotonic() - began:.1f} s after it; matrix of {cell!r}")
+
+
+def say_from_a_file(browser, folder, width, height):
+    """From the disk the page says what it lacks, and how to get it."""
+    page = Page(browser, width, height)
+    browser.ask("Page.navigate", url=(pathlib.Path(folder) / "tactspace.html").resolve(strict=True).as_uri())
+    page.until("document.getElementById('said')?.textContent.includes('Serve its folder')", "a sentence", 60)
 
 
 def main():
@@ -89,15 +137,18 @@ def main():
         browser = Browser(profile, "--use-angle=swiftshader --enable-unsafe-swiftshader")
         page = Page(browser, args.width, args.height)
         began = time.monotonic()
+        browser.ask("Page.addScriptToEvaluateOnNewDocument",
+                    source="self.environment_for_tests = {TACTSPACE_WIDGET_RECTS: '/tmp/widgets'}")
         fragment = f"#set={args.set}" if args.set else ""
         browser.ask("Page.navigate", url=f"{address}/tactspace.html{fragment}")
         page.until("document.title.endsWith(' - tactspace')", "the window opens")
         print(f"first view after {time.monotonic() - began:.1f} s, title {page.value('document.title')!r}")
+        edit(page)
         if args.picture:
-            time.sleep(15)
             page.picture(args.picture)
         for message in page.messages():
             print("said:", message[:400])
+        say_from_a_file(browser, args.folder, args.width, args.height)
         browser.process.terminate()
         browser.process.wait()
 
