@@ -10,6 +10,17 @@ namespace {
 // Most seconds or dissimilarities: more than anybody has, and few enough for a clock to count.
 constexpr double kMost = 1e9;
 
+// "amplitude_g, carrier_hz, .. or release_s".
+std::string parameter_keys() {
+    std::string keys = traits(kPatternParameters.front()).key;
+    for (const PatternParameter parameter : kPatternParameters) {
+        if (parameter == kPatternParameters.front()) continue;
+        keys += (parameter == kPatternParameters.back() ? " or " : ", ");
+        keys += traits(parameter).key;
+    }
+    return keys;
+}
+
 }  // namespace
 
 void add_predict_command(CLI::App& app, PredictCommand& command, Chosen& chosen) {
@@ -213,9 +224,8 @@ void add_steps_command(CLI::App& app, StepsCommand& command, Chosen& chosen) {
                     "number of patterns, both ends included; default: 5")
         ->check(within(2, static_cast<double>(kMostSteps)));
     steps.add_option("--parameter", command.parameter,
-                     "only this number of --from changes, to what --to has: amplitude_g, "
-                     "carrier_hz, second_carrier_hz, mix, modulation_hz, depth, rhythm_unit_s, "
-                     "attack_s or release_s; default: all numbers in which the two differ");
+                     "only this number of --from changes, to what --to has: " + parameter_keys() +
+                         "; default: all numbers in which the two differ");
     steps
         .add_option(
             "--metric", command.metric,

@@ -3,7 +3,7 @@
 
 #include "model/evaluation/individual_weights.h"
 #include "model/pattern/pattern_parameter.h"
-#include "model/study/study_design.h"
+#include "model/study/study_numbers.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -24,14 +24,14 @@ std::string blind_passes() {
 void add_study_design(CLI::App& study, StudyCommand& command) {
     CLI::App& design = *study.add_option_group("Design", "in place of the design in the set");
     design.add_option("--seed", command.seed, "of orders, sides and simulated answers")
-        ->check(within(limits::kStudySeed));
+        ->check(within(numbers::kStudySeed.range));
     design.add_option("--repetitions", command.repetitions, "of every pair; the publication: 4")
-        ->check(within(limits::kRepetitions));
+        ->check(within(numbers::kRepetitions.range));
     design
         .add_option("--attention", command.attention_pairs,
                     "pairs of identical patterns, each of another; of those who answer blindly " +
                         blind_passes() + " (binomial, exact; above 80, none missed)")
-        ->check(within(limits::kAttentionPairs));
+        ->check(within(numbers::kAttentionPairs.range));
     design.add_flag("--adaptive", command.adaptive,
                     "pairs in an order that settles the map early; not the publication's design");
     design.add_flag("--sorting", command.sorting,

@@ -46,64 +46,54 @@ constexpr std::array kTrained{
     number_row<numbers::kNcWeight, &Model::nc_weight>("weight_NC"),
     number_row<numbers::kOcWeight, &Model::oc_weight>("weight_OC")};
 
+// A choice by the words that files have for it.
+template <const auto& words, auto part, auto member>
+constexpr ModelChoice choice_row(const char* id, const char* label, const char* help) {
+    return {id,
+            label,
+            help,
+            words,
+            [](const Model& m) { return static_cast<int>(m.*part.*member); },
+            [](Model& m, int v) {
+                auto& value = m.*part.*member;
+                value = static_cast<std::remove_reference_t<decltype(value)>>(v);
+            }};
+}
+
+constexpr std::array<const char*, 2> kMeans{"kept", "removed"};
+
 const std::array<ModelChoice, 9> kChoices{{
-    {"remove_mean",
-     "Mean",
-     "1/f\u00b2 would turn 1 mg of drift at 1 Hz into 248 \u00b5m.",
-     {"kept", "removed"},
-     [](const Model& m) { return m.coding.remove_mean ? 1 : 0; },
-     [](Model& m, int v) { m.coding.remove_mean = v == 1; }},
-    {"skin_input",
-     "Skin input",
-     "What Eq. 2 takes the logarithm of: peak displacement in \u00b5m, or the number of g as if it "
-     "were \u00b5m.",
-     {"displacement", "acceleration"},
-     [](const Model& m) { return int(m.coding.skin_input); },
-     [](Model& m, int v) { m.coding.skin_input = SkinInput(v); }},
-    {"components",
-     "Components",
-     "Every bin of the spectrum above threshold, as the paper; or local maxima only, immune to "
-     "leakage.",
-     {"all", "peaks"},
-     [](const Model& m) { return int(m.coding.components); },
-     [](Model& m, int v) { m.coding.components = Components(v); }},
-    {"subthreshold",
-     "Below threshold",
-     "Components below threshold count nothing, or take impulses away.",
-     {"ignored", "subtracted"},
-     [](const Model& m) { return int(m.coding.subthreshold); },
-     [](Model& m, int v) { m.coding.subthreshold = Subthreshold(v); }},
-    {"share",
-     "Impulses",
-     "The population's total is shared out by rate, as the paper's sentence; or every receptor "
-     "fires at its own rate.",
-     {"total", "own"},
-     [](const Model& m) { return int(m.coding.share); },
-     [](Model& m, int v) { m.coding.share = FireSharing(v); }},
-    {"split",
-     "10 ms window",
-     "Its spikes fall into both halves of 5 ms, or all into the first.",
-     {"halves", "first"},
-     [](const Model& m) { return int(m.coding.split); },
-     [](Model& m, int v) { m.coding.split = WindowSplit(v); }},
-    {"envelope_scale",
-     "Envelope",
-     "Scaled to its own maximum: rhythm, not strength. Or left in g.",
-     {"normalised", "raw"},
-     [](const Model& m) { return int(m.envelope.scale); },
-     [](Model& m, int v) { m.envelope.scale = EnvelopeScale(v); }},
-    {"envelope_alignment",
-     "Average",
-     "Over the last 10 ms, or over 10 ms around each moment.",
-     {"causal", "centred"},
-     [](const Model& m) { return int(m.envelope.alignment); },
-     [](Model& m, int v) { m.envelope.alignment = EnvelopeAlignment(v); }},
+    choice_row<kMeans, &Model::coding, &Coding::remove_mean>(
+        "remove_mean", "Mean", "1/f\u00b2 would turn 1 mg of drift at 1 Hz into 248 \u00b5m."),
+    choice_row<kSkinInputs, &Model::coding, &Coding::skin_input>(
+        "skin_input", "Skin input",
+        "What Eq. 2 takes the logarithm of: peak displacement in \u00b5m, or the number of g as if "
+        "it "
+        "were \u00b5m."),
+    choice_row<kComponents, &Model::coding, &Coding::components>(
+        "components", "Components",
+        "Every bin of the spectrum above threshold, as the paper; or local maxima only, immune to "
+        "leakage."),
+    choice_row<kSubthreshold, &Model::coding, &Coding::subthreshold>(
+        "subthreshold", "Below threshold",
+        "Components below threshold count nothing, or take impulses away."),
+    choice_row<kFireSharing, &Model::coding, &Coding::share>(
+        "share", "Impulses",
+        "The population's total is shared out by rate, as the paper's sentence; or every receptor "
+        "fires at its own rate."),
+    choice_row<kWindowSplits, &Model::coding, &Coding::split>(
+        "split", "10 ms window",
+        "Its spikes fall into both halves of 5 ms, or all into the first."),
+    choice_row<kEnvelopeScales, &Model::envelope, &EnvelopeParams::scale>(
+        "envelope_scale", "Envelope",
+        "Scaled to its own maximum: rhythm, not strength. Or left in g."),
+    choice_row<kEnvelopeAlignments, &Model::envelope, &EnvelopeParams::alignment>(
+        "envelope_alignment", "Average", "Over the last 10 ms, or over 10 ms around each moment."),
     {"thresholds",
      "Thresholds",
      "Rebuilt from published thresholds of each type of receptor; or these moved onto what the "
      "Android Open Source Project says is felt (rms difference 1.97 dB). None is chosen where "
-     "knots "
-     "were changed.",
+     "knots were changed.",
      {"rebuilt", "AOSP"},
      [](const Model& m) {
          const auto& now = m.coding.tables.threshold;

@@ -118,25 +118,25 @@ void note_rested(const Ui& ui, Workspace& work, const Field& field, const Patter
     work.selection.rested = std::move(rested);
 }
 
+// "0 to 10000 ms": what can be typed.
+std::string typed_words(const Field& field) {
+    const std::string unit(unit_in(field.format));
+    return significant_digits(field.typed.low, 6) + " to " +
+           significant_digits(field.typed.high, 6) + (unit.empty() ? "" : " " + unit);
+}
+
 // Its help, and what can be typed where the slider has less.
 std::string help_with_reach(const Field& field) {
     const std::string help = field.help == nullptr ? "" : field.help;
-    if (!field.enabled ||
-        (field.slider.low <= field.typed.low && field.slider.high >= field.typed.high)) {
-        return help;
-    }
-    const std::string unit(unit_in(field.format));
-    return help + (help.empty() ? "" : " ") + "Typed values reach from " +
-           significant_digits(field.typed.low, 6) + " to " +
-           significant_digits(field.typed.high, 6) + (unit.empty() ? "" : " " + unit) + ".";
+    if (!field.enabled || field.slider == field.typed) return help;
+    return help + (help.empty() ? "" : " ") + "Typed values reach from " + typed_words(field) + ".";
 }
 
 void tell_clamped(Ui& ui, const Field& field, std::size_t clamped, std::size_t count) {
     if (clamped == 0 || count < 2) return;
     complain(ui, std::string(field.label) + ": " + std::to_string(clamped) + " of " +
                      std::to_string(count) + " patterns stopped at the end of the range, " +
-                     shown_number(field.format, field.typed.low) + " to " +
-                     shown_number(field.format, field.typed.high));
+                     typed_words(field));
 }
 
 }  // namespace

@@ -10,52 +10,46 @@ namespace tact {
 
 namespace {
 
-// A parameter by the number that it is; `first` and `least` of what goes by ratio.
+// A parameter by the number that it is, and where a pattern has it; null where it has none.
+struct DescribedParameter {
+    ParameterTraits traits;
+    const double* (*at)(const Pattern&);
+};
+
+// `first` and `least`: of what goes by ratio.
 constexpr ParameterTraits of(const char* key, const char* name, const char* unit,
                              const Number& number, bool by_ratio, double first = 0.0,
                              double least = 0.0) {
     return {key, name, unit, number.range, number.slider, by_ratio, first, least};
 }
 
-constexpr std::array<ParameterTraits, 9> kTraits{
-    of("amplitude_g", "amplitude", "g", numbers::kAmplitude, true, 0.05, 0.001),
-    of("carrier_hz", "carrier", "Hz", numbers::kCarrier, true),
-    of("second_carrier_hz", "second carrier", "Hz", numbers::kCarrier, true),
-    of("mix", "weight of the second carrier", "", numbers::kWeight, false),
-    of("modulation_hz", "modulation", "Hz", numbers::kModulation, true, 1.0, 1.0),
-    of("depth", "depth", "", numbers::kDepth, false),
-    of("rhythm_unit_s", "rhythm unit", "s", numbers::kRhythmUnit, true),
-    of("attack_s", "attack", "s", numbers::kAttack, false),
-    of("release_s", "release", "s", numbers::kRelease, false)};
+const Carrier* second_of(const Pattern& p) {
+    return p.carriers.size() > 1 ? &p.carriers[1] : nullptr;
+}
 
-// The number itself, in either kind of pattern.
-template <class SomePattern>
-auto* number_of(SomePattern& pattern, PatternParameter parameter) {
-    auto* none = static_cast<decltype(&pattern.amplitude_g)>(nullptr);
-    const bool has_second = pattern.carriers.size() > 1;
-    switch (parameter) {
-        case PatternParameter::amplitude:
-            return &pattern.amplitude_g;
-        case PatternParameter::carrier:
-            // A drawn frequency is no number.
-            if (pattern.carriers.empty() || !pattern.frequency_curve.empty()) return none;
-            return &pattern.carriers[0].frequency_hz;
-        case PatternParameter::second_carrier:
-            return has_second ? &pattern.carriers[1].frequency_hz : none;
-        case PatternParameter::mix:
-            return has_second ? &pattern.carriers[1].weight : none;
-        case PatternParameter::modulation:
-            return &pattern.modulation.frequency_hz;
-        case PatternParameter::depth:
-            return pattern.modulation.kind == ModulationKind::am ? &pattern.modulation.depth : none;
-        case PatternParameter::rhythm_unit:
-            return pattern.rhythm.text.empty() ? none : &pattern.rhythm.unit_s;
-        case PatternParameter::attack:
-            return &pattern.attack_s;
-        case PatternParameter::release:
-            return &pattern.release_s;
-    }
-    return none;
+// clang-format off
+constexpr std::array<DescribedParameter, 9> kParameters{{
+    {of("amplitude_g", "amplitude", "g", numbers::kAmplitude, true, 0.05, 0.001),
+     [](const Pattern& p) { return &p.amplitude_g; }},
+    {of("carrier_hz", "carrier", "Hz", numbers::kCarrier, true),
+     // A drawn frequency is no number.
+     [](const Pattern& p) { return p.carriers.empty() || !p.frequency_curve.empty() ? nullptr : &p.carriers[0].frequency_hz; }},
+    {of("second_carrier_hz", "second carrier", "Hz", numbers::kCarrier, true),
+     [](const Pattern& p) { return second_of(p) == nullptr ? nullptr : &second_of(p)->frequency_hz; }},
+    {of("mix", "weight of the second carrier", "", numbers::kWeight, false),
+     [](const Pattern& p) { return second_of(p) == nullptr ? nullptr : &second_of(p)->weight; }},
+    {of("modulation_hz", "modulation", "Hz", numbers::kModulation, true, 1.0, 1.0),
+     [](const Pattern& p) { return &p.modulation.frequency_hz; }},
+    {of("depth", "depth", "", numbers::kDepth, false),
+     [](const Pattern& p) { return p.modulation.kind == ModulationKind::am ? &p.modulation.depth : nullptr; }},
+    {of("rhythm_unit_s", "rhythm unit", "s", numbers::kRhythmUnit, true),
+     [](const Pattern& p) { return p.rhythm.text.empty() ? nullptr : &p.rhythm.unit_s; }},
+    {of("attack_s", "attack", "s", numbers::kAttack, false), [](const Pattern& p) { return &p.attack_s; }},
+    {of("release_s", "release", "s", numbers::kRelease, false), [](const Pattern& p) { return &p.release_s; }}}};
+// clang-format on
+
+const DescribedParameter& described(PatternParameter parameter) {
+    return kParameters[static_cast<std::size_t>(parameter)];
 }
 
 // Times in order, at most two of them equal.
@@ -94,18 +88,17 @@ Pattern clamped(Pattern pattern) {
     return with_duration(std::move(pattern), length_s);
 }
 
-const ParameterTraits& traits(PatternParameter parameter) {
-    return kTraits[static_cast<std::size_t>(parameter)];
-}
+const ParameterTraits& traits(PatternParameter parameter) { return described(parameter).traits; }
 
 std::optional<double> value_of(const Pattern& pattern, PatternParameter parameter) {
-    const double* number = number_of(pattern, parameter);
+    const double* number = described(parameter).at(pattern);
     if (number == nullptr) return std::nullopt;
     return *number;
 }
 
 Pattern with_value(Pattern pattern, PatternParameter parameter, double value) {
-    double* number = number_of(pattern, parameter);
+    // The pattern is ours to change.
+    auto* number = const_cast<double*>(described(parameter).at(pattern));
     const Range& range = traits(parameter).range;
     if (number != nullptr) *number = std::clamp(value, range.low, range.high);
     return pattern;

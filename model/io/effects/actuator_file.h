@@ -29,7 +29,7 @@ inline constexpr Number kMapFrequency{.key = "frequency_hz", .label = "Frequenci
     .format = "%.4g Hz", .range = limits::kCarrierHz, .slider = {20.0, 500.0},
     .help = "Frequencies that 0 and 1 of a file stand for."};
 inline constexpr Number kFullScale{.key = "full_scale_g", .label = "Full scale", .format = "%.3g g",
-    .range = {0.001, 50.0}, .slider = {0.0, 4.0},
+    .range = {0.001, 50.0}, .slider = {0.1, 4.0},
     .help = "Acceleration that 1 of a file stands for."};
 inline constexpr Number kContinuousGain{.key = "continuous_gain", .label = "Continuous gain",
     .format = "%.3g", .range = {0.0, 1.0}, .slider = {0.0, 1.0},
