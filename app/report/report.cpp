@@ -52,7 +52,7 @@ std::string threshold_sentence(const Report& report) {
     return grouped_digits(report.closer.pairs) + " of " +
            counted(report.dissimilarity.condensed.size(), "pair has", "pairs have") + " a " +
            html_escaped(report.quantity) + " below <b>" +
-           significant_digits(report.closer_than.dissimilarity, 4) + "</b>, " +
+           plain_digits(report.closer_than.dissimilarity, 4) + "</b>, " +
            html_escaped(report.closer_than.source) +
            ". That orders the pairs of this set; it is no sign that people confuse them.";
 }
@@ -157,7 +157,7 @@ std::string name_html(const Report& report, std::size_t place) {
 }
 
 std::string value_text(const Report& report, double dissimilarity) {
-    return html_escaped(report.quantity) + " " + significant_digits(dissimilarity, 4);
+    return html_escaped(report.quantity) + " " + plain_digits(dissimilarity, 4);
 }
 
 CloserThan closer_than_picked(const SubsetAnswer& answer) {
@@ -173,7 +173,7 @@ std::string proof_sentence(const Report& report) {
     if (report.best_worth) {
         return std::string("It was taken instead of the best one, whose ") +
                (by_sum ? "sum is " : "weakest pair has ") +
-               significant_digits(*report.best_worth, by_sum ? 6 : 4) + ".";
+               plain_digits(*report.best_worth, by_sum ? 6 : 4) + ".";
     }
     switch (report.answer.proof) {
         case SubsetProof::optimal:
@@ -187,7 +187,7 @@ std::string proof_sentence(const Report& report) {
     }
     return "Time ran out: the best that was found. No " +
            std::string(by_sum ? "sum" : "weakest pair") + " is above " +
-           significant_digits(report.answer.bound, 6) + ".";
+           plain_digits(report.answer.bound, 6) + ".";
 }
 
 std::string map_section(const Report& report) {
@@ -261,7 +261,7 @@ std::string subset_section(const Report& report) {
         "<p>The weakest pair is " + name_html(report, best.weakest.first) + " and " +
         name_html(report, best.weakest.second) + ", <b>" +
         value_text(report, best.weakest_dissimilarity) + "</b>; all pairs together " +
-        significant_digits(best.sum, 6) + ". " + html_escaped(proof_sentence(report)) +
+        plain_digits(best.sum, 6) + ". " + html_escaped(proof_sentence(report)) +
         (report.left_out.empty() ? "" : " " + html_escaped(report.left_out) + ".") + "</p>\n";
     std::string kept;
     HtmlTable table{
@@ -282,7 +282,7 @@ std::string subset_section(const Report& report) {
         const bool has_nearest = nearest != place;
         table.rows.push_back({name_html(report, place),
                               has_nearest ? name_html(report, nearest) : "",
-                              has_nearest ? significant_digits(least, 4) : ""});
+                              has_nearest ? plain_digits(least, 4) : ""});
     }
     if (!kept.empty()) html += "<p>Kept beforehand: " + kept + ".</p>\n";
     return html_section("subset", "The " + std::to_string(best.members.size()) + " most distinct",

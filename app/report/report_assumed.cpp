@@ -104,7 +104,7 @@ std::string thresholds_words(const Report& report) {
            "frequency, rhythm), what is clear is a choice of this program, " +
            significant_digits(kClearSteps, 2) + " steps. Closer than " +
            html_escaped(report.closer_than.words) + ": below " +
-           significant_digits(report.closer_than.dissimilarity, 4) + ", " +
+           plain_digits(report.closer_than.dissimilarity, 4) + ", " +
            html_escaped(report.closer_than.source) + ". Nobody has measured at which " +
            html_escaped(report.quantity) + " two are confused.";
 }

@@ -50,16 +50,16 @@ std::string cell_html(const Report& report, std::size_t i, std::size_t j, double
     const double share = most > 0.0 ? value / most : 0.0;
     const int shade = std::clamp(static_cast<int>(share * kShades), 0, kShades - 1);
     const bool is_closer = value < report.closer_than.dissimilarity;
-    const std::string text = significant_digits(value, 4);
+    const std::string text = plain_digits(value, 4);
     return "<td class=\"c" + std::to_string(shade) + (is_closer ? " x" : "") + "\" title=\"" +
            pair + ": " + text + "\">" +
-           (report.dissimilarity.size <= kMostWrittenRows ? significant_digits(value, 3) : "");
+           (report.dissimilarity.size <= kMostWrittenRows ? plain_digits(value, 3) : "");
 }
 
 std::string legend(double most) {
     std::string html = "<p class=\"legend\">0 <span class=\"bar\">";
     for (int k = 0; k < kShades; ++k) html += "<i class=\"c" + std::to_string(k) + "\"></i>";
-    return html + "</span> " + significant_digits(most, 4) + "</p>\n";
+    return html + "</span> " + plain_digits(most, 4) + "</p>\n";
 }
 
 }  // namespace
