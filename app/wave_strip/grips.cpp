@@ -5,6 +5,7 @@
 
 #include "app/wave_strip/note_grips.h"
 #include "model/text/numbers.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 
