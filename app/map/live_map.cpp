@@ -65,10 +65,6 @@ double cells_per_s() {
     return kernel == "avx2" ? 6.5e9 : 2.5e9;
 }
 
-}  // namespace
-
-namespace {
-
 // The order of the rows of 2,000 patterns takes a tenth of a second: a stop is heeded between them.
 void note_pairs(LiveMap& map, const std::stop_token& stop) {
     const Prediction& prediction = map.prediction;
@@ -84,16 +80,20 @@ void note_pairs(LiveMap& map, const std::stop_token& stop) {
     }
 }
 
+void note_scale(LiveMap& map) {
+    map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
+}
+
 void place(LiveMap& map, PerceptualSpace space) {
     map.space = std::move(space);
-    map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
+    note_scale(map);
 }
 
 }  // namespace
 
 void note_facts(LiveMap& map) {
     note_pairs(map, {});
-    map.length_of_pm = length_of_one(map.space.points, map.prediction.pm);
+    note_scale(map);
 }
 
 bool is_same_work(const LiveMapRequest& a, const LiveMapRequest& b) {
@@ -325,11 +325,9 @@ std::optional<LiveMap> LiveMapWork::previewed(const Run& run) {
     return map;
 }
 
-// A part of a full run. Its points drift from where they were shown last.
-LiveMap LiveMapWork::part(Run& run, const Prediction& prediction, double exact_share) {
-    LiveMap map = map_of(run.request, run.set, prediction, run.stop);
+// A part of a full run, of a map without points: they drift from where they were shown last.
+LiveMap LiveMapWork::part(Run& run, LiveMap map) {
     map.request.preview = true;
-    map.exact_share = exact_share;
     place(map, moved_space(map.prediction.pm, run.request.dimensions, run.shown.get(), run.stop));
     run.shown = std::make_shared<const LiveMap>(map);
     return map;
@@ -347,9 +345,10 @@ std::optional<Prediction> LiveMapWork::exact(Run& run) {
     Refining how{*run.request.set, run.request.wanted.get(), run.request.checkpoint, {}};
     if (run.partly && coarse) {
         how.partly = [&](const Refinement& now, bool is_kept) {
-            LiveMap map = part(run, prediction_of(now), exact_share(now));
+            LiveMap map = map_of(run.request, run.set, prediction_of(now), run.stop);
+            map.exact_share = exact_share(now);
             map.is_kept = is_kept;
-            run.partly(std::move(map));
+            run.partly(part(run, std::move(map)));
         };
     }
     if (!refine(refinement, run.options, how)) return std::nullopt;
@@ -362,9 +361,9 @@ std::optional<LiveMap> LiveMapWork::full(Run& run) {
     if (!prediction) return std::nullopt;
     run.progress = kPredictionShare;
     const bool in_parts = run.partly && run.shown;
-    if (in_parts) run.partly(part(run, *prediction, 1.0));
     LiveMap map = map_of(run.request, run.set, std::move(*prediction), run.stop);
     map.exact_share = 1.0;
+    if (in_parts) run.partly(part(run, map));
     const Dissimilarity& pm = map.prediction.pm;
     MdsParams params = standard_mds_params(pm.size, run.request.dimensions);
     params.threads = threads_;

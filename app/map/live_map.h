@@ -137,7 +137,7 @@ class LiveMapWork {
     std::optional<LiveMap> previewed(const Run& run);
     std::optional<LiveMap> full(Run& run);
     std::optional<Prediction> exact(Run& run);
-    LiveMap part(Run& run, const Prediction& prediction, double exact_share);
+    LiveMap part(Run& run, LiveMap map);
 
     int threads_;                                      // 0: all cores
     std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last
