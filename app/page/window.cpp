@@ -157,7 +157,7 @@ bool is_context_made() {
     attributes.majorVersion = 2;
     attributes.alpha = EM_FALSE;
     attributes.depth = EM_FALSE;
-    attributes.antialias = EM_FALSE;  // the picture that is kept is copied as it is
+    attributes.antialias = EM_FALSE;  // the kept picture is copied unchanged
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE made =
         emscripten_webgl_create_context("#canvas", &attributes);
     return made > 0 && emscripten_webgl_make_context_current(made) == EMSCRIPTEN_RESULT_SUCCESS;

@@ -28,7 +28,7 @@ std::string groups_section(const Report& report);
 std::string alike_section(const Report& report);   // report_library.cpp; empty: not asked for
 std::string closest_html(const Report& report);    // of large sets: a line a pair
 std::string unfelt_section(const Report& report);  // empty: all are felt
-// Of more patterns than a table has room for; `most`: the largest value.
+// The matrix of more patterns than a table has room for; `most`: the largest value.
 std::string matrix_picture(const Report& report, double most);
 std::string closer_section(const Report& report);
 std::string subset_section(const Report& report);

@@ -40,7 +40,7 @@ TEST_CASE("QR code: three corners are marked, the fourth is not") {
     CHECK(code != qr_code(kAddress + "x"));
 }
 
-TEST_CASE("QR code: a text that no code holds is none") {
+TEST_CASE("QR code: a text that is too long for any code gives no code") {
     CHECK(qr_code(std::string(5000, 'x')).side == 0);
     CHECK(lines_of(qr_code(std::string(5000, 'x')), false).empty());
 }

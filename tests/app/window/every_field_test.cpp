@@ -60,7 +60,8 @@ Pattern with_every_number() {
     return pattern;
 }
 
-// The fault of a file with what the row has set to a number, as it is shown; empty: none.
+// The error of a file with the number that the row has set, as the window shows it; empty: no
+// error.
 template <class Struct, class Read>
 std::string file_fault(const DescribedField<Struct>& row, double shown, const Read& read) {
     Struct all;

@@ -28,7 +28,7 @@ bool is_same(const std::optional<LeadingNumber>& a, const std::optional<LeadingN
 
 }  // namespace
 
-TEST_CASE("leading number: a number ends where its text does, and what is none has no value") {
+TEST_CASE("leading number: a number ends where its text does, and other text has no value") {
     struct Row {
         const char* text;
         double value;
