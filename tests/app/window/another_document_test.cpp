@@ -80,6 +80,8 @@ Shown everything(Program& program) {
         for (const View& view : views()) {
             view.show(program.app);
             program.settle();
+            // A view may ask for its own answer, which an earlier look has already fetched.
+            wait_until(program, [&] { return !is_subset_busy(program.app.picking); });
             const std::string in =
                 view.name + " " + std::to_string(static_cast<int>(arrangement)) + "/";
             for (const auto& [name, place] : program.places) shown[in + name] = place.value;
