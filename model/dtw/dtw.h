@@ -16,6 +16,8 @@
 //           among other pairs.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <stop_token>
@@ -28,9 +30,16 @@ namespace tact {
 // With a stop asked for, infinity, and soon.
 double dtw(std::span<const double> a, std::span<const double> b, std::stop_token stop = {});
 
+// Two signals. Either may count for more samples than it has values: zeros follow them, which
+// nobody has to keep.
 struct SignalPair {
     std::span<const double> a;
     std::span<const double> b;
+    std::size_t a_samples = 0;  // default: those of its values
+    std::size_t b_samples = 0;
+
+    std::size_t rows() const { return std::max(a.size(), a_samples); }
+    std::size_t columns() const { return std::max(b.size(), b_samples); }
 };
 
 struct DtwOptions {

@@ -26,7 +26,7 @@ struct Shape {
     bool operator==(const Shape&) const = default;
 };
 
-Shape shape(const TrimmedPair& pair) { return {pair.signals.a.size(), pair.signals.b.size()}; }
+Shape shape(const TrimmedPair& pair) { return {pair.signals.rows(), pair.signals.columns()}; }
 
 Shape around(Shape a, Shape b) {
     return {std::max(a.rows, b.rows), std::max(a.columns, b.columns)};
@@ -46,28 +46,47 @@ struct Silence {
     std::size_t behind = 0;
 };
 
-Silence silence_of(std::span<const double> signal) {
+Silence silence_of(std::span<const double> values) {
     const auto sounds = [](double value) { return value != 0.0; };
-    const auto first = std::ranges::find_if(signal, sounds);
-    const auto last = std::find_if(signal.rbegin(), signal.rend(), sounds);
-    return {static_cast<std::size_t>(first - signal.begin()),
-            static_cast<std::size_t>(last - signal.rbegin())};
+    const auto first = std::ranges::find_if(values, sounds);
+    const auto last = std::find_if(values.rbegin(), values.rend(), sounds);
+    return {static_cast<std::size_t>(first - values.begin()),
+            static_cast<std::size_t>(last - values.rbegin())};
+}
+
+// Values, and the samples that they and the zeros behind them make.
+struct Signal {
+    std::span<const double> values;
+    std::size_t samples = 0;
+};
+
+// The silence of a whole signal, from that of its values.
+Silence with_zeros(Silence silence, const Signal& signal) {
+    const std::size_t zeros = signal.samples - signal.values.size();
+    if (silence.before == signal.values.size()) silence.before += zeros;
+    silence.behind += zeros;
+    return silence;
 }
 
 // One zero stays at each end that is cut; of a signal of zeros alone, one.
-std::span<const double> without(std::span<const double> signal, Silence silence, bool before,
-                                bool behind) {
-    if (behind) signal = signal.first(signal.size() - (silence.behind - 1));
-    if (!before) return signal;
-    return signal.subspan(std::min(silence.before, signal.size()) - 1);
+Signal without(Signal signal, Silence silence, bool before, bool behind) {
+    if (behind) signal.samples -= silence.behind - 1;
+    if (before) {
+        const std::size_t cut = std::min(silence.before, signal.samples) - 1;
+        signal.samples -= cut;
+        signal.values = signal.values.subspan(std::min(cut, signal.values.size()));
+    }
+    signal.values = signal.values.first(std::min(signal.values.size(), signal.samples));
+    return signal;
 }
 
-TrimmedPair trimmed(const SignalPair& pair, Silence of_a, Silence of_b) {
+TrimmedPair trimmed(Signal a, Signal b, Silence of_a, Silence of_b) {
     const bool before = of_a.before > 0 && of_b.before > 0;
     const bool behind = of_a.behind > 0 && of_b.behind > 0;
-    SignalPair own{without(pair.a, of_a, before, behind), without(pair.b, of_b, before, behind)};
-    if (own.a.size() < own.b.size()) std::swap(own.a, own.b);
-    return {own, behind};
+    a = without(a, of_a, before, behind);
+    b = without(b, of_b, before, behind);
+    if (a.samples < b.samples) std::swap(a, b);
+    return {{a.values, b.values, a.samples, b.samples}, behind};
 }
 
 // Rows to the first four binary digits: pairs of nearly as many rows may share a register.
@@ -184,16 +203,19 @@ TrimmedPair trimmed(const SignalPair& pair, double waiting_cost) {
 std::vector<TrimmedPair> trimmed(std::span<const SignalPair> pairs, double waiting_cost) {
     using Key = std::pair<const double*, std::size_t>;
     std::map<Key, Silence> known;
-    const auto silence = [&](std::span<const double> signal) {
+    const auto silence = [&](const Signal& signal) {
         if (waiting_cost > 0.0) return Silence{};  // every zero counts
-        const auto [place, is_new] = known.try_emplace(Key{signal.data(), signal.size()});
-        if (is_new) place->second = silence_of(signal);
-        return place->second;
+        const auto [place, is_new] =
+            known.try_emplace(Key{signal.values.data(), signal.values.size()});
+        if (is_new) place->second = silence_of(signal.values);
+        return with_zeros(place->second, signal);
     };
     std::vector<TrimmedPair> all;
     all.reserve(pairs.size());
     for (const SignalPair& pair : pairs) {
-        all.push_back(trimmed(pair, silence(pair.a), silence(pair.b)));
+        const Signal a{pair.a, pair.rows()};
+        const Signal b{pair.b, pair.columns()};
+        all.push_back(trimmed(a, b, silence(a), silence(b)));
     }
     return all;
 }

@@ -13,7 +13,7 @@
 
 namespace tact {
 
-// A pair without the zeros that change no bit of its distance, the longer signal first.
+// A pair without the zeros that change no bit of its distance, the signal of more samples first.
 //
 // Where waiting is free and both signals end in a zero, zeros behind it cost nothing: rounding is
 // monotonic, so a row of a second zero is nowhere below the row of the first. The same holds at the

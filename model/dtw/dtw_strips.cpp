@@ -59,7 +59,8 @@ class Matrices {
           done_(strips_, 0) {
         const std::size_t side = sweep.pairs;
         for (std::size_t p = 0; p < pairs.size(); ++p) {
-            const auto& [a, b] = pairs[p];
+            const auto a = pairs[p].a;
+            const auto b = pairs[p].b;
             for (std::size_t i = 0; i < a.size(); ++i) a_.data()[i * side + p] = a[i];
             for (std::size_t j = 0; j < b.size(); ++j) *(b_first_ + p - j * side) = b[j];
         }
@@ -174,8 +175,8 @@ void dtw_strips(const DtwSweep& sweep, std::span<const SignalPair> pairs, double
     std::size_t rows = 0;
     std::size_t columns = 0;
     for (const SignalPair& pair : pairs) {
-        rows = std::max(rows, pair.a.size());
-        columns = std::max(columns, pair.b.size());
+        rows = std::max(rows, pair.rows());
+        columns = std::max(columns, pair.columns());
     }
     std::ranges::fill(distances, kNowhere);
     if (rows == 0 && columns == 0) std::ranges::fill(distances, 0.0);

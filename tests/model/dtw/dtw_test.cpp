@@ -51,7 +51,9 @@ std::vector<SignalPair> neighbours(const std::vector<std::vector<double>>& signa
 
 std::vector<double> textbook(const std::vector<SignalPair>& pairs, double waiting_cost = 0.0) {
     std::vector<double> distances;
-    for (const auto& [a, b] : pairs) distances.push_back(dtw_textbook(a, b, waiting_cost));
+    for (const SignalPair& pair : pairs) {
+        distances.push_back(dtw_textbook(pair.a, pair.b, waiting_cost));
+    }
     return distances;
 }
 
@@ -284,6 +286,39 @@ TEST_CASE("dtw: several threads at one pair give the textbook's bits, whatever i
                     }
                 }
             }
+        }
+    }
+}
+
+TEST_CASE("dtw: zeros that nobody keeps count as those that are written down") {
+    std::mt19937_64 random(11);
+    std::uniform_int_distribution<std::size_t> more(0, 9);
+    std::vector<std::vector<double>> own;
+    std::vector<std::vector<double>> whole;
+    for (int k = 0; k < 120; ++k) {
+        own.push_back(with_zeros(random));
+        whole.push_back(own.back());
+        whole.back().resize(own.back().size() + more(random), 0.0);
+    }
+    // A set has one length, and its longest signal no zero at its end.
+    for (int k = 0; k < 20; ++k) {
+        own.push_back(wandering(1 + more(random), 50 + static_cast<unsigned>(k)));
+        whole.push_back(own.back());
+        whole.back().resize(10, 0.0);
+    }
+    const auto pairs = neighbours(whole);
+    auto short_pairs = neighbours(own);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        short_pairs[k].a_samples = whole[k].size();
+        short_pairs[k].b_samples = whole[k + 1].size();
+    }
+    for (const double waiting_cost : {0.0, 0.2}) {
+        const auto expected = textbook(pairs, waiting_cost);
+        for (const DtwKernel& kernel : dtw_kernels()) {
+            CAPTURE(kernel.name);
+            DtwOptions options;
+            options.waiting_cost = waiting_cost;
+            CHECK(same_bits(dtw(short_pairs, options, kernel), expected));
         }
     }
 }
