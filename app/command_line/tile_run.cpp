@@ -179,19 +179,17 @@ Expected<TileSource> tile_source(const PatternSet& set, int threads, std::stop_t
     source.waiting_cost = set.model.envelope.waiting_cost;
     source.vibrations = vibrations_fingerprint(set);
     source.model = model_fingerprint(set);
-    std::size_t longest = 0;
-    for (const Vibration& vibration : set.vibrations) {
-        longest = std::max(longest, length_of(vibration));
-    }
     PredictOptions options;
     options.threads = threads;
     options.stop = stop;
+    for (const Vibration& vibration : set.vibrations) {
+        options.samples = std::max(options.samples, length_of(vibration));
+    }
     constexpr std::size_t kAtOnce = 256;  // waveforms in memory
     for (std::size_t begin = 0; begin < set.vibrations.size(); begin += kAtOnce) {
         std::vector<Waveform> waveforms(std::min(kAtOnce, set.vibrations.size() - begin));
-        parallel_for(waveforms.size(), threads, stop, [&](std::size_t k) {
-            waveforms[k] = padded(waveform_of(set.vibrations[begin + k]), longest);
-        });
+        parallel_for(waveforms.size(), threads, stop,
+                     [&](std::size_t k) { waveforms[k] = waveform_of(set.vibrations[begin + k]); });
         for (const auto& code : pattern_codes(waveforms, set.model, options)) {
             add_pattern(source, *code);
         }

@@ -23,6 +23,13 @@ std::vector<double> squared_by_step(const PatternCode& a, const PatternCode& b,
     return apart;
 }
 
+// With the zeros up to the longest.
+std::vector<double> drawn_envelope(const PatternCode& code, std::size_t decimation) {
+    std::vector<double> envelope = decimated(code.envelope, decimation, code.samples);
+    envelope.resize((code.samples + decimation - 1) / decimation, 0.0);
+    return envelope;
+}
+
 }  // namespace
 
 std::optional<LiveDifference> compute_live_difference(const DifferenceRequest& request,
@@ -38,10 +45,10 @@ std::optional<LiveDifference> compute_live_difference(const DifferenceRequest& r
     live.apart = squared_by_step(a, b, weight);
     progress = 0.3F;
     if (stop.stop_requested()) return std::nullopt;
-    const std::size_t longest = std::max(a.envelope.size(), b.envelope.size());
+    const std::size_t longest = std::max(a.samples, b.samples);
     live.decimation = std::max<std::size_t>(1, (longest + kMostPathSamples - 1) / kMostPathSamples);
-    live.envelope_a = decimated(a.envelope, live.decimation);
-    live.envelope_b = decimated(b.envelope, live.decimation);
+    live.envelope_a = drawn_envelope(a, live.decimation);
+    live.envelope_b = drawn_envelope(b, live.decimation);
     live.path = dtw_path(live.envelope_a, live.envelope_b, prediction.params.envelope.waiting_cost);
     progress = 1.0F;
     return live;

@@ -24,12 +24,19 @@ namespace tact {
 
 namespace {
 
-// Envelopes at 1 kHz, 250 Hz, 100 Hz, 25 Hz and 10 Hz.
-constexpr std::array kGrains{PreviewGrain{10, 4}, PreviewGrain{40, 10}, PreviewGrain{100, 12},
-                             PreviewGrain{400, 15}, PreviewGrain{1000, 25}};
+// Envelopes at 1 kHz, 250 Hz, 100 Hz, 50 Hz, 25 Hz and 10 Hz.
+constexpr std::array kGrains{PreviewGrain{10, 4},   PreviewGrain{40, 10},  PreviewGrain{100, 12},
+                             PreviewGrain{200, 15}, PreviewGrain{400, 15}, PreviewGrain{1000, 25}};
+// Pairs of pairs, of 100, whose order may change because codes are approximations.
+constexpr int kQuickFlips = 2;
 constexpr std::size_t kMostPreviewed = 2000;
 constexpr double kMostPreviewCells = 4e10;  // 3 s of two cores with AVX2
+constexpr double kMostCodedSamples = 5e7;   // 1 s of two cores
 constexpr float kPredictionShare = 0.9F;    // of the progress bar; the rest is the map
+
+bool is_much_to_code(std::size_t patterns, std::size_t samples) {
+    return static_cast<double>(patterns) * static_cast<double>(samples) > kMostCodedSamples;
+}
 
 // A step grows with the square of the patterns.
 int preview_steps(std::size_t patterns) {
@@ -165,9 +172,13 @@ double expected_map_s(std::size_t patterns, double longest_s) {
 std::optional<PreviewGrain> preview_grain(const PatternSet& set) {
     if (set.vibrations.size() > kMostPreviewed) return std::nullopt;
     const double cells = cells_of(set, own_durations_s(set));
-    const auto fine_enough = std::ranges::find_if(kGrains, [cells](const PreviewGrain& grain) {
+    // Approximate codes take a second or two as well.
+    const double most = is_much_to_code(set.vibrations.size(), longest_samples(set))
+                            ? 0.5 * kMostPreviewCells
+                            : kMostPreviewCells;
+    const auto fine_enough = std::ranges::find_if(kGrains, [&](const PreviewGrain& grain) {
         const auto factor = static_cast<double>(grain.decimation);
-        return cells / (factor * factor) <= kMostPreviewCells;
+        return cells / (factor * factor) <= most;
     });
     return fine_enough == kGrains.end() ? kGrains.back() : *fine_enough;
 }
@@ -175,7 +186,11 @@ std::optional<PreviewGrain> preview_grain(const PatternSet& set) {
 std::optional<PreviewGrain> preview_grain(const Prediction& prediction) {
     const auto found =
         std::ranges::find(kGrains, prediction.envelope_decimation, &PreviewGrain::decimation);
-    return found == kGrains.end() ? std::nullopt : std::optional(*found);
+    if (found == kGrains.end()) return std::nullopt;
+    PreviewGrain grain = *found;
+    if (std::ranges::any_of(prediction.codes, [](const auto& code) { return code->is_quick; }))
+        grain.most_flips += kQuickFlips;
+    return grain;
 }
 
 bool needs_asking(const PatternSet& set) {
@@ -260,8 +275,8 @@ LiveMap map_of(const LiveMapRequest& request, std::shared_ptr<const PatternSet> 
 }
 
 // Codes that a map has of patterns of the same source, in sets of the same longest: by place, or by
-// name where patterns came or went.
-void share_codes(const LiveMap& known, const PatternSet& set,
+// name where patterns came or went. Approximations are for previews alone.
+void share_codes(const LiveMap& known, const PatternSet& set, bool preview,
                  std::vector<std::shared_ptr<const PatternCode>>& codes) {
     const PatternSet& was = *known.played;
     if (was.model.coding != set.model.coding || was.model.envelope != set.model.envelope ||
@@ -274,7 +289,8 @@ void share_codes(const LiveMap& known, const PatternSet& set,
         by_name.emplace(was.vibrations[k].name, k);
     }
     const auto is_of = [&](std::size_t place, const Vibration& vibration) {
-        return place < was.vibrations.size() && was.vibrations[place].source == vibration.source;
+        return place < was.vibrations.size() && was.vibrations[place].source == vibration.source &&
+               (preview || !known.prediction.codes[place]->is_quick);
     };
     for (std::size_t k = 0; k < codes.size(); ++k) {
         if (codes[k]) continue;
@@ -294,18 +310,20 @@ void share_codes(const LiveMap& known, const PatternSet& set,
 std::vector<std::shared_ptr<const PatternCode>> LiveMapWork::codes_of(const Run& run) {
     const PatternSet& set = *run.set;
     std::vector<std::shared_ptr<const PatternCode>> codes(set.vibrations.size());
-    if (last_) share_codes(*last_, set, codes);
-    if (run.request.coarse) share_codes(*run.request.coarse, set, codes);
+    const bool preview = run.request.preview;
+    if (last_) share_codes(*last_, set, preview, codes);
+    if (run.request.coarse) share_codes(*run.request.coarse, set, preview, codes);
     std::vector<std::size_t> open;
     for (std::size_t k = 0; k < codes.size(); ++k) {
         if (!codes[k]) open.push_back(k);
     }
-    const std::size_t longest = longest_samples(set);
     PredictOptions options = run.options;
     options.previous = nullptr;
     options.threads = 1;
+    options.samples = longest_samples(set);
+    options.quick_codes = preview && is_much_to_code(open.size(), options.samples);
     parallel_for(open.size(), threads_, run.stop, [&](std::size_t k) {
-        const Waveform waveform = padded(waveform_of(set.vibrations[open[k]]), longest);
+        const Waveform waveform = waveform_of(set.vibrations[open[k]]);
         const auto code = pattern_codes({&waveform, 1}, set.model, options);
         if (!code.empty()) codes[open[k]] = code[0];
     });

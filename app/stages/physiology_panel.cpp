@@ -55,7 +55,7 @@ void follow_difference(Physiology& physiology, const std::vector<ShownStages>& p
     const auto& b = patterns[1].live;
     if (known.a == a && known.b == b) return;
     known = {a, b, stage_differences(*a, *b), {}, 0.0};
-    if (a->neural.code.central_spikes.size() == b->neural.code.central_spikes.size()) {
+    if (a->neural.code.samples == b->neural.code.samples) {
         known.nc =
             nc_dissimilarity(a->neural.code, b->neural.code, a->request.model.channel_weight);
     }

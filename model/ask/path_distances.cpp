@@ -42,7 +42,7 @@ bool PathDistances::prepare(const std::vector<double>& shares) {
     const auto codes = pattern_codes(waveforms, question_.model, predicting);
     if (codes.size() != missing.size()) return false;
     for (std::size_t k = 0; k < missing.size(); ++k) {
-        places_[missing[k]] = {codes[k], decimated(codes[k]->envelope, kCoarse)};
+        places_[missing[k]] = {codes[k], decimated(codes[k]->envelope, kCoarse, samples_)};
     }
     return true;
 }
@@ -63,9 +63,10 @@ std::vector<double> PathDistances::oc_of(const Pairs& pairs, bool exact) const {
         const Place& first = places_.at(a);
         const Place& second = places_.at(b);
         if (exact) {
-            signals.push_back({first.code->envelope, second.code->envelope});
+            signals.push_back(envelopes_of(*first.code, *second.code));
         } else {
-            signals.push_back({first.coarse, second.coarse});
+            const std::size_t blocks = (samples_ + kCoarse - 1) / kCoarse;
+            signals.push_back({first.coarse, second.coarse, blocks, blocks});
         }
     }
     auto distances =

@@ -215,7 +215,10 @@ std::optional<Dissimilarity> no_physiology_matrix(Waveforms waveforms,
 std::optional<Dissimilarity> model_matrix(Metric metric, Waveforms waveforms,
                                           const PerceptualModelParams& params,
                                           const MetricOptions& options) {
-    const PredictOptions model{options.threads, 1, nullptr, options.stop, options.progress};
+    PredictOptions model;
+    model.threads = options.threads;
+    model.stop = options.stop;
+    model.progress = options.progress;
     if (metric == Metric::pm) {
         auto prediction = predict(waveforms, params, model);
         return prediction ? std::optional(std::move(prediction->pm)) : std::nullopt;

@@ -64,7 +64,7 @@ bool add_to(Row& row, std::span<const Waveform> others,
         row.result.nc.push_back(
             nc_dissimilarity(pair.wanted->neural, pair.other->neural, row.params.channel_weight));
         row.result.felt.push_back(is_felt(*pair.other));
-        envelopes.push_back({pair.wanted->envelope, pair.other->envelope});
+        envelopes.push_back(envelopes_of(*pair.wanted, *pair.other));
     }
     DtwOptions warping{.threads = options.threads,
                        .waiting_cost = row.params.envelope.waiting_cost,

@@ -41,7 +41,7 @@ Waveform trimmed(const Waveform& waveform) {
 }
 
 bool is_code_of(const PatternCode& code, const Waveform& waveform, std::size_t samples) {
-    return code.samples == samples && code.waveform.rate_hz == waveform.rate_hz &&
+    return code.samples == samples && !code.is_quick && code.waveform.rate_hz == waveform.rate_hz &&
            std::ranges::equal(code.waveform.samples_g, own_samples(waveform));
 }
 
@@ -120,7 +120,7 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
     if (const Prediction* previous = usable(options, params)) {
         for (const auto& code : previous->codes) earlier.emplace(hash_of(code->waveform), code);
     }
-    std::size_t samples = 0;
+    std::size_t samples = options.samples;
     for (const Waveform& one : waveforms) samples = std::max(samples, one.samples_g.size());
     std::vector<std::shared_ptr<const PatternCode>> codes(waveforms.size());
     const bool finished =
@@ -134,12 +134,17 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
                 }
             }
             if (codes[k]) return;
-            const Waveform whole = padded(waveforms[k], samples);
-            NeuralCode neural = neural_code(whole, params.coding, {options.stop});
+            PatternCode code;
+            code.waveform = trimmed(waveforms[k]);
+            code.samples = samples;
+            code.is_quick = options.quick_codes && can_be_quick(code.waveform, samples);
+            code.neural = code.is_quick
+                              ? quick_neural_code(code.waveform, samples, params.coding)
+                              : neural_code(coded_waveform(code), params.coding, {options.stop});
             if (options.stop.stop_requested()) return;
-            codes[k] = std::make_shared<const PatternCode>(
-                PatternCode{trimmed(waveforms[k]), samples, std::move(neural),
-                            rhythm_envelope(whole.samples_g, params.envelope)});
+            drop_silent_end(code.neural);
+            code.envelope = own_rhythm_envelope(code.waveform.samples_g, samples, params.envelope);
+            codes[k] = std::make_shared<const PatternCode>(std::move(code));
         });
     if (!finished || options.stop.stop_requested()) codes.clear();
     return codes;
@@ -158,6 +163,10 @@ PartShares part_shares(const Prediction& prediction, std::size_t pair) {
 }
 
 Waveform coded_waveform(const PatternCode& code) { return padded(code.waveform, code.samples); }
+
+SignalPair envelopes_of(const PatternCode& a, const PatternCode& b) {
+    return {a.envelope, b.envelope, a.samples, b.samples};
+}
 
 bool is_felt(const PatternCode& code) {
     return std::ranges::any_of(code.neural.activation,
@@ -217,15 +226,16 @@ Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
     auto [matrix, open] = known_oc(codes, params, options);
     std::vector<std::vector<double>> coarse(factor == 1 ? 0 : codes.size());
     for (std::size_t k = 0; k < coarse.size(); ++k) {
-        coarse[k] = decimated(codes[k]->envelope, factor);
+        coarse[k] = decimated(codes[k]->envelope, factor, codes[k]->samples);
     }
     std::vector<SignalPair> pairs;
     for (const std::size_t index : open) {
         const auto [i, j] = pair_at(codes.size(), index);
         if (factor == 1) {
-            pairs.push_back({codes[i]->envelope, codes[j]->envelope});
+            pairs.push_back(envelopes_of(*codes[i], *codes[j]));
         } else {
-            pairs.push_back({coarse[i], coarse[j]});
+            const std::size_t blocks = (codes[i]->samples + factor - 1) / factor;
+            pairs.push_back({coarse[i], coarse[j], blocks, blocks});
         }
     }
     const auto distances =

@@ -18,18 +18,20 @@
 #include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/dtw/dtw.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/physiology/neural_coding.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
 
-// One pattern as the model sees it.
+// One pattern as the model sees it: as long as it sounds itself.
 struct PatternCode {
-    Waveform waveform;        // without the zeros at its end
-    std::size_t samples = 0;  // that were coded: with the zeros up to the longest
-    NeuralCode neural;
-    std::vector<double> envelope;
+    Waveform waveform;             // without the zeros at its end
+    std::size_t samples = 0;       // that were coded: with the zeros up to the longest
+    NeuralCode neural;             // without what is behind its last spike
+    std::vector<double> envelope;  // without the zeros at its end
+    bool is_quick = false;         // an approximation (quick_neural_code)
 };
 
 struct Prediction {
@@ -47,8 +49,11 @@ struct PredictOptions {
     int threads = 0;  // 0: all cores
     // 10: envelopes at 1 kHz, a hundredth of the work; about 1 % of pair orders flip. For previews.
     std::size_t envelope_decimation = 1;
+    // Codes of short patterns in a set with a long one are approximations. For previews.
+    bool quick_codes = false;
     // An earlier prediction; codes and pairs of unchanged patterns are taken from it.
     const Prediction* previous = nullptr;
+    std::size_t samples = 0;  // that all waveforms are padded to; default: those of the longest
     std::stop_token stop;
     std::function<void(double)> progress;  // share of the work done, 0..1, from any thread
 };
@@ -60,6 +65,9 @@ std::vector<std::shared_ptr<const PatternCode>> pattern_codes(std::span<const Wa
 
 // With the zeros up to the longest.
 Waveform coded_waveform(const PatternCode& code);
+
+// The envelopes of two, with the zeros up to the longest.
+SignalPair envelopes_of(const PatternCode& a, const PatternCode& b);
 
 // Whether any receptor answers to it, and the places of those to which none does.
 bool is_felt(const PatternCode& code);

@@ -30,9 +30,9 @@ void measure_lengths(Refinement& refinement) {
         const auto last =
             std::find_if(envelope.rbegin(), envelope.rend(), [](double v) { return v != 0.0; });
         const auto own = static_cast<std::size_t>(envelope.rend() - last);
-        const bool is_silent = own < envelope.size() && !waiting_costs;
+        const bool is_silent = own < code->samples && !waiting_costs;
         refinement.is_silent.push_back(is_silent ? 1 : 0);
-        refinement.own_length.push_back(static_cast<double>(is_silent ? own + 1 : envelope.size()));
+        refinement.own_length.push_back(static_cast<double>(is_silent ? own + 1 : code->samples));
     }
 }
 
@@ -80,7 +80,7 @@ double open_cells(const Refinement& refinement, std::size_t tile) {
     double cells = 0.0;
     for_each_open_pair(refinement, tile, [&](std::size_t i, std::size_t j, std::size_t) {
         const bool is_trimmed = refinement.is_silent[i] != 0 && refinement.is_silent[j] != 0;
-        const auto whole = static_cast<double>(refinement.codes[i]->envelope.size());
+        const auto whole = static_cast<double>(refinement.codes[i]->samples);
         cells += is_trimmed ? refinement.own_length[i] * refinement.own_length[j] : whole * whole;
     });
     return cells;
@@ -133,7 +133,7 @@ bool make_tiles(Refinement& refinement, std::span<const std::size_t> tiles,
     std::vector<std::size_t> places;
     for (const std::size_t tile : tiles) {
         for_each_open_pair(refinement, tile, [&](std::size_t i, std::size_t j, std::size_t pair) {
-            pairs.push_back({refinement.codes[i]->envelope, refinement.codes[j]->envelope});
+            pairs.push_back(envelopes_of(*refinement.codes[i], *refinement.codes[j]));
             places.push_back(pair);
         });
     }

@@ -84,12 +84,23 @@ std::vector<double> rhythm_envelope(std::span<const double> samples_g,
     return envelope;
 }
 
-std::vector<double> decimated(std::span<const double> envelope, std::size_t factor) {
+std::vector<double> own_rhythm_envelope(std::span<const double> samples_g, std::size_t samples,
+                                        const EnvelopeParams& params) {
+    std::vector<double> heard(samples_g.begin(), samples_g.end());
+    heard.resize(std::min(samples_g.size() + kEnvelopeSamples, samples), 0.0);
+    std::vector<double> envelope = rhythm_envelope(heard, params);
+    while (!envelope.empty() && envelope.back() == 0.0) envelope.pop_back();
+    return envelope;
+}
+
+std::vector<double> decimated(std::span<const double> envelope, std::size_t factor,
+                              std::size_t samples) {
+    samples = std::max(samples, envelope.size());
     std::vector<double> coarse;
     for (std::size_t begin = 0; begin < envelope.size(); begin += factor) {
-        const std::size_t end = std::min(begin + factor, envelope.size());
+        const std::size_t end = std::min(begin + factor, samples);
         double sum = 0.0;
-        for (std::size_t n = begin; n < end; ++n) sum += envelope[n];
+        for (std::size_t n = begin; n < std::min(end, envelope.size()); ++n) sum += envelope[n];
         coarse.push_back(sum / static_cast<double>(end - begin));
     }
     return coarse;

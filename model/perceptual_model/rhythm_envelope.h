@@ -17,6 +17,7 @@
 // Output    as many values; silence stays zero
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,11 @@ inline constexpr std::size_t kEnvelopeSamples = 100;  // 10 ms
 std::vector<double> rhythm_envelope(std::span<const double> samples_g,
                                     const EnvelopeParams& params);
 
+// The envelope of samples that are followed by zeros, up to `samples` in all: its values up to the
+// last that is not zero.
+std::vector<double> own_rhythm_envelope(std::span<const double> samples_g, std::size_t samples,
+                                        const EnvelopeParams& params);
+
 // The sums of |x| over windows, by one of the instruction sets this processor has, the fastest
 // first: sums[k] is of kEnvelopeSamples sizes from sizes[k] on, for a multiple of 16 sums.
 struct WindowSummer {
@@ -37,7 +43,9 @@ struct WindowSummer {
 };
 std::span<const WindowSummer> window_summers();
 
-// Means of consecutive blocks, the last one possibly shorter: a coarse envelope for previews.
-std::vector<double> decimated(std::span<const double> envelope, std::size_t factor);
+// Means of consecutive blocks, the last one possibly shorter: a coarse envelope for previews. Zeros
+// follow the envelope, up to `samples` in all; blocks that hold nothing else are left out.
+std::vector<double> decimated(std::span<const double> envelope, std::size_t factor,
+                              std::size_t samples = 0);
 
 }  // namespace tact

@@ -47,7 +47,7 @@ std::vector<double> oc_values(const TileSource& source, const Tile& tile, std::s
     std::vector<SignalPair> pairs;
     pairs.reserve(pair_count(tile));
     for_each_pair(tile, [&](std::size_t i, std::size_t j) {
-        pairs.push_back({source.envelopes[i], source.envelopes[j]});
+        pairs.push_back({source.envelopes[i], source.envelopes[j], source.samples, source.samples});
     });
     DtwOptions options;
     options.threads = 1;  // the others are at other tiles
@@ -56,21 +56,14 @@ std::vector<double> oc_values(const TileSource& source, const Tile& tile, std::s
     return dtw(pairs, options);
 }
 
-// Up to a last zero, or the whole of an envelope that sounds to its end.
-std::size_t own_length(const std::vector<double>& envelope) {
-    std::size_t length = envelope.size();
-    while (length > 0 && envelope[length - 1] == 0.0) --length;
-    return std::min(length + 1, envelope.size());
-}
-
 std::uint64_t mixed_params(const PerReceptor<double>& channel_weight, double waiting_cost) {
     const std::uint64_t number = mixed(0, std::span<const double>(channel_weight));
     return waiting_cost > 0.0 ? mixed(number, std::span<const double>(&waiting_cost, 1)) : number;
 }
 
-std::uint64_t mixed_pattern(std::uint64_t number, const PackedSpikes& spikes,
+std::uint64_t mixed_pattern(std::uint64_t number, std::size_t samples, const PackedSpikes& spikes,
                             const std::vector<double>& envelope) {
-    number = mixed(number, spikes.samples);
+    number = mixed(number, samples);
     number = mixed(number, std::span<const std::uint64_t>(spikes.bits));
     return mixed(number, std::span<const double>(envelope));
 }
@@ -107,6 +100,7 @@ std::size_t pair_count(const Tile& tile) {
 void add_pattern(TileSource& source, const PatternCode& code) {
     source.spikes.push_back(packed_spikes(code.neural));
     source.envelopes.push_back(code.envelope);
+    source.samples = code.samples;
 }
 
 std::size_t pattern_count(const TileSource& source) { return source.envelopes.size(); }
@@ -117,10 +111,10 @@ std::vector<double> tile_costs(const TileSource& source, Part part) {
     std::vector<double> own(patterns);
     std::vector<bool> ends_silent(patterns);
     for (std::size_t k = 0; k < patterns; ++k) {
-        const std::vector<double>& envelope = source.envelopes[k];
-        whole[k] = static_cast<double>(envelope.size());
-        own[k] = static_cast<double>(own_length(envelope));
-        ends_silent[k] = source.waiting_cost == 0.0 && !envelope.empty() && envelope.back() == 0.0;
+        const std::size_t length = source.envelopes[k].size();
+        whole[k] = static_cast<double>(source.samples);
+        own[k] = static_cast<double>(std::min(length + 1, source.samples));  // up to a last zero
+        ends_silent[k] = source.waiting_cost == 0.0 && length < source.samples;
     }
     std::vector<double> costs(tile_count(patterns), 0.0);
     for (std::size_t tile = 0; tile < costs.size(); ++tile) {
@@ -143,7 +137,7 @@ std::vector<std::size_t> by_cost(std::span<const double> tile_costs) {
 std::uint64_t fingerprint(const TileSource& source) {
     std::uint64_t number = mixed_params(source.channel_weight, source.waiting_cost);
     for (std::size_t k = 0; k < pattern_count(source); ++k) {
-        number = mixed_pattern(number, source.spikes[k], source.envelopes[k]);
+        number = mixed_pattern(number, source.samples, source.spikes[k], source.envelopes[k]);
     }
     return number;
 }
@@ -152,7 +146,7 @@ std::uint64_t fingerprint(std::span<const std::shared_ptr<const PatternCode>> co
                           const PerceptualModelParams& params) {
     std::uint64_t number = mixed_params(params.channel_weight, params.envelope.waiting_cost);
     for (const auto& code : codes) {
-        number = mixed_pattern(number, packed_spikes(code->neural), code->envelope);
+        number = mixed_pattern(number, code->samples, packed_spikes(code->neural), code->envelope);
     }
     return number;
 }

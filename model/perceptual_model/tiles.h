@@ -48,8 +48,9 @@ std::size_t pair_count(const Tile& tile);
 struct TileSource {
     PerReceptor<double> channel_weight{};
     double waiting_cost = 0.0;
+    std::size_t samples = 0;                     // that were coded of every pattern
     std::vector<PackedSpikes> spikes;            // of every pattern
-    std::vector<std::vector<double>> envelopes;  // likewise
+    std::vector<std::vector<double>> envelopes;  // likewise, without the zeros at their ends
     // Fingerprints of what they were made from, to tell why they are others; 0: not known.
     std::uint64_t vibrations = 0;
     std::uint64_t model = 0;

@@ -88,8 +88,8 @@ BrainUnits brain_units(const NeuralCode& code, const WeightUnits& units) {
         value_of[mask] = static_cast<std::int16_t>(value);
     }
     BrainUnits brain;
-    brain.samples = code.central_spikes.size();
-    std::size_t active = brain.samples;
+    brain.samples = code.samples;
+    std::size_t active = code.central_spikes.size();
     while (active > 0 && code.central_spikes[active - 1] == 0) --active;
     brain.values.assign((active + kRegisterValues - 1) / kRegisterValues * kRegisterValues, 0);
     for (std::size_t n = 0; n < active; ++n) {

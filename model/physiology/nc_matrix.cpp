@@ -15,38 +15,36 @@ constexpr std::size_t kRegisterWords = 8;
 
 // One body, compiled for each instruction set that it is inlined into; std::popcount would not be.
 // All 16 counts at once, as a register of words then serves four of them.
-[[gnu::always_inline]] inline SpikeForm counted(const std::uint64_t* a, const std::uint64_t* b,
-                                                std::size_t words) {
+[[gnu::always_inline]] inline SpikeForm counted(const SpikeRows& a, const SpikeRows& b) {
+    const std::size_t words = a.words < b.words ? a.words : b.words;
     SpikeForm counts{};
     for (std::size_t k = 0; k < words; ++k) {
         for (std::size_t c = 0; c < kReceptorCount; ++c) {
             for (std::size_t d = 0; d < kReceptorCount; ++d) {
-                counts[c][d] += __builtin_popcountll(a[c * words + k] & b[d * words + k]);
+                counts[c][d] +=
+                    __builtin_popcountll(a.bits[c * a.words + k] & b.bits[d * b.words + k]);
             }
         }
     }
     return counts;
 }
 
-SpikeForm count_baseline(const std::uint64_t* a, const std::uint64_t* b, std::size_t words) {
-    return counted(a, b, words);
-}
+SpikeForm count_baseline(const SpikeRows& a, const SpikeRows& b) { return counted(a, b); }
 
 #ifdef __x86_64__
-[[gnu::target("popcnt")]] SpikeForm count_popcnt(const std::uint64_t* a, const std::uint64_t* b,
-                                                 std::size_t words) {
-    return counted(a, b, words);
+[[gnu::target("popcnt")]] SpikeForm count_popcnt(const SpikeRows& a, const SpikeRows& b) {
+    return counted(a, b);
 }
 
 [[gnu::target("avx512f,avx512vpopcntdq,popcnt,prefer-vector-width=512")]] SpikeForm count_avx512(
-    const std::uint64_t* a, const std::uint64_t* b, std::size_t words) {
-    return counted(a, b, words);
+    const SpikeRows& a, const SpikeRows& b) {
+    return counted(a, b);
 }
 #endif
 
 SpikeForm coincidences(const PackedSpikes& a, const PackedSpikes& b) {
     static const auto count = coincidence_counters().front().count;
-    return count(a.bits.data(), b.bits.data(), a.words);
+    return count({a.bits.data(), a.words}, {b.bits.data(), b.words});
 }
 
 // Adds `count` samples at which channels p fire in one pattern and channels q in the other.
@@ -78,12 +76,14 @@ std::int64_t weight_units(double weight) {
 }
 
 SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
-    assert(a.central_spikes.size() == b.central_spikes.size() && "patterns were not padded");
+    assert(a.samples == b.samples && "patterns were not padded");
     // A sample of both patterns is one of 16 x 16 cases.
     std::array<std::array<std::int64_t, kMasks>, kMasks> cases{};
-    for (std::size_t n = 0; n < a.central_spikes.size(); ++n) {
-        ++cases[a.central_spikes[n]][b.central_spikes[n]];
-    }
+    const auto spikes = [](const NeuralCode& code, std::size_t n) {
+        return n < code.central_spikes.size() ? code.central_spikes[n] : std::uint8_t{0};
+    };
+    const std::size_t last = std::max(a.central_spikes.size(), b.central_spikes.size());
+    for (std::size_t n = 0; n < last; ++n) ++cases[spikes(a, n)][spikes(b, n)];
     SpikeForm form{};
     for (std::size_t p = 0; p < kMasks; ++p) {
         for (std::size_t q = 0; q < kMasks; ++q) {
@@ -95,13 +95,15 @@ SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b) {
 
 PackedSpikes packed_spikes(const NeuralCode& code) {
     PackedSpikes packed;
-    packed.samples = code.central_spikes.size();
+    packed.samples = code.samples;
+    std::size_t active = code.central_spikes.size();
+    while (active > 0 && code.central_spikes[active - 1] == 0) --active;
     const std::size_t registers =
-        (packed.samples + kRegisterWords * kWordBits - 1) / (kRegisterWords * kWordBits);
+        (active + kRegisterWords * kWordBits - 1) / (kRegisterWords * kWordBits);
     packed.words = registers * kRegisterWords;
     packed.bits.assign(kReceptorCount * packed.words, 0);
-    for (std::size_t first = 0; first < packed.samples; first += kWordBits) {
-        const std::size_t end = std::min(first + kWordBits, packed.samples);
+    for (std::size_t first = 0; first < active; first += kWordBits) {
+        const std::size_t end = std::min(first + kWordBits, active);
         PerReceptor<std::uint64_t> word{};
         for (std::size_t n = first; n < end; ++n) {
             const std::uint64_t mask = code.central_spikes[n];

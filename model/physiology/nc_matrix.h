@@ -31,7 +31,7 @@ SpikeForm spike_form(const NeuralCode& a, const NeuralCode& b);
 // The central spikes of one pattern, one bit per sample.
 struct PackedSpikes {
     std::size_t samples = 0;
-    std::size_t words = 0;            // words per channel, zero-padded
+    std::size_t words = 0;            // per channel up to its last spike, zero-padded
     std::vector<std::uint64_t> bits;  // channel by channel
     SpikeForm coincidences{};         // |a_c & a_d|
 };
@@ -62,10 +62,16 @@ double root_mean_square(std::int64_t unit, std::int64_t sum, std::size_t samples
 inline constexpr double kWeightUnits = 1e12;
 std::int64_t weight_units(double weight);
 
-// |a_c & b_d| for two blocks of kReceptorCount rows of words, for one instruction set.
+// kReceptorCount rows of words.
+struct SpikeRows {
+    const std::uint64_t* bits = nullptr;
+    std::size_t words = 0;  // of each row
+};
+
+// |a_c & b_d| as far as the shorter rows reach, for one instruction set.
 struct CoincidenceCounter {
     const char* name;
-    SpikeForm (*count)(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
+    SpikeForm (*count)(const SpikeRows& a, const SpikeRows& b);
 };
 
 // Versions that this processor can run, the fastest first, which is in use.

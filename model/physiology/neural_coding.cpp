@@ -1,11 +1,13 @@
 #include "model/physiology/neural_coding.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <numeric>
 
 #include "model/physiology/channel_energies.h"
 #include "model/physiology/nc_matrix.h"
@@ -139,6 +141,7 @@ struct ChannelInput {
     double input_energy = 0.0;
     double duration_s = 0.0;
     std::vector<Component> components;
+    double stands_for = 1.0;  // components, each of these
 };
 
 ChannelInput channel_input(const Waveform& waveform, const NeuralCodingParams& params) {
@@ -148,6 +151,38 @@ ChannelInput channel_input(const Waveform& waveform, const NeuralCodingParams& p
     input.input_energy = energy(input.input_g);
     input.duration_s = duration_s(waveform);
     input.components = components(amplitude_spectrum(input.input_g, kModelRateHz), params);
+    return input;
+}
+
+// Samples whose spectrum is fine enough to see each bend of that of `own` ones, and which leave the
+// filters a second to fall silent: 8, 10, 12 or 16 times a power of two, which FFTW likes.
+std::size_t quick_samples(std::size_t own) {
+    constexpr std::size_t kFiner = 4;
+    const std::size_t least = std::max(kFiner * own, own + static_cast<std::size_t>(kModelRateHz));
+    const std::size_t eighth = std::bit_floor(least) / 8;
+    const std::size_t eighths = (least + eighth - 1) / eighth;
+    const std::size_t even = (eighths + 1) / 2 * 2;
+    return (even == 14 ? 16 : even) * eighth;
+}
+
+ChannelInput quick_input(const Waveform& own, std::size_t samples,
+                         const NeuralCodingParams& params) {
+    const std::size_t count = quick_samples(own.samples_g.size());
+    const double share = static_cast<double>(count) / static_cast<double>(samples);
+    ChannelInput input;
+    input.input_g = padded(own, count).samples_g;
+    const double mean_g = std::accumulate(own.samples_g.begin(), own.samples_g.end(), 0.0) /
+                          static_cast<double>(samples);
+    if (params.remove_mean) {
+        for (double& sample_g : input.input_g) sample_g -= mean_g;
+    }
+    input.input_energy = energy(input.input_g);
+    input.duration_s = static_cast<double>(samples) / kModelRateHz;
+    Spectrum spectrum = amplitude_spectrum(input.input_g, kModelRateHz);
+    for (double& amplitude_g : spectrum.amplitude_g) amplitude_g *= share;
+    input.components = components(spectrum, params);
+    // A finer spectrum has more components, but not more peaks.
+    if (params.components == Components::all) input.stands_for = 1.0 / share;
     return input;
 }
 
@@ -192,14 +227,20 @@ std::array<double, 16> waveform_levels(const PerReceptor<double>& channel_weight
 
 }  // namespace
 
-NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
-                       const CodingOptions& options) {
-    const ChannelInput input = channel_input(waveform, params);
+namespace {
+
+NeuralCode code_of(const ChannelInput& input, const NeuralCodingParams& params,
+                   const CodingOptions& options) {
     const std::size_t steps = step_count(input.input_g.size());
     const int cone = params.excitatory_layers + params.inhibitory_layers;
     NeuralCode code;
-    code.central_spikes.assign(steps * kStepSamples, 0);
+    code.samples = steps * kStepSamples;
+    code.central_spikes.assign(code.samples, 0);
     code.activation = activations(input.components, params);
+    for (Activation& one : code.activation) {
+        one.rate_hz *= input.stands_for;
+        one.slope_sum *= input.stands_for;
+    }
     if (options.stop.stop_requested()) return code;
     const auto fractions = channel_energy_fractions(input.input_g, input.input_energy, params);
     Watched watched(options, steps);
@@ -215,13 +256,34 @@ NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& param
     return code;
 }
 
+}  // namespace
+
+NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
+                       const CodingOptions& options) {
+    return code_of(channel_input(waveform, params), params, options);
+}
+
+bool can_be_quick(const Waveform& own, std::size_t samples) {
+    return 2 * quick_samples(own.samples_g.size()) <= samples;
+}
+
+NeuralCode quick_neural_code(const Waveform& own, std::size_t samples,
+                             const NeuralCodingParams& params) {
+    assert(own.rate_hz == kModelRateHz && "the model works at 10 kHz; resample first");
+    if (!can_be_quick(own, samples)) return neural_code(padded(own, samples), params);
+    NeuralCode code = code_of(quick_input(own, samples, params), params, {});
+    code.samples = step_count(samples) * kStepSamples;
+    return code;
+}
+
 NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCodingParams& params,
                                         KeepLayers keep, const CodingOptions& options) {
     const ChannelInput input = channel_input(waveform, params);
     NeuralCodingStages stages;
     stages.components = input.components;
     const std::size_t steps = step_count(input.input_g.size());
-    stages.code.central_spikes.assign(steps * kStepSamples, 0);
+    stages.code.samples = steps * kStepSamples;
+    stages.code.central_spikes.assign(stages.code.samples, 0);
     stages.code.activation = activations(input.components, params);
     Watched watched(options, steps);
     for (const Receptor receptor : kReceptors) {
@@ -236,6 +298,15 @@ NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCo
     return stages;
 }
 
+void drop_silent_end(NeuralCode& code) {
+    const auto drop = [](auto& values) {
+        while (!values.empty() && values.back() == 0) values.pop_back();
+        values.shrink_to_fit();
+    };
+    for (std::vector<int>& counts : code.central_count) drop(counts);
+    drop(code.central_spikes);
+}
+
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
                                      const NeuralCodingParams& params) {
     std::vector<RelayLayer> layers{spikes_of_step(channel, channel.grid.half_width, step)};
@@ -247,7 +318,7 @@ std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t s
 std::vector<double> predicted_brain_waveform(const NeuralCode& code,
                                              const PerReceptor<double>& channel_weight) {
     const auto levels = waveform_levels(channel_weight);
-    std::vector<double> waveform(code.central_spikes.size());
+    std::vector<double> waveform(code.samples);
     std::ranges::transform(code.central_spikes, waveform.begin(),
                            [&levels](std::uint8_t mask) { return levels[mask]; });
     return waveform;
@@ -255,7 +326,7 @@ std::vector<double> predicted_brain_waveform(const NeuralCode& code,
 
 double nc_dissimilarity(const NeuralCode& a, const NeuralCode& b,
                         const PerReceptor<double>& channel_weight) {
-    return nc_dissimilarity(spike_form(a, b), a.central_spikes.size(), channel_weight);
+    return nc_dissimilarity(spike_form(a, b), a.samples, channel_weight);
 }
 
 }  // namespace tact

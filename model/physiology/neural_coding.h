@@ -29,9 +29,14 @@ struct NeuralCode {
     PerReceptor<Activation> activation;
     PerReceptor<std::size_t> activated{};         // receptors, N
     PerReceptor<std::vector<int>> central_count;  // spikes of the central neuron per 5 ms step
-    // Bit c of sample n: channel c's central neuron fires. 100 ceil(N / 100) samples.
+    // Bit c of sample n: channel c's central neuron fires. None fires at samples behind the last.
     std::vector<std::uint8_t> central_spikes;
+    std::size_t samples = 0;  // that were coded: 100 ceil(N / 100)
 };
+
+// Drops the steps and samples behind the last spike: codes of short patterns in a set with a long
+// one are as short as they are.
+void drop_silent_end(NeuralCode& code);
 
 // All stages of one channel, for inspection.
 struct ChannelStages {
@@ -61,6 +66,17 @@ struct CodingOptions {
 NeuralCode neural_code(const Waveform& waveform, const NeuralCodingParams& params,
                        const CodingOptions& options = {});
 
+// An approximation for a waveform that is followed by many zeros, up to `samples` in all, at the
+// cost of its own length. The spectrum of all samples is a smooth curve through that of a few times
+// its own: each component of these stands for all of the others around it. Spikes end with a
+// second of silence.
+//
+// Left out  the energy that a low-pass channel still has from the removed mean
+// Valid     can_be_quick(); other waveforms cost as much as neural_code()
+bool can_be_quick(const Waveform& own, std::size_t samples);
+NeuralCode quick_neural_code(const Waveform& own, std::size_t samples,
+                             const NeuralCodingParams& params);
+
 // The layers of the relay networks to keep.
 enum class KeepLayers {
     all,  // of every step; memory grows with the grids: tens of MB for strong tones
@@ -77,11 +93,11 @@ NeuralCodingStages neural_coding_stages(const Waveform& waveform, const NeuralCo
 std::vector<RelayLayer> relay_layers(const ChannelStages& channel, std::size_t step,
                                      const NeuralCodingParams& params);
 
-// PBW[n] = sum_c w_c [channel c fires at n].
+// PBW[n] = sum_c w_c [channel c fires at n], of all samples that were coded.
 std::vector<double> predicted_brain_waveform(const NeuralCode& code,
                                              const PerReceptor<double>& channel_weight);
 
-// NC dissimilarity: root of the mean squared difference of two brain waveforms of equal length.
+// NC dissimilarity: root of the mean squared difference of two brain waveforms of as many samples.
 double nc_dissimilarity(const NeuralCode& a, const NeuralCode& b,
                         const PerReceptor<double>& channel_weight);
 

@@ -132,7 +132,7 @@ std::optional<PreparedTraining> prepared_training(std::span<const TrainingSet> s
         auto forms = forms_of(sets[s], params, part(0.5, 0.5));
         if (!forms) return std::nullopt;
         SearchSet set;
-        set.samples = before->codes.front()->neural.central_spikes.size();
+        set.samples = before->codes.front()->neural.samples;
         set.forms = *std::move(forms);
         set.oc_rank = before->oc_rank;
         result.problem.sets.push_back(std::move(set));

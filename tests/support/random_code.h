@@ -13,6 +13,7 @@ namespace tact {
 inline NeuralCode random_code(std::size_t samples, std::uint32_t seed) {
     std::mt19937 random(seed);
     NeuralCode code;
+    code.samples = samples;
     for (std::size_t n = 0; n < samples; ++n) {
         code.central_spikes.push_back(static_cast<std::uint8_t>(random() & random() & 15U));
     }

@@ -168,8 +168,39 @@ TEST_CASE("live map: the longer and the more patterns are, the coarser is their 
     CHECK(decimation(1000, 1.0) == 40);
     CHECK(decimation(2000, 1.0) == 100);
     CHECK(decimation(2001, 0.1) == 0);
-    CHECK(decimation(2000, 5.0) == 400);
+    CHECK(decimation(1500, 3.0) == 200);
+    CHECK(decimation(2000, 5.0) == 1000);   // there is much to code as well
     CHECK(decimation(2000, 60.0) == 1000);  // however long: there is one
+}
+
+TEST_CASE("live map: with a clip of a minute a preview codes approximately, the exact map never" *
+          doctest::test_suite("long")) {
+    PatternSet set = short_patterns(100);
+    set.vibrations.push_back(set.vibrations[0]);
+    set.vibrations.back().name = "clip";
+    std::get<Pattern>(set.vibrations.back().source).duration_s = 60.0;
+    LiveMapWork work;
+    std::atomic<float> progress = 0.0F;
+    const auto preview = work(request_of(set, true), {}, progress);
+    REQUIRE(preview);
+    const auto is_quick = [](const auto& code) { return code->is_quick; };
+    CHECK(std::ranges::count_if(preview->prediction.codes, is_quick) == 100);
+    CHECK_FALSE(preview->prediction.codes.back()->is_quick);
+    const auto grain = preview_grain(preview->prediction);
+    REQUIRE(grain);
+    CHECK(grain->most_flips > preview_grain(set)->most_flips);
+    // Its first part tells what it is made from; the pairs with the clip would take minutes.
+    std::stop_source stop;
+    LiveMapRequest request = request_of(set, false);
+    request.coarse = std::make_shared<const LiveMap>(*preview);
+    int parts = 0;
+    work.in_parts(request, stop.get_token(), progress, [&](const LiveMap& part) {
+        CHECK(std::ranges::none_of(part.prediction.codes, is_quick));
+        CHECK(part.prediction.codes.back() == preview->prediction.codes.back());
+        ++parts;
+        stop.request_stop();
+    });
+    CHECK(parts == 1);
 }
 
 TEST_CASE("live map: no preview changes more orders of pairs than is told" *
@@ -181,7 +212,7 @@ TEST_CASE("live map: no preview changes more orders of pairs than is told" *
         REQUIRE(loaded);
         const auto waveforms = model_waveforms(loaded->set);
         const auto exact = predict(waveforms, loaded->set.model);
-        for (const std::size_t decimation : {10U, 40U, 100U, 400U, 1000U}) {
+        for (const std::size_t decimation : {10U, 40U, 100U, 200U, 400U, 1000U}) {
             CAPTURE(decimation);
             PredictOptions options;
             options.envelope_decimation = decimation;

@@ -13,6 +13,7 @@ constexpr PerReceptor<double> kOnes{1.0, 1.0, 1.0, 1.0};
 // Spikes of the first channel at the samples given; `second` of the second.
 NeuralCode code_of(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second) {
     NeuralCode code;
+    code.samples = 2000;
     code.central_spikes.assign(2000, 0);
     for (const std::size_t n : first) code.central_spikes[n] |= 1U;
     for (const std::size_t n : second) code.central_spikes[n] |= 2U;

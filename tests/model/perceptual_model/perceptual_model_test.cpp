@@ -5,7 +5,9 @@
 #include <stop_token>
 #include <thread>
 
+#include "model/perceptual_model/rhythm_envelope.h"
 #include "model/set/pattern_set.h"
+#include "tests/support/dtw_textbook.h"
 #include "tests/support/golden.h"
 
 namespace perceptual_model_test {
@@ -210,6 +212,54 @@ TEST_CASE("perceptual model: a stop gives nothing rather than half an answer") {
     PredictOptions options;
     options.stop = stop.get_token();
     CHECK_FALSE(predict(short_set(4), {}, options).has_value());
+}
+
+namespace {
+
+// Patterns of 20 to 70 ms in a set with one of 0.4 s, which sounds to its end.
+std::vector<Waveform> with_a_long_one() {
+    std::vector<Waveform> waveforms = short_set(6);
+    for (std::size_t k = 0; k < waveforms.size(); ++k) {
+        waveforms[k].samples_g.resize(200 + 100 * k);
+    }
+    waveforms.push_back(short_set(1, 0.4).front());
+    return waveforms;
+}
+
+}  // namespace
+
+TEST_CASE("perceptual model: codes are as short as their patterns, and no bit differs from whole") {
+    const auto waveforms = with_a_long_one();
+    const std::size_t longest = waveforms.back().samples_g.size();
+    PerceptualModelParams params;
+    SUBCASE("usual") {}
+    SUBCASE("waiting") { params.envelope.waiting_cost = 0.2; }
+    SUBCASE("weights without a unit") { params.channel_weight = {0.1, 1.0 / 3.0, 0.77, 0.9}; }
+    const auto prediction = predict(waveforms, params);
+    REQUIRE(prediction);
+    std::vector<NeuralCode> neural;
+    std::vector<std::vector<double>> envelopes;
+    for (std::size_t k = 0; k < waveforms.size(); ++k) {
+        const Waveform whole = padded(waveforms[k], longest);
+        neural.push_back(neural_code(whole, params.coding));
+        envelopes.push_back(rhythm_envelope(whole.samples_g, params.envelope));
+        const PatternCode& code = *prediction->codes[k];
+        CHECK(code.envelope.size() <= waveforms[k].samples_g.size() + kEnvelopeSamples);
+        CHECK(code.neural.samples == neural[k].central_spikes.size());
+    }
+    // Some fire up to the end of the longest: a low-pass channel follows the mean that was removed.
+    const auto ends_early = [](const auto& code) {
+        return code->neural.central_spikes.size() < code->neural.samples;
+    };
+    CHECK(std::ranges::any_of(prediction->codes, ends_early));
+    for (std::size_t i = 0; i < waveforms.size(); ++i) {
+        for (std::size_t j = i + 1; j < waveforms.size(); ++j) {
+            CHECK(prediction->nc(i, j) ==
+                  nc_dissimilarity(neural[i], neural[j], params.channel_weight));
+            CHECK(prediction->oc(i, j) ==
+                  dtw_textbook(envelopes[i], envelopes[j], params.envelope.waiting_cost));
+        }
+    }
 }
 
 TEST_CASE("perceptual model: stopped at whatever moment, codes are whole or none") {

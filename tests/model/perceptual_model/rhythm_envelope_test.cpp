@@ -76,6 +76,33 @@ std::vector<double> textbook(const std::vector<double>& samples, std::size_t ahe
     return envelope;
 }
 
+TEST_CASE("envelope: of a short pattern in a long set, what sounds is all that is kept") {
+    EnvelopeParams centred;
+    centred.alignment = EnvelopeAlignment::centred;
+    for (const EnvelopeParams& params : {EnvelopeParams{}, centred}) {
+        for (const std::size_t own : {0UL, 1UL, 60UL, 250UL}) {
+            std::vector<double> samples(own, 0.0);
+            for (std::size_t k = 0; k < own; ++k)
+                samples[k] = 0.1 * static_cast<double>(k % 7) - 0.2;
+            for (const std::size_t whole : {own, own + 3, own + 99, own + 100, own + 5000}) {
+                std::vector<double> padded = samples;
+                padded.resize(whole, 0.0);
+                std::vector<double> expected = rhythm_envelope(padded, params);
+                std::vector<double> envelope = own_rhythm_envelope(samples, whole, params);
+                CHECK(envelope.size() <= own + kEnvelopeSamples);
+                if (!envelope.empty()) CHECK(envelope.back() != 0.0);
+                for (const std::size_t factor : {1UL, 10UL, 64UL}) {
+                    auto coarse = decimated(envelope, factor, whole);
+                    coarse.resize((whole + factor - 1) / factor, 0.0);
+                    CHECK(coarse == decimated(expected, factor));
+                }
+                envelope.resize(whole, 0.0);
+                CHECK(envelope == expected);
+            }
+        }
+    }
+}
+
 TEST_CASE("envelope: windows side by side have the bits of one after the other") {
     for (const std::size_t sounding : {0UL, 1UL, 15UL, 16UL, 99UL, 100UL, 257UL, 1000UL}) {
         for (const std::size_t silent : {0UL, 1UL, 49UL, 99UL, 130UL, 1000UL}) {

@@ -174,14 +174,12 @@ TEST_CASE("tiles: the fingerprint changes with all that a value depends on") {
 }
 
 TEST_CASE("tiles: the longest come first, by the patterns' own lengths") {
-    // Every other four envelopes sound for long; all end in silence, and all are padded to one
-    // length.
+    // Every other four envelopes sound for long; all end in silence.
     TileSource source;
+    source.samples = 1000;
     constexpr std::size_t kPatterns = 24;
     for (std::size_t k = 0; k < kPatterns; ++k) {
-        source.envelopes.emplace_back(1000, 0.0);
-        const std::size_t own = k % 8 < 4 ? 10 + k : 500 + k;
-        std::fill_n(source.envelopes.back().begin(), own, 0.5);
+        source.envelopes.emplace_back(k % 8 < 4 ? 10 + k : 500 + k, 0.5);
     }
     const std::vector<double> costs = tile_costs(source, Part::oc);
     REQUIRE(costs.size() == tile_count(kPatterns));
@@ -197,7 +195,7 @@ TEST_CASE("tiles: the longest come first, by the patterns' own lengths") {
     for (std::size_t k = 0; k < all.size(); ++k) CHECK(all[k] == k);
 
     // Where one of a pair sounds to its end, or waiting costs, nothing is trimmed.
-    source.envelopes[0].back() = 0.1;
+    source.envelopes[0].resize(source.samples, 0.1);
     CHECK(tile_costs(source, Part::oc)[0] == 3e6 + 12.0 * 13 + 12.0 * 14 + 13.0 * 14);
     source.waiting_cost = 0.5;
     CHECK(tile_costs(source, Part::oc)[0] == 6e6);

@@ -35,7 +35,7 @@ TEST_CASE("brain units: silence behind the last spike is not kept, and changes n
     NeuralCode brief = random_code(1000, 1);
     NeuralCode longer = random_code(2000, 2);
     NeuralCode silent;
-    for (NeuralCode* code : {&brief, &longer, &silent}) code->central_spikes.resize(30'000, 0);
+    for (NeuralCode* code : {&brief, &longer, &silent}) code->samples = 30'000;
     CHECK(brain_units(brief, *units).values.size() <= 1024);
     CHECK(brain_units(silent, *units).values.empty());
     for (const NeuralCode* a : {&brief, &longer, &silent}) {
@@ -57,7 +57,8 @@ TEST_CASE("brain units: the largest products there are fit, on every instruction
     const auto units = weight_units({1.0, 1.001, 0.999, 1.0});
     REQUIRE(units);
     NeuralCode code;
-    code.central_spikes.assign(600'000, 15);  // a minute
+    code.samples = 600'000;  // a minute
+    code.central_spikes.assign(code.samples, 15);
     const BrainUnits brain = brain_units(code, *units);
     CHECK(brain.square == 600'000LL * 4000 * 4000);
     for (const ProductSummer& summer : product_summers()) {

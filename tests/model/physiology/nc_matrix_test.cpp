@@ -54,11 +54,12 @@ TEST_CASE("nc matrix: every instruction set counts alike") {
     const PackedSpikes b = packed_spikes(random_code(9999, 4));
     const auto counters = coincidence_counters();
     REQUIRE(std::string(counters.back().name) == "baseline");
-    const SpikeForm expected = counters.back().count(a.bits.data(), b.bits.data(), a.words);
+    const SpikeForm expected =
+        counters.back().count({a.bits.data(), a.words}, {b.bits.data(), b.words});
     CHECK(expected[0][3] > 400);  // a sixteenth of the samples
     for (const CoincidenceCounter& counter : counters) {
         CAPTURE(counter.name);
-        CHECK(counter.count(a.bits.data(), b.bits.data(), a.words) == expected);
+        CHECK(counter.count({a.bits.data(), a.words}, {b.bits.data(), b.words}) == expected);
     }
 }
 
@@ -73,6 +74,7 @@ TEST_CASE("nc matrix: from a to b is as far as from b to a, and to itself there 
 
 TEST_CASE("nc matrix: one spike of one channel weighs its weight") {
     NeuralCode silent;
+    silent.samples = 100;
     silent.central_spikes.assign(100, 0);
     for (std::size_t channel = 0; channel < kReceptorCount; ++channel) {
         NeuralCode spike = silent;
@@ -86,6 +88,7 @@ TEST_CASE("nc matrix: one spike of one channel weighs its weight") {
 TEST_CASE("nc matrix: channels whose weights add up to another's cancel it without a rest") {
     // In doubles 0.1 + 0.2 is not 0.3.
     NeuralCode two;
+    two.samples = 10'000;
     two.central_spikes.assign(10'000, 0);
     NeuralCode one = two;
     for (std::size_t n = 0; n < 10'000; n += 3) {
@@ -109,6 +112,36 @@ TEST_CASE("nc matrix: it is the root mean square of the difference of the brain 
         CHECK(std::abs(nc_dissimilarity(codes[0], codes[3], weight) - direct) <= 1e-12);
         CHECK(direct > 0.1);
     }
+}
+
+TEST_CASE("nc matrix: what is behind the last spikes needs not be kept") {
+    NeuralCode brief = random_code(700, 7);
+    NeuralCode longer = random_code(3000, 8);
+    brief.samples = longer.samples = 60'000;
+    const auto whole = [](NeuralCode code) {
+        code.central_spikes.resize(code.samples, 0);
+        return code;
+    };
+    const auto dropped = [&whole](const NeuralCode& code) {
+        NeuralCode own = whole(code);
+        drop_silent_end(own);
+        CHECK(own.central_spikes.size() <= code.central_spikes.size());
+        return own;
+    };
+    const double expected = nc_dissimilarity(whole(brief), whole(longer), kTrained);
+    CHECK(expected > 0.0);
+    CHECK(nc_dissimilarity(dropped(brief), dropped(longer), kTrained) == expected);
+    for (const auto& [a, b] : {std::pair(brief, longer), std::pair(longer, brief)}) {
+        const PackedSpikes own = packed_spikes(dropped(a));
+        CHECK(own.words < packed_spikes(random_code(60'000, 9)).words);
+        CHECK(nc_dissimilarity(own, packed_spikes(whole(b)), kTrained) == expected);
+        CHECK(predicted_brain_waveform(dropped(a), kTrained) ==
+              predicted_brain_waveform(whole(a), kTrained));
+    }
+    const auto units = weight_units(kTrained);
+    REQUIRE(units);
+    CHECK(nc_dissimilarity(brain_units(dropped(brief), *units), brain_units(whole(longer), *units),
+                           *units) == expected);
 }
 
 TEST_CASE("nc matrix: no samples are at no distance") {
