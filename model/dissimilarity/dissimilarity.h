@@ -2,7 +2,9 @@
 // (1,2),(1,3)..(1,n),(2,3)..
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,6 +38,17 @@ std::pair<std::size_t, std::size_t> pair_at(std::size_t n, std::size_t index);
 
 // d <- round(d / max(max |d|, 1e-6) 1e9), so that rounding noise makes no order.
 std::vector<double> quantised(std::span<const double> values);
+
+// Where a value stands, and its quantised form counted from the least that there can be.
+struct KeyedPlace {
+    std::uint32_t key = 0;
+    std::uint32_t place = 0;
+
+    auto operator<=>(const KeyedPlace&) const = default;
+};
+
+// The finite values by their quantised form, ascending; equal ones in their own order.
+std::vector<KeyedPlace> by_size(std::span<const double> values);
 
 // Values that differ by rounding noise alone, and so share a rank, become one of them: the one
 // farthest from `origin`, or `origin` where they are next to nothing. All others keep their bits,

@@ -126,22 +126,16 @@ std::string stress_label(double stress1) {
 }
 
 PairOrder order_pairs(std::span<const double> dissimilarities) {
-    std::vector<double> keys(dissimilarities.begin(), dissimilarities.end());
-    for (double& key : keys) {
-        // An infinite value would quantise all others to 0.
-        if (!std::isfinite(key)) key = std::numeric_limits<double>::quiet_NaN();
-    }
-    keys = quantised(keys);
+    const std::vector<KeyedPlace> sorted = by_size(dissimilarities);
     PairOrder order;
-    for (std::size_t p = 0; p < keys.size(); ++p) {
-        (std::isnan(keys[p]) ? order.unknown : order.ascending).push_back(p);
+    order.ascending.reserve(sorted.size());
+    for (const KeyedPlace& one : sorted) order.ascending.push_back(one.place);
+    for (std::size_t p = 0; p < dissimilarities.size(); ++p) {
+        if (!std::isfinite(dissimilarities[p])) order.unknown.push_back(p);
     }
-    std::ranges::stable_sort(order.ascending,
-                             [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-    for (std::size_t first = 0; first < order.ascending.size(); ++order.levels) {
+    for (std::size_t first = 0; first < sorted.size(); ++order.levels) {
         std::size_t end = first + 1;
-        const double key = keys[order.ascending[first]];
-        while (end < order.ascending.size() && keys[order.ascending[end]] == key) ++end;
+        while (end < sorted.size() && sorted[end].key == sorted[first].key) ++end;
         if (end - first > 1) order.ties.emplace_back(first, end);
         first = end;
     }

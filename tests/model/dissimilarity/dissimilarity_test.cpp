@@ -1,6 +1,9 @@
 #include "model/dissimilarity/dissimilarity.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "tests/support/golden.h"
 
@@ -90,6 +93,37 @@ TEST_CASE("ties: what differs by rounding noise becomes equal, and no rank chang
     const std::vector<double> once = values;
     tie_rounding_noise(values);
     CHECK(average_ranks(values) == average_ranks(once));
+}
+
+TEST_CASE("dissimilarity: the order of any number of values is that of their quantised forms") {
+    std::mt19937_64 random(7);
+    std::uniform_int_distribution<int> value(-3000, 3000);  // ties, once there are many
+    for (const std::size_t count : {0UL, 1UL, 4095UL, 4096UL, 60'000UL}) {
+        CAPTURE(count);
+        std::vector<double> values(count);
+        for (double& one : values) one = 0.1 * value(random);
+        if (count > 10) {
+            values[3] = std::numeric_limits<double>::infinity();
+            values[5] = std::nan("");
+            values[count - 1] = 1e3;
+            values[count - 2] = -1e3;
+        }
+        std::vector<double> finite = values;
+        for (double& one : finite) one = std::isfinite(one) ? one : 0.0;
+        const std::vector<double> keys = quantised(finite);
+        std::vector<std::size_t> expected;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (std::isfinite(values[k])) expected.push_back(k);
+        }
+        std::ranges::stable_sort(expected, {}, [&](std::size_t k) { return keys[k]; });
+        const std::vector<KeyedPlace> order = by_size(values);
+        REQUIRE(order.size() == expected.size());
+        CHECK(std::ranges::equal(order, expected, {}, &KeyedPlace::place));
+        for (std::size_t k = 1; k < order.size(); ++k) {
+            const double apart = keys[expected[k]] - keys[expected[k - 1]];
+            CHECK(static_cast<double>(order[k].key - order[k - 1].key) == apart);
+        }
+    }
 }
 
 }  // namespace dissimilarity_test
