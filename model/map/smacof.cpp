@@ -137,6 +137,7 @@ Descent descend_from(Fit here, int step, double relaxation, const PairOrder& ord
                      const std::stop_token& stop) {
     const double n = static_cast<double>(here.points.rows());
     const double known = static_cast<double>(order.ascending.size());
+    if (stop.stop_requested()) return {here.points, here.stress1, step};
     std::vector<double> ratio(here.distances.size());
     Fit there = here;
     Eigen::MatrixXd image = here.points;
@@ -147,10 +148,12 @@ Descent descend_from(Fit here, int step, double relaxation, const PairOrder& ord
         const double unit = std::sqrt(known / here.size);
         guttman(here, ratio, image);
         image *= unit / n;
+        if (stop.stop_requested()) break;  // a step of millions of pairs takes long
         bool plain = relaxation <= 1.0;
         there.points = unit * here.share * (1.0 - relaxation) * here.points + relaxation * image;
         judge(order, params.interval_of, scratch, there);
         if (!plain && there.stress1 > here.stress1) {
+            if (stop.stop_requested()) break;
             plain = true;
             relaxation = 1.0;
             there.points = image;
@@ -183,7 +186,7 @@ Descent descend(const PairOrder& order, const Eigen::MatrixXd& start, const Desc
                static_cast<double>(here.distances.size()) &&
            "an order of these points");
     judge(order, params.interval_of, scratch, here);
-    if (here.size > 0.0) {
+    if (here.size > 0.0 && !stop.stop_requested()) {
         here.points *= std::sqrt(known * here.share / here.size);
         judge(order, params.interval_of, scratch, here);
     }
