@@ -87,25 +87,32 @@ std::vector<std::size_t> WantedRows::now() const {
 }
 
 std::vector<std::size_t> rows_looked_at(const Workspace& work, const ShownMap& shown_map) {
+    enum Turn { hovered, current, selected, in_view, outside };
     const Eigen::MatrixXd& points = shown_map.transition.to;
     const auto count = static_cast<std::size_t>(points.rows());
     const Selection& selection = work.selection;
     if (selection.current >= count) return {};
-    const auto centre = points.row(static_cast<Eigen::Index>(selection.current));
-    std::vector<double> distance(count);
+    const auto point = [&](std::size_t k) {
+        return point_of(points, static_cast<Eigen::Index>(k));
+    };
+    const Eigen::Vector3d centre = point(selection.current);
+    const Rect& pane = shown_map.pane;
+    const SpaceProjection seen = projection(shown_map.camera, fit(points), pane);
+    std::vector<std::pair<Turn, double>> turn(count);
     for (std::size_t k = 0; k < count; ++k) {
-        distance[k] = (points.row(static_cast<Eigen::Index>(k)) - centre).norm();
+        const bool is_seen = pane.empty() || pane.contains(seen(point(k)).at);
+        turn[k] = {is_seen ? in_view : outside, (point(k) - centre).norm()};
     }
     for (const std::size_t other : selection.others) {
-        if (other < count) distance[other] = -1.0;
+        if (other < count) turn[other].first = selected;
     }
-    distance[selection.current] = -2.0;
+    turn[selection.current].first = current;
     if (selection.hovered_last && *selection.hovered_last < count) {
-        distance[*selection.hovered_last] = -3.0;
+        turn[*selection.hovered_last].first = hovered;
     }
     std::vector<std::size_t> rows(count);
     std::iota(rows.begin(), rows.end(), std::size_t{0});
-    std::ranges::stable_sort(rows, {}, [&](std::size_t k) { return distance[k]; });
+    std::ranges::stable_sort(rows, {}, [&](std::size_t k) { return turn[k]; });
     return rows;
 }
 

@@ -28,8 +28,8 @@ class WantedRows {
     std::vector<std::size_t> rows_;
 };
 
-// What a person looks at in the shown map: what the mouse is on, what is selected, then the others
-// by how near the current pattern they lie.
+// What a person looks at in the shown map: what the mouse is on, what is selected, then what the
+// camera sees, then what lies outside of the pane; both by how near the current pattern they lie.
 std::vector<std::size_t> rows_looked_at(const Workspace& work, const ShownMap& shown_map);
 
 // The file that keeps what is finished of a set's map: beside the set, or with the autosave of one

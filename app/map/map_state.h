@@ -159,6 +159,7 @@ struct ShownMap {
     WaitingRing ring;
     std::size_t menu_of = 0;  // the pattern whose menu is open in the map
     SpaceCamera camera;
+    Rect pane;                  // that it was drawn in last; empty: not drawn yet
     bool has_headline = false;  // stress stands there, in the frame before: not in the title, too
     bool move_tool = false;     // a drag of a point puts it there, as with Alt
     bool frame_asked = false;   // what is selected is to fill the pane

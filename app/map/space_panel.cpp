@@ -388,6 +388,7 @@ SpacePaneAction draw_space_panel(Ui& ui, Workspace& work, ShownMap& shown_map,
     area.min.y += draw_remark(ui, area, ui.theme.warning,
                               verdict_text(shown_map.transition.shown->space, places.size()));
     if (area.empty()) return {};
+    if (!ui.as_picture) shown_map.pane = area;
     const SpacePaneAction done = draw_space_scene(ui, work, shown_map, marks, places, area);
     if (marks.looks.empty()) draw_map_legend(ui, shown_map, area);
     std::string ghosts_text = marks.people_text;

@@ -111,6 +111,35 @@ TEST_CASE("refining: what one looks at comes first, then what lies near it") {
     stop_jobs(app);
 }
 
+TEST_CASE("refining: what the camera sees comes before what lies outside of the pane") {
+    Program program(short_patterns(12));
+    App& app = program.app;
+    program.compute_map();
+    program.settle();
+    SpaceCamera& camera = app.shown_map.camera;
+    const Rect& pane = app.shown_map.pane;
+    REQUIRE_FALSE(pane.empty());
+    const Eigen::MatrixXd& at = app.shown_map.transition.to;
+    const auto is_seen = [&](std::size_t k) {
+        return pane.contains(
+            project(camera, fit(at), pane, point_of(at, static_cast<Eigen::Index>(k))).at);
+    };
+    CHECK(is_seen(11));  // at first all are
+    frame_points(camera, fit(at), pane, {point_of(at, 7), point_of(at, 3)});
+    app.work.selection.current = 0;
+    app.work.selection.others.clear();
+    app.work.selection.hovered_last.reset();
+    const auto rows = rows_looked_at(app.work, app.shown_map);
+    REQUIRE(rows.size() == 12);
+    CHECK(rows[0] == 0);
+    const auto first_outside =
+        std::find_if(rows.begin() + 1, rows.end(), [&](std::size_t k) { return !is_seen(k); });
+    CHECK(first_outside - rows.begin() > 2);
+    CHECK(first_outside != rows.end());
+    CHECK(std::none_of(first_outside, rows.end(), is_seen));
+    stop_jobs(app);
+}
+
 TEST_CASE("refining: words tell how much is exact, how much may change, and that it is kept") {
     LiveMap map;
     map.request.preview = true;
