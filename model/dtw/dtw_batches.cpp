@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <queue>
-#include <tuple>
 #include <utility>
 
 namespace tact {
@@ -89,22 +88,36 @@ TrimmedPair trimmed(Signal a, Signal b, Silence of_a, Silence of_b) {
     return {{a.values, b.values, a.samples, b.samples}, behind};
 }
 
-// Rows to the first four binary digits: pairs of nearly as many rows may share a register.
-std::size_t coarse(std::size_t rows) {
+// Rows to the first four binary digits: pairs of nearly as many rows may share a register. What it
+// counts rises with the rows.
+std::uint64_t coarse(std::size_t rows) {
     constexpr std::size_t kStepsPerOctave = 8;
-    const std::size_t step = std::max<std::size_t>(std::bit_floor(rows) / kStepsPerOctave, 1);
-    return rows / step * step;
+    if (rows < kStepsPerOctave) return rows;
+    const auto octave = static_cast<std::uint64_t>(std::bit_width(rows));
+    const std::size_t step = std::bit_floor(rows) / kStepsPerOctave;
+    return octave * kStepsPerOctave + rows / step - kStepsPerOctave;
+}
+
+// Pairs are ordered by one number each: of millions, comparing them field by field, wherever they
+// lie, took longer than computing their distances.
+std::uint64_t shape_key(const TrimmedPair& pair) {
+    constexpr unsigned kLengthBits = 24;  // 1,000 s at 10 kHz
+    constexpr std::uint64_t kMost = (1U << kLengthBits) - 1;
+    const Shape its = shape(pair);
+    const std::uint64_t rows = std::min<std::uint64_t>(its.rows, kMost);
+    const std::uint64_t columns = std::min<std::uint64_t>(its.columns, kMost);
+    if (!pair.may_be_padded) return rows << kLengthBits | columns;
+    const std::uint64_t padded = std::uint64_t{1} << 63U;
+    return padded | coarse(rows) << 2 * kLengthBits | columns << kLengthBits | rows;
 }
 
 // Pairs that may share a register, side by side.
 std::vector<std::size_t> by_shape(std::span<const TrimmedPair> pairs) {
+    std::vector<std::pair<std::uint64_t, std::size_t>> keyed(pairs.size());
+    for (std::size_t k = 0; k < pairs.size(); ++k) keyed[k] = {~shape_key(pairs[k]), k};
+    std::ranges::sort(keyed);  // the largest first, equal ones as they stand
     std::vector<std::size_t> order(pairs.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t k) {
-        const Shape its = shape(pairs[k]);
-        const std::size_t rows = pairs[k].may_be_padded ? coarse(its.rows) : its.rows;
-        return std::tuple(pairs[k].may_be_padded, rows, its.columns, its.rows);
-    });
+    std::ranges::transform(keyed, order.begin(), [](const auto& one) { return one.second; });
     return order;
 }
 
