@@ -267,16 +267,16 @@ std::function<void(double)> progress_line(const std::string& what) {
     return progress_line_with(what, {});
 }
 
-void tell_search(SubsetOptions& options, const std::string& what) {
+void tell_search(SubsetOptions& options, const std::string& what, SubsetObjective objective) {
     struct SoFar {
         std::mutex mutex;
         std::string words;
     };
     const auto so_far = std::make_shared<SoFar>();
-    options.so_far = [so_far](double found, double bound) {
+    options.so_far = [so_far, objective](const SubsetAnswer& now) {
         const std::scoped_lock lock(so_far->mutex);
-        so_far->words = "; " + significant_digits(found, 4) + " found, none is above " +
-                        significant_digits(bound, 4);
+        so_far->words = "; " + significant_digits(worth_of(now.best, objective), 4) +
+                        " found, none is above " + significant_digits(now.bound, 4);
     };
     options.progress = progress_line_with(what, [so_far] {
         const std::scoped_lock lock(so_far->mutex);

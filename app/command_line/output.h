@@ -69,6 +69,6 @@ std::function<void(double)> progress_line_with(const std::string& what,
                                                std::function<std::string()> said);
 
 // The same for a search of a subset: with what was found so far, and what no subset exceeds.
-void tell_search(SubsetOptions& options, const std::string& what);
+void tell_search(SubsetOptions& options, const std::string& what, SubsetObjective objective);
 
 }  // namespace tact

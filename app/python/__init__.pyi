@@ -173,6 +173,14 @@ def steps(
     *,
     progress: Progress = None,
 ) -> dict[str, Any]: ...
+def groups(
+    set: Mapping[str, Any],
+    count: int | None = None,
+    cut: float | None = None,
+    threads: int = 0,
+    *,
+    progress: Progress = None,
+) -> dict[str, Any]: ...
 def export(
     set: Mapping[str, Any],
     folder: str | PathLike[str],

@@ -43,6 +43,10 @@ pybind11::dict steps(const pybind11::object& given, const pybind11::object& star
                      const pybind11::object& parameter, const pybind11::object& metric,
                      const pybind11::object& threads, const pybind11::object& progress);
 
+pybind11::dict groups(const pybind11::object& given, const pybind11::object& count,
+                      const pybind11::object& cut, const pybind11::object& threads,
+                      const pybind11::object& progress);
+
 pybind11::dict export_set(const pybind11::object& given, const pybind11::object& folder,
                           const pybind11::object& format, const pybind11::object& patterns,
                           const pybind11::object& onto, const pybind11::object& rate_hz,

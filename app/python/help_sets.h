@@ -42,6 +42,23 @@ the way, 0 to 1), apart (count - 1 of neighbours, in what was to be even, withou
 (of neighbours), largest_pm, uneven (largest of apart to smallest, less 1), even, and where the way
 goes far at once jump (a dict: share, distance).)";
 
+inline constexpr const char* kGroups =
+    R"(groups(set, count=None, cut=None, threads=0, *, progress=None)
+--
+
+Patterns in groups of alike ones, by average linkage of PM: a tree that is cut.
+
+set       a dict of n patterns, as write_set() takes it; dropped ones stay apart
+count     how many groups; None: 8, or half of a small set
+cut       instead: groups stay apart where the mean PM of their pairs (no unit) is above this
+threads   0: all cores
+progress  None, True or a function of (share, text)
+
+Returns a dict, that of groups --json: linkage, count, cut (a dict: from, and below, None where there
+is one group), agreement (rho of the tree's heights and PM), groups (a dict each: patterns, central,
+mean, farthest), not_felt, dropped, order (the m patterns of the tree) and joins ((m - 1, 4), as SciPy's
+linkage of the patterns in order).)";
+
 inline constexpr const char* kExport =
     R"(export(set, folder, format, patterns=(), onto="", rate_hz=None, bits=None, count=0, loss=True, overwrite=False, threads=0, *, progress=None)
 --

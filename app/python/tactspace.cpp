@@ -223,6 +223,8 @@ void define_sets(py::module_& module) {
     module.def("steps", steps, help::kSteps, "set"_a, "start"_a, "end"_a, "count"_a = 5,
                "parameter"_a = "", "metric"_a = "pm", "threads"_a = 0, py::kw_only(),
                "progress"_a = none);
+    module.def("groups", groups, help::kGroups, "set"_a, "count"_a = none, "cut"_a = none,
+               "threads"_a = 0, py::kw_only(), "progress"_a = none);
     module.def("export", export_set, help::kExport, "set"_a, "folder"_a, "format"_a,
                "patterns"_a = py::tuple(), "onto"_a = "", "rate_hz"_a = none, "bits"_a = none,
                "count"_a = 0, "loss"_a = true, "overwrite"_a = false, "threads"_a = 0,

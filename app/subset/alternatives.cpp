@@ -66,7 +66,7 @@ bool is_by_sum(const Pick& pick) {
 }
 
 double worth_of(const Pick& pick, const Subset& subset) {
-    return is_by_sum(pick) ? subset.sum : subset.weakest_dissimilarity;
+    return worth_of(subset, pick.request.problem.objective);
 }
 
 struct Alternative {

@@ -21,9 +21,11 @@ std::optional<FoundGroups> find_groups(const GroupsRequest& request, std::stop_t
 
 std::size_t asked_count(const SubsetState& picking) {
     const GroupTree& tree = picking.groups->groups.tree;
-    if (picking.cut) return group_count(tree, *picking.cut);
-    const auto asked = static_cast<std::size_t>(std::max(picking.group_count, 0));
-    return asked == 0 ? usual_group_count(tree.size) : std::min(asked, tree.size);
+    AskedGroups asked{{}, picking.cut};
+    if (picking.group_count > 0) {
+        asked.count = std::min(static_cast<std::size_t>(picking.group_count), tree.size);
+    }
+    return *asked_group_count(picking.groups->groups, asked);
 }
 
 }  // namespace

@@ -19,10 +19,15 @@ namespace {
 
 constexpr const char* kTestVariants = "Test 100 variants";
 
-bool may_ask(const ShownMap& shown_map, const SubsetState& picking) {
-    const Pick* pick = shown_pick(shown_map, picking);
-    return pick != nullptr && !pick->request.by_ratings && !is_of_preview(pick->request) &&
-           pick->request.metric == Metric::pm;
+// Why variants of the model say nothing of a subset; empty where they do.
+std::string obstacle_to_asking(const Pick* pick) {
+    if (pick == nullptr) return "Nothing is picked yet: see Pick.";
+    if (is_of_preview(pick->request))
+        return "The subset is of a preview: ask once the map is exact.";
+    if (pick->request.by_ratings || pick->request.metric != Metric::pm) {
+        return "Only a subset picked by PM hangs on the model's numbers.";
+    }
+    return pick->is_so_far ? "The search for the subset is not at its end: see Pick." : "";
 }
 
 // Takes the click on the button, which was drawn last.
@@ -37,8 +42,7 @@ void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool busy = picking.stability_job.busy();
     const Pick* pick = shown_pick(shown_map, picking);
-    const bool is_preview = pick != nullptr && is_of_preview(pick->request);
-    const bool possible = may_ask(shown_map, picking);
+    const bool possible = obstacle_to_asking(pick).empty();
     ImGui::BeginDisabled(busy || !possible);
     const bool pressed = primary_button(ui, kTestVariants);
     ImGui::EndDisabled();
@@ -52,10 +56,7 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     } else if (draw_failure(ui, "stability", picking.stability_job.failure())) {
         return;
     } else if (!possible) {
-        const std::string why = pick == nullptr ? "Nothing is picked yet: see Pick."
-                                : is_preview
-                                    ? "The subset is of a preview: ask once the map is exact."
-                                    : "Only a subset picked by PM hangs on the model's numbers.";
+        const std::string why = obstacle_to_asking(pick);
         reading_text(ui.theme.dim_text, why);
         note_item(ui.rects, "stability obstacle", why);
     }
@@ -101,7 +102,8 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
     const Stability* stability = shown_stability(picking);
     // Below what it is for, until there is an answer to stand above.
     const bool busy = picking.stability_job.busy();
-    const bool first = stability == nullptr && may_ask(shown_map, picking) && !busy &&
+    const bool first = stability == nullptr &&
+                       obstacle_to_asking(shown_pick(shown_map, picking)).empty() && !busy &&
                        picking.stability_job.failure().empty();
     if (!first) draw_ask(ui, shown_map, picking);
     if (stability == nullptr) {

@@ -140,9 +140,7 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
         .mark = labels.mark,
         .labels = lines_of(labels)};
     if (&shown != &pick.answer.best) {
-        const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
-        const Subset& best = pick.answer.best;
-        report.best_worth = by_sum ? best.sum : best.weakest_dissimilarity;
+        report.best_worth = worth_of(pick.answer.best, pick.request.problem.objective);
         report.answer.best = shown;
     }
     if (&shown == &pick.answer.best) report.stability = shown_stability(picking);
@@ -154,7 +152,7 @@ bool is_ready_for_report(const Workspace& work, const ShownMap& shown_map,
                          const SubsetState& picking) {
     const Pick* pick = shown_pick(shown_map, picking);
     return pick != nullptr && !is_pick_stale(work, shown_map, picking) && !is_picking(picking) &&
-           !is_of_preview(pick->request);
+           !is_unsettled(*pick);
 }
 
 // Why the present set will have no subset; empty if it has one, or will.

@@ -44,7 +44,8 @@ Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::sto
 }
 
 std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
-                                std::atomic<float>& progress) {
+                                std::atomic<float>& progress,
+                                const Query<PickRequest, Pick>::Partly& give) {
     Pick pick{request, nullptr, {}, {}};
     Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, pick.mark);
     if (stop.stop_requested()) return std::nullopt;
@@ -58,6 +59,12 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     options.alternatives = kAlternatives;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    options.so_far = [&pick, &give](const SubsetAnswer& now) {
+        Pick part = pick;
+        part.answer = now;
+        part.is_so_far = true;
+        give(std::move(part));
+    };
     auto answer = most_distinct_subset(*pick.dissimilarity, request.problem, options);
     if (stop.stop_requested()) return std::nullopt;
     if (answer) {
@@ -230,6 +237,8 @@ const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
 }
 
 bool is_of_preview(const PickRequest& request) { return request.map->request.preview; }
+
+bool is_unsettled(const Pick& pick) { return is_of_preview(pick.request) || pick.is_so_far; }
 
 std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking) {
     const Subset* subset = shown_subset(shown_map, picking);

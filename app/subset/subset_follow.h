@@ -25,6 +25,8 @@ const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking);
 bool is_pick_stale(const Workspace& work, const ShownMap& shown_map, const SubsetState& picking);
 // By coarse envelopes: shown at once, and asked for again when the map is exact.
 bool is_of_preview(const PickRequest& request);
+// Another may take its place without a further question: it is by a preview, or was found by now.
+bool is_unsettled(const Pick& pick);
 // Names of the members of the subset on screen.
 std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking);
 // The best one, or the alternative that is looked at.

@@ -130,8 +130,11 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         text = "No weakest pair can be farther apart; the sum was not settled in time.";
         colour = ui.theme.warning;
     } else if (answer.proof == SubsetProof::open) {
-        text = std::string("The best found in time; no ") + (by_sum ? "sum" : "weakest pair") +
-               " is above " + worth_text(answer.bound) + ".";
+        const std::string found = !pick.is_so_far     ? "The best found in time"
+                                  : picking.cancelled ? "The best when it was cancelled"
+                                                      : "The best by now";
+        text = found + "; no " + (by_sum ? "sum" : "weakest pair") + " is above " +
+               worth_text(answer.bound) + ".";
         colour = ui.theme.warning;
     }
     if (is_of_preview(pick.request)) {

@@ -40,7 +40,8 @@ struct Pick {
     std::shared_ptr<const Dissimilarity> dissimilarity;
     std::string fault;  // why it is missing
     SubsetAnswer answer;
-    NumberMark mark{};  // of the ratings, where it is by them
+    NumberMark mark{};       // of the ratings, where it is by them
+    bool is_so_far = false;  // found before the search ended; nothing is proven of it
 };
 
 struct PickCurve {

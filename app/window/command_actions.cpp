@@ -109,7 +109,7 @@ bool has_exact_map(const App& app) {
 
 bool has_exact_subset(const App& app) {
     const Pick* pick = shown_pick(app.shown_map, app.picking);
-    return pick != nullptr && !is_of_preview(pick->request);
+    return pick != nullptr && !is_unsettled(*pick);
 }
 
 bool has_study(const App& app) {

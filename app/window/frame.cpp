@@ -282,8 +282,7 @@ void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
 void follow_marks(App& app) {
     app.work.selection.too_close = too_close_names(app.layout, app.picking);
     app.work.selection.picked = picked_names(app.shown_map, app.picking);
-    app.work.selection.is_pick_preview =
-        app.picking.pick && is_of_preview(app.picking.pick->request);
+    app.work.selection.is_pick_preview = app.picking.pick && is_unsettled(*app.picking.pick);
     follow_unfelt(app.work, app.shown_map);
     follow_stale(app.work);
 }

@@ -65,6 +65,16 @@ std::size_t usual_group_count(std::size_t patterns) {
     return std::min((patterns + 1) / 2, kUsual);
 }
 
+Expected<std::size_t> asked_group_count(const SetGroups& groups, const AskedGroups& asked) {
+    if (asked.cut) return group_count(groups.tree, *asked.cut);
+    const std::size_t patterns = groups.grouped.size();
+    const std::size_t count = asked.count.value_or(usual_group_count(patterns));
+    if (count <= patterns) return count;
+    return Error{"expected at most " + std::to_string(patterns) +
+                 ", the number of patterns that are felt and not dropped, got " +
+                 std::to_string(count)};
+}
+
 std::vector<PatternGroup> groups_at(const SetGroups& groups, const Dissimilarity& dissimilarity,
                                     std::size_t count) {
     const std::vector<std::size_t> group = clusters(groups.tree, count);

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "model/common/expected.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/map/group_tree.h"
 #include "model/set/pattern_set.h"
@@ -50,6 +51,14 @@ struct PatternGroup {
 
 // 8, or half of a small set: for who has not said how many.
 std::size_t usual_group_count(std::size_t patterns);
+
+// Into how many groups a tree is cut; neither: the usual number.
+struct AskedGroups {
+    std::optional<std::size_t> count{};
+    std::optional<double> cut{};  // groups stay apart above it; comes before the count
+};
+// An Error where there are fewer patterns in the tree.
+Expected<std::size_t> asked_group_count(const SetGroups& groups, const AskedGroups& asked);
 
 // The tree cut into `count` groups, in the order of the tree's leaves.
 std::vector<PatternGroup> groups_at(const SetGroups& groups, const Dissimilarity& dissimilarity,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/common/portable.h"
 #include "model/pattern/same_vibration.h"
@@ -106,6 +107,19 @@ FeltDifference felt_difference(const FeltSteps& steps, const Pattern& a, const P
     plain_b.duration_s = a.duration_s;
     difference.same_shape = difference.same_shape && essence(plain_a) == essence(plain_b);
     return difference;
+}
+
+StepSizes places_in_steps(const FeltSteps& steps, const Pattern& pattern) {
+    StepSizes places{};
+    for (const PatternParameter parameter : kPatternParameters) {
+        const auto value = value_of(pattern, parameter);
+        const double step = step_of(steps, parameter);
+        places[place_in_order(parameter)] = !value ? std::numeric_limits<double>::quiet_NaN()
+                                            : traits(parameter).by_ratio
+                                                ? portable::log(*value) / portable::log(step)
+                                                : *value / step;
+    }
+    return places;
 }
 
 bool within_a_step(const FeltSteps& steps, const Pattern& a, const Pattern& b) {

@@ -13,6 +13,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "model/pattern/pattern_parameter.h"
 
@@ -55,6 +57,18 @@ struct FeltDifference {
     bool same_shape = true;  // nothing else that is felt differs: rhythm, kinds, curves, transients
 };
 FeltDifference felt_difference(const FeltSteps& steps, const Pattern& a, const Pattern& b);
+
+// Where the numbers of a pattern stand, in steps from a point that all patterns share; NaN of what
+// it has not. For sets of many pairs: two patterns of which a number stands more than a step apart,
+// to rounding, are not within a step.
+StepSizes places_in_steps(const FeltSteps& steps, const Pattern& pattern);
+inline bool may_be_within_a_step(const StepSizes& a, const StepSizes& b) {
+    constexpr double kRounded = 1.0 + 1e-9;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        if (std::abs(a[k] - b[k]) > kRounded) return false;
+    }
+    return true;
+}
 
 // Whether two patterns differ by less than a step in every number, and in nothing else that is
 // felt. So as long as one another, to a step of a rhythm's unit.

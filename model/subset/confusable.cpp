@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -121,9 +122,18 @@ bool within_a_step(const PatternSet& set, std::size_t a, std::size_t b) {
 
 std::vector<ConfusablePair> pairs_within_a_step(const PatternSet& set,
                                                 const Dissimilarity& dissimilarity) {
+    // What is no pattern has no place, and is asked about in any case.
+    StepSizes none;
+    none.fill(std::numeric_limits<double>::quiet_NaN());
+    std::vector<StepSizes> places;
+    for (const Vibration& vibration : set.vibrations) {
+        const auto* pattern = std::get_if<Pattern>(&vibration.source);
+        places.push_back(pattern == nullptr ? none : places_in_steps(set.felt_steps, *pattern));
+    }
     std::vector<ConfusablePair> pairs;
     for (std::size_t i = 0; i < dissimilarity.size; ++i) {
         for (std::size_t j = i + 1; j < dissimilarity.size; ++j) {
+            if (!may_be_within_a_step(places[i], places[j])) continue;
             if (within_a_step(set, i, j)) pairs.push_back({i, j, dissimilarity(i, j)});
         }
     }

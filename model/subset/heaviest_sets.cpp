@@ -331,6 +331,11 @@ HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const 
     if (!search.has_time_for_shift(problem.others.size())) {
         return {false, bound_of_farthest(problem)};
     }
+    Units known = std::numeric_limits<Units>::max();
+    if (told) {
+        known = bound_of_farthest(problem);
+        told(0.0, std::max(best.floor(), known));
+    }
     Node root = search.root();
     // The branches of the root are the tasks; each continues from what the others have found.
     std::vector<Branch> tasks;
@@ -341,16 +346,16 @@ HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const 
     std::vector<std::atomic<bool>> is_done(tasks.size());
     std::atomic<std::size_t> done = 0;
     const auto bound_of_rest = [&] {
-        Units bound = std::max(best.floor(), left.value_or(std::numeric_limits<Units>::min()));
+        Units bound = left.value_or(std::numeric_limits<Units>::min());
         for (std::size_t k = 0; k < tasks.size(); ++k) {
             if (!is_done[k]) bound = std::max(bound, tasks[k].bound);
         }
-        return bound;
+        return std::max(best.floor(), std::min(bound, known));
     };
     if (told) {
         search.every_node([&] {
             const auto share = static_cast<double>(done) / static_cast<double>(tasks.size());
-            told(share, best.floor(), bound_of_rest());
+            told(share, bound_of_rest());
         });
     }
     parallel_for(tasks.size(), threads, {}, [&](std::size_t k) {
@@ -364,6 +369,7 @@ HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const 
         run.bound = run.is_complete ? tasks[k].bound : std::max(run.bound, tasks[k].bound);
         run.is_complete = false;
     }
+    run.bound = std::min(run.bound, known);
     return run;
 }
 

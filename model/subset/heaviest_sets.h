@@ -68,9 +68,9 @@ struct HeaviestRun {
     Units bound = 0;          // ... and no set left out has a sum above this
 };
 
-// What is told of a search under way, from any thread: how much is done, 0..1, the worst sum that
-// is kept, and a sum that no set exceeds which is left to be looked at or kept.
-using HeaviestTold = std::function<void(double share, Units kept, Units bound)>;
+// What is told of a search, at once and under way, from any thread: how much is done, 0..1, and a
+// sum that no set exceeds which is left to be looked at or kept.
+using HeaviestTold = std::function<void(double share, Units bound)>;
 
 // Offers sets to `best` until it holds the best of all.
 HeaviestRun find_heaviest(const HeaviestProblem& problem, BestSets& best, const SearchLimit& limit,

@@ -59,6 +59,18 @@ void tell_share(const Picking& picking, const SubsetOptions& options, double sha
     options.progress(std::clamp(std::max(share, of_time), 0.0, 1.0));
 }
 
+// `pairs`: how many of them the bound is of.
+void tell_so_far(const Picking& picking, const Dissimilarity& dissimilarity,
+                 const SubsetOptions& options, const Indices& members, Units bound,
+                 std::size_t pairs) {
+    if (!options.so_far) return;
+    SubsetAnswer answer;
+    answer.best = subset_of(dissimilarity, members);
+    answer.bound = std::max(largest_meant(picking.distances, bound, pairs),
+                            worth_of(answer.best, picking.problem.objective));
+    options.so_far(answer);
+}
+
 // Every exchange of one member that leaves all pairs so far apart: a floor for the search.
 void offer_exchanges(const Picking& picking, const Indices& members, Units least, BestSets& best) {
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -184,11 +196,8 @@ Units pick_max_min(const Picking& picking, const Dissimilarity& dissimilarity, I
                    const SubsetOptions& options, SubsetAnswer& answer) {
     const WidestSet widest =
         widest_set(picking.widest(), std::move(start), std::nullopt, picking.limit,
-                   [&](double share, Units found, Units bound) {
-                       if (options.so_far) {
-                           options.so_far(largest_meant(picking.distances, found, 1),
-                                          largest_meant(picking.distances, bound, 1));
-                       }
+                   [&](double share, const WidestSet& now) {
+                       tell_so_far(picking, dissimilarity, options, now.members, now.bound, 1);
                        tell_share(picking, options, 0.6 * share);
                    });
     BestSets best(1);
@@ -211,15 +220,11 @@ void pick_max_sum(const Picking& picking, const Dissimilarity& dissimilarity, In
     BestSets best(1);
     best.offer(heavy_set(picking.distances, std::move(start)));
     const std::size_t pairs = pair_count(picking.problem.count);
-    const HeaviestRun run =
-        find_heaviest(picking.heaviest(), best, picking.limit, picking.threads,
-                      [&](double share, Units found, Units bound) {
-                          if (options.so_far) {
-                              options.so_far(largest_meant(picking.distances, found, pairs),
-                                             largest_meant(picking.distances, bound, pairs));
-                          }
-                          tell_share(picking, options, 0.8 * share);
-                      });
+    const HeaviestRun run = find_heaviest(
+        picking.heaviest(), best, picking.limit, picking.threads, [&](double share, Units bound) {
+            tell_so_far(picking, dissimilarity, options, best.sets().front().members, bound, pairs);
+            tell_share(picking, options, 0.8 * share);
+        });
     const HeavySet found = best.sets().front();
     answer.best = subset_of(dissimilarity, found.members);
     answer.proof = run.is_complete ? SubsetProof::optimal : SubsetProof::open;

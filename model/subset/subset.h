@@ -56,15 +56,21 @@ struct SubsetAnswer {
     bool operator==(const SubsetAnswer&) const = default;
 };
 
+// What an objective counts of a subset.
+inline double worth_of(const Subset& subset, SubsetObjective objective) {
+    return objective == SubsetObjective::max_sum ? subset.sum : subset.weakest_dissimilarity;
+}
+
 struct SubsetOptions {
     double time_limit_s = std::numeric_limits<double>::infinity();
     std::size_t alternatives = 0;
     int threads = 0;  // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from any thread; of the time limit, if nearer
-    // The objective of the best subset so far, and what no subset exceeds; from any thread, before
-    // progress is told. The last digits may be rounded up.
-    std::function<void(double found, double bound)> so_far{};
+    // The best subset so far and what no subset exceeds, told at once and as they come closer; from
+    // any thread, before progress is told. Its proof is open. The last digits of the bound may be
+    // rounded up.
+    std::function<void(const SubsetAnswer&)> so_far{};
 };
 
 // An Error where no subset of n objects can be as asked.

@@ -32,7 +32,8 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
     std::size_t low = place_of(widest.weakest);
     std::size_t high = place_of(std::min({of_kept, values.back(), bound.value_or(of_kept)}));
     const double all = portable::log2(static_cast<double>(high - low + 2));
-    if (told) told(0.0, widest.weakest, std::max(widest.weakest, values[high]));
+    widest.bound = std::max(widest.weakest, values[high]);
+    if (told) told(0.0, widest);
     while (low < high) {
         const std::size_t middle = low + (high - low + 1) / 2;
         const Graph graph = graph_of(problem.distances, values[middle]);
@@ -49,10 +50,10 @@ WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> star
         }
         const double left = portable::log2(static_cast<double>(high - std::min(low, high) + 2));
         const double share = all > 1.0 ? (all - left) / (all - 1.0) : 1.0;
-        if (told) told(share, widest.weakest, std::max(widest.weakest, values[high]));
+        widest.bound = std::max(widest.weakest, values[high]);
+        if (told) told(share, widest);
     }
     std::ranges::sort(widest.members);
-    widest.bound = std::max(widest.weakest, values[high]);
     return widest;
 }
 

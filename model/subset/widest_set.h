@@ -29,8 +29,9 @@ struct WidestSet {
     Units bound = 0;  // no set has a weakest pair above it; equal to `weakest` where proven
 };
 
-// What is told after each question: how much is done, 0..1, the weakest pair found, and its bound.
-using WidestTold = std::function<void(double share, Units found, Units bound)>;
+// What is told at first and after each question: how much is done, 0..1, and what is found by now,
+// its members in no order.
+using WidestTold = std::function<void(double share, const WidestSet& now)>;
 
 // Begins with `start`, a set of the problem. `bound`: known already.
 WidestSet widest_set(const WidestProblem& problem, std::vector<std::size_t> start,

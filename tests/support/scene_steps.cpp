@@ -10,6 +10,7 @@
 #include "app/lesson/lesson.h"
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
+#include "app/subset/subset_follow.h"
 #include "app/window/commands.h"
 #include "tests/support/temporary_folder.h"
 
@@ -89,7 +90,8 @@ void show_bench(Program& program, BenchTab tab) {
 void show_subset(Program& program, SubsetView view) {
     program.app.picking.view = view;
     show_bench(program, BenchTab::subset);
-    wait_until(program, [&] { return program.app.picking.pick != nullptr; });
+    wait_until(program,
+               [&] { return program.app.picking.pick && !is_picking(program.app.picking); });
 }
 
 void show_compare(Program& program, CompareView view) {

@@ -19,6 +19,7 @@
 #include "app/study/study_follow.h"
 #include "app/study/study_panels.h"
 #include "app/subset/separation_follow.h"
+#include "app/subset/subset_follow.h"
 #include "app/subset/subset_state.h"
 #include "app/tables/table_look.h"
 #include "app/wave_strip/wave_strip.h"
@@ -215,7 +216,8 @@ void add_arrangements(std::vector<Scene>& all) {
                    }});
     all.push_back({"select", [](Program& p) {
                        run(p, "Select");
-                       wait_until(p, [&p] { return p.app.picking.pick != nullptr; });
+                       wait_until(
+                           p, [&p] { return p.app.picking.pick && !is_picking(p.app.picking); });
                    }});
     all.push_back({"physiology", [](Program& p) {
                        run(p, "Physiology");

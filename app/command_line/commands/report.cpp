@@ -58,7 +58,7 @@ Expected<SubsetAnswer> picked_for_report(const ReportCommand& command, const Pat
     options.time_limit_s = command.time_limit_s;
     options.threads = command.common.threads;
     options.stop = stop;
-    tell_search(options, "picking");
+    tell_search(options, "picking", problem.objective);
     return most_distinct_subset(pm, problem, options);
 }
 

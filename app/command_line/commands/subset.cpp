@@ -301,7 +301,7 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
     options.alternatives = static_cast<std::size_t>(command.alternatives);
     options.threads = command.common.threads;
     options.stop = stop;
-    tell_search(options, "picking");
+    tell_search(options, "picking", problem.objective);
     Expected<SubsetAnswer> answer = most_distinct_subset(source.dissimilarity, problem, options);
     if (!answer) return unpickable(answer.error(), result.left_out.size());
     result.answer = *std::move(answer);

@@ -68,16 +68,11 @@ Expected<GroupsAnswer> answered(const GroupsCommand& command, std::stop_token st
     const auto unfelt = compare(command, sets->felt, stop, answer);
     if (!unfelt) return unfelt.error();
     answer.groups = groups_of_set(answer.set, answer.dissimilarity, *unfelt);
-    const std::size_t patterns = answer.groups.grouped.size();
-    const std::size_t count = command.cut     ? group_count(answer.groups.tree, *command.cut)
-                              : command.count ? static_cast<std::size_t>(*command.count)
-                                              : usual_group_count(patterns);
-    if (count > patterns) {
-        return Error{"--count: expected at most " + std::to_string(patterns) +
-                     ", the number of patterns that are felt and not dropped, got " +
-                     std::to_string(count)};
-    }
-    answer.cut = groups_at(answer.groups, answer.dissimilarity, count);
+    AskedGroups asked{{}, command.cut};
+    if (command.count) asked.count = static_cast<std::size_t>(*command.count);
+    const Expected<std::size_t> count = asked_group_count(answer.groups, asked);
+    if (!count) return Error{"--count: " + count.error().message};
+    answer.cut = groups_at(answer.groups, answer.dissimilarity, *count);
     return answer;
 }
 

@@ -193,6 +193,21 @@ class Asked(Folder):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 tactspace.steps(given, *arguments)
 
+    def test_groups_are_the_program_s(self):
+        given = dict(tactspace.read_set(twelve), dropped=[3])
+        file = self.folder / "dropped.tactspace.json"
+        tactspace.write_set(file, given)
+        for named, options in {(): {}, ("--count", 3): {"count": 3}, ("--cut", 5): {"cut": 5.0}}.items():
+            with self.subTest(options):
+                theirs = run_json("groups", file, *named)
+                ours = tactspace.groups(given, **options)
+                self.assertEqual(ours, {key: theirs[key] for key in ours})
+                self.assertEqual(ours["dropped"], [given["names"][3]])
+        for words, options in {"count: expected at most 11": {"count": 12}, "count: expected 1 to": {"count": 0},
+                               "cut: expected without count": {"count": 2, "cut": 1.0}}.items():
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                tactspace.groups(given, **options)
+
     def test_measured_patterns_have_no_steps(self):
         given = dict(tactspace.read_set(four), patterns=None)
         given.pop("patterns")

@@ -2,6 +2,7 @@
 // once the map is exact.
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
+#include "model/common/fingerprint.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -13,7 +14,7 @@ using namespace tact;
 namespace {
 
 struct Previewed : Program {
-    Previewed() : Program(short_patterns(6)) {
+    explicit Previewed(std::size_t patterns = 6) : Program(short_patterns(patterns)) {
         app.ui.motion = false;
         make_jobs(app);
         app.layout.bench = BenchTab::subset;
@@ -28,7 +29,10 @@ struct Previewed : Program {
         std::atomic<float> progress = 0.0F;
         auto map = LiveMapWork{}(request, {}, progress);
         REQUIRE(map);
-        show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(*std::move(map)));
+        show(*std::move(map));
+    }
+    void show(LiveMap map) {
+        show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(std::move(map)));
     }
 
     void until_proof_begins(const std::string& words) {
@@ -82,6 +86,38 @@ TEST_CASE("subset: an export waits while the map is a preview, and is of the exa
     write();
     CHECK(std::filesystem::exists(to));
     CHECK(program.app.picking.export_to.empty());
+}
+
+TEST_CASE(
+    "subset: a long search shows the best by now and its bound, and keeps it when cancelled") {
+    Previewed program(90);
+    SubsetState& picking = program.app.picking;
+    program.show(false);
+    // Distances by chance: the sum of 20 of them takes longer than anyone waits.
+    LiveMap map = *program.app.shown_map.transition.shown;
+    std::uint64_t mixed_so_far = 1;
+    for (double& value : map.prediction.pm.condensed) {
+        mixed_so_far = mixed(mixed_so_far, std::uint64_t{7});
+        value = static_cast<double>(mixed_so_far >> 40U);
+    }
+    const Dissimilarity pm = map.prediction.pm;
+    picking.count = 20;
+    picking.objective = SubsetObjective::max_sum;
+    program.show(std::move(map));
+    program.until_proof_begins("The best by now; no sum is above ");
+    CHECK(is_picking(picking));
+    CHECK(program.app.work.selection.is_pick_preview);
+    CHECK(picking.pick->answer.best == subset_of(pm, picking.pick->answer.best.members));
+    CHECK(picking.pick->answer.best.members.size() == 20);
+    CHECK(picking.pick->answer.best.sum <= picking.pick->answer.bound);
+    program.click("link:cancel picking");
+    program.until_proof_begins("The best when it was cancelled; no sum is above ");
+    CHECK(program.shows("link:pick again"));
+    CHECK(shown_subset(program.app.shown_map, picking) != nullptr);
+    picking.view = SubsetView::stability;
+    program.settle();
+    CHECK(program.at("stability obstacle").value ==
+          "The search for the subset is not at its end: see Pick.");
 }
 
 TEST_CASE("subset: an export does not wait for a picking that was cancelled") {

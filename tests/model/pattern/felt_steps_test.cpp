@@ -103,6 +103,31 @@ Pattern with_all_numbers() {
     return pattern;
 }
 
+TEST_CASE("felt steps: what is within a step stands no more than one apart in every number") {
+    const FeltSteps felt;
+    RandomStream random{3, 0};
+    int within = 0;
+    int apart = 0;
+    for (const PatternParameter parameter : kPatternParameters) {
+        CAPTURE(traits(parameter).key);
+        for (const double value : legal_values(parameter, random)) {
+            const Pattern a = with_value(with_all_numbers(), parameter, value);
+            for (const double count : {0.0, 0.4, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.5, -0.3, -1.0}) {
+                const double to = stepped(felt, parameter, value, count);
+                const Pattern b = with_value(with_all_numbers(), parameter, to);
+                const bool may_be =
+                    may_be_within_a_step(places_in_steps(felt, a), places_in_steps(felt, b));
+                const bool is_within = within_a_step(felt, a, b);
+                CHECK((may_be || !is_within));
+                within += is_within ? 1 : 0;
+                apart += may_be ? 0 : 1;
+            }
+        }
+    }
+    CHECK(within > 1000);
+    CHECK(apart > 300);  // those of one step and a half, at least
+}
+
 TEST_CASE("felt steps: a step up is more and a step down less, but at the end of what files hold") {
     const FeltSteps felt;
     RandomStream random{5};
