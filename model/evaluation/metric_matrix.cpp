@@ -72,15 +72,15 @@ auto directed(const MetricOptions& options, const OneWay& one_way) {
 
 // Every pair of signals, warped.
 std::optional<Dissimilarity> warped(const std::vector<std::span<const double>>& signals,
-                                    const MetricOptions& options) {
+                                    double waiting_cost, const MetricOptions& options) {
     std::vector<SignalPair> pairs;
     for (std::size_t i = 0; i < signals.size(); ++i) {
         for (std::size_t j = i + 1; j < signals.size(); ++j) {
             pairs.push_back({signals[i], signals[j]});
         }
     }
-    Dissimilarity matrix{signals.size(),
-                         dtw(pairs, {options.threads, 0.0, options.stop, options.progress})};
+    Dissimilarity matrix{signals.size(), dtw(pairs, {options.threads, waiting_cost, options.stop,
+                                                     options.progress})};
     if (options.stop.stop_requested()) return std::nullopt;
     return matrix;
 }
@@ -94,7 +94,7 @@ std::optional<Dissimilarity> dtw_matrix(Waveforms waveforms, const MetricOptions
     }
     std::vector<std::span<const double>> signals;
     for (const Waveform& waveform : waveforms) signals.emplace_back(waveform.samples_g);
-    auto matrix = warped(signals, options);
+    auto matrix = warped(signals, 0.0, options);
     if (!matrix) return matrix;
     for (std::size_t k = 0; k < matrix->condensed.size(); ++k) {
         const auto [i, j] = pair_at(signals.size(), k);
@@ -104,13 +104,14 @@ std::optional<Dissimilarity> dtw_matrix(Waveforms waveforms, const MetricOptions
     return matrix;
 }
 
+// OC as it is a part of PM: the same envelopes, at the same cost of waiting.
 std::optional<Dissimilarity> envelope_matrix(Waveforms waveforms, const EnvelopeParams& params,
                                              const MetricOptions& options) {
     std::vector<std::vector<double>> envelopes(waveforms.size());
     parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
         envelopes[k] = rhythm_envelope(waveforms[k].samples_g, params);
     });
-    return warped({envelopes.begin(), envelopes.end()}, options);
+    return warped({envelopes.begin(), envelopes.end()}, params.waiting_cost, options);
 }
 
 Spectrum spectrum_of(const Waveform& waveform) {

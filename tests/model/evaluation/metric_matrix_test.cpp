@@ -232,6 +232,27 @@ TEST_CASE("metric matrix: without physiology it is the mean rank of Msm, Mtm and
     }
 }
 
+TEST_CASE(
+    "metric matrix: NC and OC are the parts of PM, in all bits, whatever the model's choices") {
+    const auto waveforms = short_set();
+    PerceptualModelParams params;
+    CHECK(params.envelope.waiting_cost == 0.0);
+    const auto free = predict(waveforms, params);
+    params.envelope.waiting_cost = 0.3;
+    for (const EnvelopeScale scale : {EnvelopeScale::normalised, EnvelopeScale::raw}) {
+        params.envelope.scale = scale;
+        const auto prediction = predict(waveforms, params);
+        REQUIRE(prediction);
+        CHECK(prediction->oc != free->oc);
+        CHECK(metric_matrix(Metric::oc, waveforms, params) == prediction->oc);
+        CHECK(metric_matrix(Metric::nc, waveforms, params) == prediction->nc);
+        CHECK(metric_matrix(Metric::pm, waveforms, params) == prediction->pm);
+        const std::array known{*metric_matrix(Metric::msm, waveforms, params),
+                               *metric_matrix(Metric::mtm, waveforms, params), prediction->oc};
+        CHECK(metric_matrix(Metric::no_physiology, waveforms, params) == rank_average(known));
+    }
+}
+
 TEST_CASE("metric matrix: stopped, there is none; else progress ends at all of it") {
     const auto waveforms = short_set();
     for (const Metric metric : kMetrics) {
