@@ -5,6 +5,7 @@
 #include "app/map/map_follow.h"
 #include "devices/calibration/rendering.h"
 #include "model/common/parallel.h"
+#include "model/set/set_waveforms.h"
 
 namespace tact {
 
@@ -34,7 +35,6 @@ std::optional<FoundProposals> ProposalsWork::operator()(const ProposalsRequest& 
     const auto place_one = [&](std::size_t k) {
         Waveform waveform = render(found.patterns[k]);
         if (by) waveform = rendering(*by, waveform).waveform;
-        waveform = padded(std::move(waveform), point_->length());
         const auto place =
             maps_again ? point_->mapped_again(waveform, stop) : (*point_)(waveform, stop, 1);
         if (place) found.places.row(static_cast<Eigen::Index>(k)) = place->at;
@@ -67,7 +67,7 @@ bool ProposalsWork::prepare(const ProposalsRequest& request, const std::stop_tok
     std::shared_ptr<const Prediction> base;
     const bool is_coarse = request.map->request.preview;
     if (request.exact || is_coarse) base = {request.map, &request.map->prediction};
-    point_ = MovedPoint::of({model_waveforms(*request.map->played), request.map->request.set->model,
+    point_ = MovedPoint::of({own_waveforms(*request.map->played), request.map->request.set->model,
                              request.points, std::move(base)},
                             request.row, 0, stop);
     of_ = request.map;

@@ -6,6 +6,7 @@
 #include "assets/assets.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_waveforms.h"
 
 namespace tact {
 
@@ -27,7 +28,8 @@ std::optional<Predicted> predicted(const std::string& name, const CheckOptions& 
     options.previous = previous;
     options.stop = check.stop;
     if (check.progress_of) options.progress = check.progress_of(set->name);
-    auto prediction = predict(model_waveforms(*set), check.model.value_or(set->model), options);
+    auto prediction =
+        predict(own_waveforms(*set, options.threads), check.model.value_or(set->model), options);
     if (!prediction) return std::nullopt;
     return Predicted{*std::move(set), *std::move(prediction)};
 }

@@ -13,6 +13,7 @@
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_ratings.h"
+#include "model/set/set_waveforms.h"
 #include "model/study/ratings.h"
 #include "model/text/numbers.h"
 
@@ -97,9 +98,9 @@ std::optional<std::vector<VariantOutcome>> check_variants(const VariantOptions& 
     const Expected<RatingStudy> study = study_of(morse);
     assert(study && "the set has its ratings");
     Judges judges;
-    judges.morse = model_waveforms(morse);
+    judges.morse = own_waveforms(morse, options.threads);
     judges.ratings = mean_ratings(*study);
-    judges.twelve = model_waveforms(twelve);
+    judges.twelve = own_waveforms(twelve, options.threads);
     PredictOptions how;
     how.threads = options.threads;
     how.stop = options.stop;

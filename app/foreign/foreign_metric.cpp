@@ -14,7 +14,6 @@
 #include "app/session/child_process.h"
 #include "assets/assets.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/set/set_waveforms.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utf8.h"
 
@@ -98,7 +97,10 @@ Expected<Dissimilarity> called(const PythonMetric& metric, const std::string& fr
     const fs::path said = scratch.path / "said";
     {
         std::ofstream stream(samples, std::ios::binary);
-        for (const Waveform& one : model_waveforms(set)) write_doubles(stream, one.samples_g);
+        const std::size_t longest = longest_samples(set);
+        for (const Vibration& one : set.vibrations) {
+            write_doubles(stream, padded(waveform_of(one), longest).samples_g);
+        }
         if (!stream.flush()) return Error{samples.string() + ": could not be written"};
     }
     const std::size_t n = set.vibrations.size();

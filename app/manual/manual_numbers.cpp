@@ -12,6 +12,7 @@
 #include "model/map/isotonic.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/pattern_set.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/text/numbers.h"
 #include "model/training/training_grid.h"
@@ -32,7 +33,7 @@ Expected<PatternSet> example_set(std::string_view name) {
 
 std::shared_ptr<const PredictedExample> predicted(PatternSet set) {
     auto made = std::make_shared<PredictedExample>();
-    made->pm = predict(model_waveforms(set), set.model)->pm;
+    made->pm = predict(own_waveforms(set), set.model)->pm;
     made->space = nonmetric_mds(made->pm, standard_mds_params(set.vibrations.size(), 3));
     made->set = std::move(set);
     return made;

@@ -10,6 +10,7 @@
 #include "model/io/set/load.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
+#include "model/set/set_waveforms.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 std::vector<TrainingSet> training_sets(const TrainingRequest& request) {
     std::vector<TrainingSet> sets;
     for (const SetToFit& rated : request.sets) {
-        sets.push_back({rated.name, model_waveforms(*rated.set), *rated.study});
+        sets.push_back({rated.name, own_waveforms(*rated.set), *rated.study});
     }
     return sets;
 }

@@ -35,12 +35,8 @@ std::vector<Waveform> felt_waveforms(const GapQuestion& question, const GapOptio
     std::vector<Waveform> all;
     for (const Vibration& one : question.picked) all.push_back(waveform_of(one));
     for (const Pattern& one : question.candidates) all.push_back(render(one));
-    std::size_t longest = 0;
-    for (Waveform& one : all) {
-        if (options.felt) one = options.felt(one);
-        longest = std::max(longest, one.samples_g.size());
-    }
-    for (Waveform& one : all) one = padded(std::move(one), longest);
+    if (!options.felt) return all;
+    for (Waveform& one : all) one = options.felt(one);
     return all;
 }
 

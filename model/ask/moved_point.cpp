@@ -50,6 +50,7 @@ std::optional<MovedPoint::Place> MovedPoint::raw(const Waveform& changed, std::s
     PredictOptions options;
     options.envelope_decimation = map_.base->envelope_decimation;
     options.previous = map_.base.get();
+    options.samples = map_.base->codes.front()->samples;  // also where the longest is changed
     options.threads = threads;
     options.stop = stop;
     auto prediction = predict(waveforms, map_.model, options);

@@ -23,7 +23,7 @@
 namespace tact {
 
 struct MapAsItIs {
-    std::vector<Waveform> waveforms;  // as they are felt, of one length
+    std::vector<Waveform> waveforms;  // as they are felt
     PerceptualModelParams model;
     Eigen::MatrixXd points;  // n x k, as they are shown
     // Prediction of these waveforms: its envelopes make places exact, or previews. Null: makes one.
@@ -36,7 +36,7 @@ class MovedPoint {
     static std::optional<MovedPoint> of(MapAsItIs map, std::size_t row, int threads,
                                         std::stop_token stop);
 
-    // The place of a waveform that is padded to the others' length.
+    // The place of a waveform.
     struct Place {
         Eigen::RowVectorXd at;
         Dissimilarity pm;  // of the set with the change
@@ -52,7 +52,6 @@ class MovedPoint {
 
     const Eigen::MatrixXd& points() const { return map_.points; }
     const Dissimilarity& pm() const { return map_.base->pm; }
-    std::size_t length() const { return map_.waveforms.front().samples_g.size(); }
 
   private:
     MovedPoint(MapAsItIs map, std::size_t row) : map_(std::move(map)), row_(row) {}

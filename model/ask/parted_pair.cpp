@@ -50,8 +50,7 @@ std::optional<PartedPair> parted_pair(const PatternSet& meant, const PatternSet&
     predicting.threads = options.threads;
     predicting.stop = options.stop;
     predicting.progress = told("comparing pairs");
-    const auto prediction =
-        predict(model_waveforms(felt, options.threads), meant.model, predicting);
+    const auto prediction = predict(own_waveforms(felt, options.threads), meant.model, predicting);
     if (!prediction) return std::nullopt;
     const std::vector<std::size_t> counted = counted_places(pair);
     PartedPair result{pair.a,

@@ -28,7 +28,7 @@ bool improve(Best& best, const std::vector<Pattern>& tried, const ReachQuestion&
     const bool all = parallel_for(tried.size(), options.threads, options.stop, [&](std::size_t k) {
         Waveform waveform = render(tried[k]);
         if (options.felt) waveform = options.felt(waveform);
-        const auto place = map(padded(std::move(waveform), map.length()), options.stop, 1);
+        const auto place = map(waveform, options.stop, 1);
         if (place) places[k] = place->at;
     });
     if (!all || options.stop.stop_requested()) return false;

@@ -21,7 +21,7 @@ std::optional<Prediction> prediction_for(const PatternSet& set, std::span<const 
     PredictOptions run;
     run.threads = options.threads;
     run.stop = options.stop;
-    return predict(model_waveforms(set, run.threads), set.model, run);
+    return predict(own_waveforms(set, run.threads), set.model, run);
 }
 
 std::optional<Dissimilarity> matrix_of(Metric metric, std::span<const Waveform> waveforms,

@@ -22,20 +22,18 @@ namespace {
 
 using Waveforms = std::span<const Waveform>;
 
-std::vector<Waveform> padded_to_longest(Waveforms waveforms) {
+std::size_t longest_of(Waveforms waveforms) {
     std::size_t longest = 0;
     for (const Waveform& waveform : waveforms) {
         longest = std::max(longest, waveform.samples_g.size());
     }
-    std::vector<Waveform> equal;
-    for (const Waveform& waveform : waveforms) equal.push_back(padded(waveform, longest));
-    return equal;
+    return longest;
 }
 
 // What `prepare` makes of each waveform, compared pair by pair.
 template <class Prepare, class Compare>
-std::optional<Dissimilarity> compared(Waveforms waveforms, const MetricOptions& options,
-                                      const Prepare& prepare, const Compare& compare) {
+std::optional<Dissimilarity> compared_as_they_are(Waveforms waveforms, const MetricOptions& options,
+                                                  const Prepare& prepare, const Compare& compare) {
     const std::size_t n = waveforms.size();
     std::vector<decltype(prepare(waveforms[0]))> prepared(n);
     parallel_for(n, options.threads, options.stop,
@@ -61,6 +59,16 @@ std::optional<Dissimilarity> compared(Waveforms waveforms, const MetricOptions& 
     return matrix;
 }
 
+// The same of waveforms with zeros up to the longest, which are there one at a time.
+template <class Prepare, class Compare>
+std::optional<Dissimilarity> compared(Waveforms waveforms, const MetricOptions& options,
+                                      const Prepare& prepare, const Compare& compare) {
+    const std::size_t longest = longest_of(waveforms);
+    return compared_as_they_are(
+        waveforms, options, [&](const Waveform& own) { return prepare(padded(own, longest)); },
+        compare);
+}
+
 // One of a pair is the reference: as asked for, or both ways.
 template <class OneWay>
 auto directed(const MetricOptions& options, const OneWay& one_way) {
@@ -70,13 +78,14 @@ auto directed(const MetricOptions& options, const OneWay& one_way) {
     };
 }
 
-// Every pair of signals, warped.
+// Every pair of signals, warped. Zeros follow each, up to `samples`.
 std::optional<Dissimilarity> warped(const std::vector<std::span<const double>>& signals,
-                                    double waiting_cost, const MetricOptions& options) {
+                                    std::size_t samples, double waiting_cost,
+                                    const MetricOptions& options) {
     std::vector<SignalPair> pairs;
     for (std::size_t i = 0; i < signals.size(); ++i) {
         for (std::size_t j = i + 1; j < signals.size(); ++j) {
-            pairs.push_back({signals[i], signals[j]});
+            pairs.push_back({signals[i], signals[j], samples, samples});
         }
     }
     Dissimilarity matrix{signals.size(), dtw(pairs, {options.threads, waiting_cost, options.stop,
@@ -88,13 +97,13 @@ std::optional<Dissimilarity> warped(const std::vector<std::span<const double>>& 
 std::optional<Dissimilarity> dtw_matrix(Waveforms waveforms, const MetricOptions& options) {
     const RawDtwParams& params = options.baseline.dtw;
     if (!is_plain(params)) {
-        return compared(
+        return compared_as_they_are(
             waveforms, options, [](const Waveform& x) { return x.samples_g; },
             [&](const auto& x, const auto& y) { return raw_dtw(x, y, params); });
     }
     std::vector<std::span<const double>> signals;
     for (const Waveform& waveform : waveforms) signals.emplace_back(waveform.samples_g);
-    auto matrix = warped(signals, 0.0, options);
+    auto matrix = warped(signals, 0, 0.0, options);
     if (!matrix) return matrix;
     for (std::size_t k = 0; k < matrix->condensed.size(); ++k) {
         const auto [i, j] = pair_at(signals.size(), k);
@@ -107,11 +116,12 @@ std::optional<Dissimilarity> dtw_matrix(Waveforms waveforms, const MetricOptions
 // OC as it is a part of PM: the same envelopes, at the same cost of waiting.
 std::optional<Dissimilarity> envelope_matrix(Waveforms waveforms, const EnvelopeParams& params,
                                              const MetricOptions& options) {
+    const std::size_t samples = longest_of(waveforms);
     std::vector<std::vector<double>> envelopes(waveforms.size());
     parallel_for(waveforms.size(), options.threads, options.stop, [&](std::size_t k) {
-        envelopes[k] = rhythm_envelope(waveforms[k].samples_g, params);
+        envelopes[k] = own_rhythm_envelope(waveforms[k].samples_g, samples, params);
     });
-    return warped({envelopes.begin(), envelopes.end()}, params.waiting_cost, options);
+    return warped({envelopes.begin(), envelopes.end()}, samples, params.waiting_cost, options);
 }
 
 Spectrum spectrum_of(const Waveform& waveform) {
@@ -239,36 +249,34 @@ std::optional<Dissimilarity> metric_matrix(Metric metric, std::span<const Wavefo
     assert(std::ranges::all_of(
                waveforms, [&](const Waveform& x) { return x.rate_hz == waveforms[0].rate_hz; }) &&
            "waveforms of different rates");
-    if (metric == Metric::dtw) return dtw_matrix(waveforms, options);
-    const std::vector<Waveform> equal = padded_to_longest(waveforms);
     switch (metric) {
         case Metric::pm:
         case Metric::nc:
-            return model_matrix(metric, equal, params, options);
+            return model_matrix(metric, waveforms, params, options);
         case Metric::oc:
-            return envelope_matrix(equal, params.envelope, options);
+            return envelope_matrix(waveforms, params.envelope, options);
         case Metric::rmse:
-            return rmse_matrix(equal, options);
+            return rmse_matrix(waveforms, options);
         case Metric::msm:
-            return msm_matrix(equal, options);
+            return msm_matrix(waveforms, options);
         case Metric::mtm:
-            return mtm_matrix(equal, options);
+            return mtm_matrix(waveforms, options);
         case Metric::st_sim:
-            return st_sim_matrix(equal, options);
+            return st_sim_matrix(waveforms, options);
         case Metric::spqi:
-            return spqi_matrix(equal, options);
+            return spqi_matrix(waveforms, options);
         case Metric::level:
-            return level_matrix(equal, options);
+            return level_matrix(waveforms, options);
         case Metric::bands:
-            return bands_matrix(equal, params.coding.tables, options);
+            return bands_matrix(waveforms, params.coding.tables, options);
         case Metric::balance:
-            return balance_matrix(equal, options);
+            return balance_matrix(waveforms, options);
         case Metric::van_rossum:
-            return van_rossum_matrix(equal, params, options);
+            return van_rossum_matrix(waveforms, params, options);
         case Metric::no_physiology:
-            return no_physiology_matrix(equal, params, options);
+            return no_physiology_matrix(waveforms, params, options);
         case Metric::dtw:
-            break;
+            return dtw_matrix(waveforms, options);
     }
     assert(false && "no such metric");
     return std::nullopt;

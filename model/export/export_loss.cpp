@@ -9,6 +9,7 @@
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
 #include "model/perceptual_model/rank_sum.h"
+#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 
 namespace tact {
@@ -65,27 +66,20 @@ std::function<void(double)> share_of(const std::function<void(double)>& progress
     return [&progress, from, to](double share) { progress(from + (to - from) * share); };
 }
 
-// Both padded to the longer one, so that a waveform that comes back as it was is the same one.
+// Both as long as the longer one, so that a waveform that comes back as it was is the same one.
 std::optional<BothSides> both_sides(const PatternSet& set, const PatternSet& back,
                                     const ExportLossOptions& options) {
-    const std::size_t samples = std::max(longest_samples(set), longest_samples(back));
-    const auto padded_waveforms = [samples](const PatternSet& one) {
-        std::vector<Waveform> waveforms;
-        for (const Vibration& vibration : one.vibrations) {
-            waveforms.push_back(padded(waveform_of(vibration), samples));
-        }
-        return waveforms;
-    };
     PredictOptions how;
+    how.samples = std::max(longest_samples(set), longest_samples(back));
     how.threads = options.threads;
     how.stop = options.stop;
     how.previous = options.known;
     how.progress = share_of(options.progress, 0.0, 0.45);
-    auto meant = predict(padded_waveforms(set), set.model, how);
+    auto meant = predict(own_waveforms(set, options.threads), set.model, how);
     if (!meant) return std::nullopt;
     how.previous = &*meant;
     how.progress = share_of(options.progress, 0.45, 0.9);
-    auto came = predict(padded_waveforms(back), set.model, how);
+    auto came = predict(own_waveforms(back, options.threads), set.model, how);
     if (!came) return std::nullopt;
     keep_same(came->nc, meant->nc);
     keep_same(came->oc, meant->oc);

@@ -6,6 +6,7 @@
 #include "model/lesson/lesson_pairs.h"
 #include "model/lesson/number_words.h"
 #include "model/set/set_ratings.h"
+#include "model/set/set_waveforms.h"
 #include "model/study/ratings.h"
 #include "model/text/numbers.h"
 #include "model/textbook/textbook.h"
@@ -184,11 +185,12 @@ QuestionAnswer answer_of(const Lesson& lesson, const LessonStep& step, const Les
 
 LessonPairs lesson_pairs(const Lesson& lesson, std::stop_token stop, bool with_pairs) {
     LessonPairs pairs;
-    const std::vector<Waveform> waveforms = model_waveforms(lesson.set);
+    const std::vector<Waveform> waveforms = own_waveforms(lesson.set);
     for (const Waveform& waveform : waveforms) {
         if (stop.stop_requested()) return pairs;
+        const Waveform whole = padded(waveform, longest_samples(lesson.set));
         CodedPattern coded{
-            neural_coding_stages(waveform, lesson.set.model.coding, KeepLayers::none, {stop, {}})};
+            neural_coding_stages(whole, lesson.set.model.coding, KeepLayers::none, {stop, {}})};
         coded.firing = firing_of(coded.stages, lesson.set.model.coding);
         pairs.coded.push_back(std::move(coded));
     }

@@ -29,14 +29,17 @@ Waveform waveform_of(const Vibration& vibration, double rate_hz) {
     return resampled(*std::get<Measurement>(vibration.source).waveform, rate_hz);
 }
 
-std::vector<Waveform> model_waveforms(const PatternSet& set) { return model_waveforms(set, 1); }
-
-std::vector<Waveform> model_waveforms(const PatternSet& set, int threads) {
+std::vector<Waveform> model_waveforms(const PatternSet& set) {
     const std::size_t longest = longest_samples(set);
+    std::vector<Waveform> waveforms = own_waveforms(set, 1);
+    for (Waveform& one : waveforms) one = padded(std::move(one), longest);
+    return waveforms;
+}
+
+std::vector<Waveform> own_waveforms(const PatternSet& set, int threads) {
     std::vector<Waveform> waveforms(set.vibrations.size());
-    parallel_for(waveforms.size(), threads, {}, [&](std::size_t k) {
-        waveforms[k] = padded(waveform_of(set.vibrations[k]), longest);
-    });
+    parallel_for(waveforms.size(), threads, {},
+                 [&](std::size_t k) { waveforms[k] = waveform_of(set.vibrations[k]); });
     return waveforms;
 }
 

@@ -7,7 +7,8 @@
 
 namespace tact {
 
-// threads = 0: all cores.
-std::vector<Waveform> model_waveforms(const PatternSet& set, int threads);
+// Each as long as it is: what PM and every metric take. One clip of a minute does not make all
+// others a minute long. threads = 0: all cores.
+std::vector<Waveform> own_waveforms(const PatternSet& set, int threads = 0);
 
 }  // namespace tact

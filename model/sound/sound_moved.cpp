@@ -6,6 +6,7 @@
 #include "model/export/ranks_among.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rank_sum.h"
+#include "model/set/set_waveforms.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -47,7 +48,7 @@ std::optional<SoundMoved> sound_moved(const Waveform& felt, const Pattern& patte
     PredictOptions how;
     how.threads = options.threads;
     how.stop = options.stop;
-    const auto known = predict(model_waveforms(yardstick), yardstick.model, how);
+    const auto known = predict(own_waveforms(yardstick, options.threads), yardstick.model, how);
     if (!known) return std::nullopt;
     const Waveform rendered = render(pattern);
     const std::size_t count = longest_samples(yardstick);

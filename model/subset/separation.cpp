@@ -75,9 +75,10 @@ class Trial {
           threshold_(threshold),
           options_(options),
           others_(options.from) {
-        const std::size_t longest = longest_samples(set);
+        predict_.samples = longest_samples(set);
         for (const Vibration& vibration : set.vibrations) {
-            waveforms_.push_back(as_felt(waveform_of(vibration), longest));
+            waveforms_.push_back(as_felt(waveform_of(vibration)));
+            predict_.samples = std::max(predict_.samples, waveforms_.back().samples_g.size());
         }
         if (others_.empty()) {
             others_.resize(waveforms_.size());
@@ -90,8 +91,7 @@ class Trial {
 
     // Beside what `previous` holds; none when stopped.
     std::optional<Outcome> operator()(const Pattern& pattern, const Prediction& previous) {
-        const std::size_t length = waveforms_[place_].samples_g.size();
-        Waveform changed = as_felt(render(pattern), length);
+        Waveform changed = as_felt(render(pattern));
         std::swap(changed, waveforms_[place_]);
         predict_.previous = &previous;
         predict_.envelope_decimation = previous.envelope_decimation;
@@ -111,8 +111,8 @@ class Trial {
     }
 
   private:
-    Waveform as_felt(Waveform meant, std::size_t length) const {
-        return padded(options_.felt ? options_.felt(meant) : std::move(meant), length);
+    Waveform as_felt(Waveform meant) const {
+        return options_.felt ? options_.felt(meant) : std::move(meant);
     }
 
     double threshold_in(const Dissimilarity& pm) const {

@@ -9,6 +9,7 @@
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/set_waveforms.h"
 
 namespace tact {
 
@@ -54,7 +55,7 @@ void turn_choices(RandomStream& random, double share, PerceptualModelParams& par
 class Predictions {
   public:
     Predictions(const PatternSet& set, const StabilityParams& params)
-        : waveforms_(model_waveforms(set)) {
+        : waveforms_(own_waveforms(set, params.threads)) {
         options_.threads = params.threads;
         options_.stop = params.stop;
         options_.envelope_decimation = kCoarse;

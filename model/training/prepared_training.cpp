@@ -17,6 +17,8 @@ std::optional<std::vector<std::vector<SpikeForm>>> forms_of(const TrainingSet& s
                                                             const std::function<void(double)>& at) {
     std::vector<std::vector<SpikeForm>> forms(kTrainedLayers);
     const std::size_t patterns = set.waveforms.size();
+    std::size_t longest = 0;
+    for (const Waveform& one : set.waveforms) longest = std::max(longest, one.samples_g.size());
     for (std::size_t layers = 0; layers < kTrainedLayers; ++layers) {
         NeuralCodingParams coding = params.model.coding;
         coding.excitatory_layers = layers_at(layers).excitatory;
@@ -24,7 +26,8 @@ std::optional<std::vector<std::vector<SpikeForm>>> forms_of(const TrainingSet& s
         std::vector<PackedSpikes> spikes(patterns);
         const bool finished =
             parallel_for(patterns, params.threads, params.stop, [&](std::size_t k) {
-                spikes[k] = packed_spikes(neural_code(set.waveforms[k], coding, {params.stop}));
+                const Waveform whole = padded(set.waveforms[k], longest);
+                spikes[k] = packed_spikes(neural_code(whole, coding, {params.stop}));
             });
         if (!finished || params.stop.stop_requested()) return std::nullopt;
         for (std::size_t i = 0; i < patterns; ++i) {

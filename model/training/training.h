@@ -31,7 +31,7 @@ namespace tact {
 // A set with what people said of it, in the order of its patterns.
 struct TrainingSet {
     std::string name;
-    std::vector<Waveform> waveforms;  // of one length at 10 kHz
+    std::vector<Waveform> waveforms;  // at 10 kHz; zeros follow, up to the longest
     RatingStudy study;
 };
 

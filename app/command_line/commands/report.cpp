@@ -104,8 +104,7 @@ Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& se
     options.threads = command.common.threads;
     options.stop = stop;
     options.progress = progress_line("comparing patterns");
-    auto prediction =
-        predict(model_waveforms(sets.felt, options.threads), sets.felt.model, options);
+    auto prediction = predict(own_waveforms(sets.felt, options.threads), sets.felt.model, options);
     if (!prediction) return stopped();
     ReportAnswer answer;
     answer.pm = std::move(prediction->pm);

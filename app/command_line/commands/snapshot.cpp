@@ -81,8 +81,7 @@ Expected<Picture> picture_of_set(const SnapshotCommand& command, const PatternSe
     PredictOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing pairs");
-    const Prediction prediction =
-        *predict(model_waveforms(set, options.threads), set.model, options);
+    const Prediction prediction = *predict(own_waveforms(set, options.threads), set.model, options);
     if (command.view == "matrix") {
         return matrix_picture(names_of(set), prediction.pm, traits(Metric::pm).name, size,
                               phrase_of(mark_of(set)));

@@ -20,7 +20,8 @@ Expected<Done> run(const StagesCommand& command) {
     const Expected<std::size_t> place = place_of(*set, command.pattern);
     if (!place) return place.error();
     // Padded as in its set: the stages are those behind the set's numbers.
-    const StageValues values = stage_values(model_waveforms(*set)[*place], set->model);
+    const StageValues values = stage_values(
+        padded(waveform_of(set->vibrations[*place]), longest_samples(*set)), set->model);
     if (const Expected<Done> made = make_folder(command.out); !made) return made;
     nlohmann::json listed = nlohmann::json::array();
     for (const Stage stage : kStages) {

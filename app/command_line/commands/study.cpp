@@ -26,6 +26,7 @@
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/felt_versions.h"
 #include "model/set/set_study.h"
+#include "model/set/set_waveforms.h"
 #include "model/study/agreement.h"
 #include "model/study/study_results.h"
 #include "model/study/synthetic_study.h"
@@ -93,8 +94,9 @@ Expected<Dissimilarity> truth_for(const StudyCommand& command, const PatternSet&
     PredictOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing pairs");
-    return in_order({names_of(set), predict(model_waveforms(set), set.model, options)->pm},
-                    command.common.sets.front(), names);
+    return in_order(
+        {names_of(set), predict(own_waveforms(set, options.threads), set.model, options)->pm},
+        command.common.sets.front(), names);
 }
 
 std::string synthetic_code(std::size_t number) {

@@ -91,7 +91,7 @@ std::vector<std::size_t> unfelt_in(const PatternSet& set, int threads, std::stop
     PredictOptions options;
     options.threads = threads;
     options.stop = stop;
-    return unfelt(pattern_codes(model_waveforms(set, threads), set.model, options));
+    return unfelt(pattern_codes(own_waveforms(set, threads), set.model, options));
 }
 
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {

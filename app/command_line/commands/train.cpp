@@ -14,6 +14,7 @@
 #include "app/model_bench/trained_text.h"
 #include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
+#include "model/set/set_waveforms.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
@@ -302,7 +303,7 @@ Expected<Done> run(const TrainCommand& command) {
     if (const auto fits = fit_to_leave_out(command, rated->size()); !fits) return fits;
     std::vector<TrainingSet> sets;
     for (const RatedPatterns& one : *rated) {
-        sets.push_back({one.name, model_waveforms(one.set), one.study});
+        sets.push_back({one.name, own_waveforms(one.set, command.common.threads), one.study});
         if (!(one.set.model == rated->front().set.model)) {
             std::cerr << "tactspace: " << one.name << ": has another model than "
                       << rated->front().name << ", whose choices are taken for all\n";

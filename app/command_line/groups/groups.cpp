@@ -41,7 +41,7 @@ Expected<std::vector<std::size_t>> compare(const GroupsCommand& command, const P
     PredictOptions options;
     options.threads = command.common.threads;
     options.stop = stop;
-    const std::vector<Waveform> waveforms = model_waveforms(felt, options.threads);
+    const std::vector<Waveform> waveforms = own_waveforms(felt, options.threads);
     if (!command.matrix.empty()) {
         Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(answer.set),
                                                           command.written, &answer.matrix_mark);

@@ -24,6 +24,7 @@
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_study.h"
+#include "model/set/set_waveforms.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/told_apart/told_apart_document.h"
@@ -127,7 +128,7 @@ Expected<TrialDesign> trial_design(const PhonesCommand& command, const PatternSe
     PredictOptions options;
     options.threads = command.common.threads;
     options.stop = stop;
-    const auto prediction = predict(model_waveforms(set), set.model, options);
+    const auto prediction = predict(own_waveforms(set, options.threads), set.model, options);
     if (!prediction) return Error{"stopped before the pairs were known"};
     return TrialDesign{command.trials, command.seed, pairs_to_ask(names_of(set), prediction->pm)};
 }

@@ -8,7 +8,6 @@
 #include "model/io/recordings/wave_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/set/set_study.h"
-#include "model/set/set_waveforms.h"
 #include "model/study/pairwise_study.h"
 #include "model/text/file_stem.h"
 #include "model/text/json_fields.h"

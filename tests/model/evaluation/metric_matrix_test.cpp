@@ -253,6 +253,23 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("metric matrix: zeros at the end of the shorter ones change no bit, but of DTW") {
+    std::vector<Waveform> own = short_set();
+    own.push_back(golden::noise(6, 1450, 0.2));  // one block of 64 ms and a part
+    std::vector<Waveform> whole = own;
+    for (Waveform& one : whole) one = padded(std::move(one), 1450);
+    PerceptualModelParams params;
+    for (const double waiting_cost : {0.0, 0.1}) {
+        params.envelope.waiting_cost = waiting_cost;
+        for (const Metric metric : kMetrics) {
+            CAPTURE(traits(metric).key);
+            const bool is_same =
+                metric_matrix(metric, own, params) == metric_matrix(metric, whole, params);
+            CHECK(is_same == (metric != Metric::dtw));
+        }
+    }
+}
+
 TEST_CASE("metric matrix: stopped, there is none; else progress ends at all of it") {
     const auto waveforms = short_set();
     for (const Metric metric : kMetrics) {
