@@ -19,13 +19,12 @@
 #include "app/python/help_people.h"
 #include "app/python/help_sets.h"
 #include "app/python/values.h"
-#include "model/evaluation/metric_matrix.h"
 #include "model/map/mds.h"
-#include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/neural_coding.h"
 #include "model/signal/resample.h"
 #include "model/subset/subset.h"
+#include "model/tasks/set_pairs.h"
 
 namespace tact {
 
@@ -40,9 +39,9 @@ py::array predict_matrix(const py::object& waves, const py::object& metric,
     Progress told(progress);
     const Metric by = value_of(metric_named(text_in(metric, "metric")));
     const PerceptualModelParams params = model_of(model);
-    MetricOptions options;
-    options.threads = threads_of(threads);
-    options.progress = told.for_work("comparing pairs");
+    PairsRequest request{by, false};
+    request.options.threads = threads_of(threads);
+    request.options.progress = told.for_work("comparing pairs");
     std::vector<Waveform> given = waves_of(waves, rate_of(rate_hz));
     if (given.size() < 2) {
         throw py::value_error("waves: expected at least two to compare, got " +
@@ -50,9 +49,9 @@ py::array predict_matrix(const py::object& waves, const py::object& metric,
     }
     return square_array(*beside_python(
         [&](std::stop_token stop) {
-            options.stop = stop;
-            auto matrix = metric_matrix(by, at_model_rate(std::move(given), stop), params, options);
-            return matrix ? std::optional(as_ranked(by, *std::move(matrix))) : std::nullopt;
+            request.options.stop = stop;
+            auto pairs = set_pairs(at_model_rate(std::move(given), stop), params, request);
+            return pairs ? std::optional(std::move(pairs->apart)) : std::nullopt;
         },
         &told));
 }
@@ -94,20 +93,13 @@ py::dict dict_of(const std::vector<Component>& components) {
                     "skin_um"_a = of_each(&Component::skin_um));
 }
 
-// Padded to the longest, as predict() does.
 py::array unfelt_places(const py::object& waves, const py::object& rate_hz,
                         const py::object& threads, const py::object& model) {
     const PerceptualModelParams params = model_of(model);
-    PredictOptions options;
-    options.threads = threads_of(threads);
+    const int cores = threads_of(threads);
     std::vector<Waveform> given = waves_of(waves, rate_of(rate_hz));
-    const std::vector<std::size_t> places = beside_python([&](std::stop_token stop) {
-        options.stop = stop;
-        given = at_model_rate(std::move(given), stop);
-        std::size_t longest = 0;
-        for (const Waveform& one : given) longest = std::max(longest, one.samples_g.size());
-        for (Waveform& one : given) one = padded(std::move(one), longest);
-        return unfelt(pattern_codes(given, params, options));
+    const auto places = *beside_python([&](std::stop_token stop) {
+        return unfelt_in(at_model_rate(std::move(given), stop), params, cores, stop);
     });
     return array_of(std::vector<int>(places.begin(), places.end()));
 }

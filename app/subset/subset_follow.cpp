@@ -5,9 +5,9 @@
 #include "app/map/map_follow.h"
 #include "app/subset/groups_follow.h"
 #include "devices/calibration/rendering.h"
-#include "model/evaluation/metric_matrix.h"
 #include "model/set/set_ratings.h"
 #include "model/subset/set_subset.h"
+#include "model/tasks/set_pairs.h"
 
 namespace tact {
 
@@ -24,23 +24,17 @@ const PatternSet& set_of(const PickRequest& request) { return *request.map->requ
 // How far apart the patterns are by what was asked for.
 Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::stop_token stop,
                                             NumberMark& mark) {
-    const Prediction& prediction = request.map->prediction;
     if (request.by_ratings) {
         const Expected<RatingStudy> study = study_of(set_of(request));
         if (!study) return study.error();
         mark = mark_of(*study);
         return mean_ratings(*study);
     }
-    if (request.metric == Metric::pm) return prediction.pm;
-    if (request.metric == Metric::nc) return prediction.nc;
-    if (request.metric == Metric::oc) return prediction.oc;
-    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
-    for (const Vibration& one : set_of(request).vibrations) waveforms.push_back(waveform_of(one));
-    MetricOptions options;
-    options.stop = stop;
-    auto matrix = metric_matrix(request.metric, waveforms, set_of(request).model, options);
-    if (!matrix) return Error{"stopped"};
-    return *std::move(matrix);
+    PairsRequest pairs{request.metric, false, &request.map->prediction};
+    pairs.options.stop = std::move(stop);
+    auto found = set_pairs(*request.map->played, pairs);
+    if (!found) return Error{"stopped"};
+    return std::move(found->apart);
 }
 
 std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
@@ -116,8 +110,9 @@ std::optional<FoundStability> find_stability(const StabilityRequest& request, st
     params.draws = request.draws;
     params.stop = stop;
     params.progress = [&progress](double share) { progress = static_cast<float>(share); };
-    auto stability = subset_stability(set_of(pick.request), pick.request.problem, pick.answer.best,
-                                      pick.request.map->space.points, params);
+    const LiveMap& map = *pick.request.map;
+    auto stability = subset_stability(*map.played, pick.request.problem, pick.answer.best,
+                                      map.space.points, params);
     if (!stability) return std::nullopt;
     return FoundStability{request, *std::move(stability)};
 }

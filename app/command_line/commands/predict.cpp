@@ -15,9 +15,9 @@
 #include "app/command_line/tile_run.h"
 #include "app/pictures/pictures.h"
 #include "model/common/fingerprint.h"
-#include "model/evaluation/metric_matrix.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/perceptual_model/rank_sum.h"
+#include "model/tasks/set_pairs.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
@@ -275,17 +275,14 @@ Expected<Done> run_whole(const PredictCommand& command, Metric metric, std::stop
     if (!loaded) return loaded.error();
     const PatternSet& set = loaded->felt;
     if (const auto pair = need_a_pair(set, command.common); !pair) return pair;
-    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
-    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
-    MetricOptions options;
-    options.threads = command.common.threads;
-    options.stop = stop;
-    options.progress = progress_line("comparing patterns");
-    if (command.first_as_reference) options.direction = Direction::first_is_reference;
-    auto matrix = metric_matrix(metric, waveforms, set.model, options);
-    if (!matrix) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
-    return write_matrix(command, {names_of(set), loaded->labels},
-                        as_ranked(metric, *std::move(matrix)), *image);
+    PairsRequest request{metric, false};
+    request.options.threads = command.common.threads;
+    request.options.stop = std::move(stop);
+    request.options.progress = progress_line("comparing patterns");
+    if (command.first_as_reference) request.options.direction = Direction::first_is_reference;
+    const auto pairs = set_pairs(set, request);
+    if (!pairs) return Error{"stopped, and nothing is kept of a metric other than pm, nc and oc"};
+    return write_matrix(command, {names_of(set), loaded->labels}, pairs->apart, *image);
 }
 
 // The number that ranks agree in if they make tiles of one matrix.

@@ -10,9 +10,8 @@
 #include "app/document/pattern_looks.h"
 #include "app/report/report.h"
 #include "app/session/program_version.h"
-#include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
+#include "model/tasks/set_pairs.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
@@ -100,15 +99,15 @@ Expected<Done> look_at_likeness(const ReportCommand& command, const FeltSet& set
 
 Expected<ReportAnswer> answer_of(const ReportCommand& command, const FeltSet& sets,
                                  std::stop_token stop) {
-    PredictOptions options;
-    options.threads = command.common.threads;
-    options.stop = stop;
-    options.progress = progress_line("comparing patterns");
-    auto prediction = predict(own_waveforms(sets.felt, options.threads), sets.felt.model, options);
-    if (!prediction) return stopped();
+    PairsRequest request{Metric::pm, !command.include_unfelt};
+    request.options.threads = command.common.threads;
+    request.options.stop = stop;
+    request.options.progress = progress_line("comparing patterns");
+    auto pairs = set_pairs(sets.felt, request);
+    if (!pairs) return stopped();
     ReportAnswer answer;
-    answer.pm = std::move(prediction->pm);
-    if (!command.include_unfelt) answer.unfelt = unfelt(prediction->codes);
+    answer.pm = std::move(pairs->apart);
+    answer.unfelt = std::move(pairs->unfelt);
     answer.left_out = left_out_unfelt(sets.meant, answer.unfelt);
     auto subset = picked_for_report(command, sets.meant, answer.pm, answer.unfelt, stop);
     if (!subset) return unpickable(subset.error(), answer.left_out.size());

@@ -13,16 +13,14 @@
 #include "app/report/report.h"
 #include "app/session/program_version.h"
 #include "app/subset/subset_export.h"
-#include "model/evaluation/metric_matrix.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/set_file.h"
 #include "model/map/mds.h"
-#include "model/perceptual_model/perceptual_model.h"
 #include "model/set/felt_versions.h"
-#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/tasks/set_pairs.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
@@ -49,8 +47,7 @@ struct Source {
     std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
 };
 
-Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSet& set,
-                                   Source& source) {
+Expected<Dissimilarity> of_ratings(const SubsetCommand& command, Source& source) {
     const std::vector<fs::path>& files = command.ratings;
     const Expected<AnswerColumns> columns = told_columns(command.columns, command.written);
     if (!columns) return columns.error();
@@ -59,9 +56,9 @@ Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSe
     for (const std::string& remark : loaded->remarks) {
         std::cerr << "tactspace: " << remark << "\n";
     }
-    Expected<RatingStudy> study = matched(loaded->study, names_of(set));
+    Expected<RatingStudy> study = matched(loaded->study, names_of(source.set));
     if (!study) return Error{files.front().string() + ": " + study.error().message};
-    note_edited(*study, set);
+    note_edited(*study, source.set);
     source.labels.mark = source.labels.mark | mark_of(*study);
     source.labels.edited = study->edited;
     source.labels.gone = study->gone;
@@ -74,47 +71,30 @@ Expected<Dissimilarity> of_ratings(const SubsetCommand& command, const PatternSe
     return mean;
 }
 
-Expected<Dissimilarity> of_metric(const SubsetCommand& command, const PatternSet& set,
-                                  std::stop_token stop) {
-    std::vector<Waveform> waveforms;  // unpadded: DTW takes them so
-    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
-    MetricOptions options;
-    options.threads = command.common.threads;
-    options.stop = stop;
-    options.progress = progress_line("comparing patterns");
-    auto matrix = metric_matrix(*metric_named(command.metric), waveforms, set.model, options);
-    if (!matrix) return Error{"stopped before all patterns were compared"};
-    return *std::move(matrix);
-}
-
-std::vector<std::size_t> unfelt_in(const PatternSet& set, int threads, std::stop_token stop) {
-    PredictOptions options;
-    options.threads = threads;
-    options.stop = stop;
-    return unfelt(pattern_codes(own_waveforms(set, threads), set.model, options));
+Expected<Dissimilarity> of_metric(const SubsetCommand& command, std::stop_token stop,
+                                  Source& source) {
+    PairsRequest request{*metric_named(command.metric), !command.include_unfelt};
+    request.options.threads = command.common.threads;
+    request.options.stop = std::move(stop);
+    request.options.progress = progress_line("comparing patterns");
+    auto pairs = set_pairs(source.felt, request);
+    if (!pairs) return Error{"stopped before all patterns were compared"};
+    source.unfelt = std::move(pairs->unfelt);
+    return std::move(pairs->apart);
 }
 
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     Expected<FeltSet> sets = load_felt(command.common);
     if (!sets) return sets.error();
     if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
-    const Names names = names_of(sets->meant);
-    Source source;
-    source.labels = std::move(sets->labels);
+    Source source{std::move(sets->meant), std::move(sets->felt), {}, std::move(sets->labels)};
     Expected<Dissimilarity> matrix =
-        !command.matrix.empty()
-            ? dissimilarities_in(command.matrix, names, command.written, &source.matrix_mark)
-        : !command.ratings.empty() ? of_ratings(command, sets->meant, source)
-                                   : of_metric(command, sets->felt, stop);
+        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names_of(source.set),
+                                                        command.written, &source.matrix_mark)
+        : !command.ratings.empty() ? of_ratings(command, source)
+                                   : of_metric(command, std::move(stop), source);
     if (!matrix) return matrix.error();
-    source.set = std::move(sets->meant);
-    source.felt = std::move(sets->felt);
     source.dissimilarity = *std::move(matrix);
-    const bool is_metric = command.matrix.empty() && command.ratings.empty();
-    if (is_metric && !command.include_unfelt) {
-        source.unfelt = unfelt_in(source.felt, command.common.threads, stop);
-        if (stop.stop_requested()) return Error{"stopped before all patterns were looked at"};
-    }
     return source;
 }
 

@@ -11,9 +11,8 @@
 #include "model/grouping/set_groups.h"
 #include "model/io/set/set_file.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
+#include "model/tasks/set_pairs.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
@@ -38,24 +37,23 @@ constexpr const char* kStoppedGrouping = "stopped before all patterns were compa
 // A matrix says nothing of what is felt: that is asked of the model, which takes a moment.
 Expected<std::vector<std::size_t>> compare(const GroupsCommand& command, const PatternSet& felt,
                                            std::stop_token stop, GroupsAnswer& answer) {
-    PredictOptions options;
-    options.threads = command.common.threads;
-    options.stop = stop;
-    const std::vector<Waveform> waveforms = own_waveforms(felt, options.threads);
     if (!command.matrix.empty()) {
         Expected<Dissimilarity> read = dissimilarities_in(command.matrix, names_of(answer.set),
                                                           command.written, &answer.matrix_mark);
         if (!read) return read.error();
         answer.dissimilarity = *std::move(read);
-        auto found = unfelt(pattern_codes(waveforms, felt.model, options));
-        if (stop.stop_requested()) return Error{kStoppedGrouping};
-        return found;
+        auto unfelt = unfelt_in(felt, command.common.threads, std::move(stop));
+        if (!unfelt) return Error{kStoppedGrouping};
+        return *std::move(unfelt);
     }
-    options.progress = progress_line("comparing patterns");
-    auto prediction = predict(waveforms, felt.model, options);
-    if (!prediction) return Error{kStoppedGrouping};
-    answer.dissimilarity = std::move(prediction->pm);
-    return unfelt(prediction->codes);
+    PairsRequest request;
+    request.options.threads = command.common.threads;
+    request.options.stop = std::move(stop);
+    request.options.progress = progress_line("comparing patterns");
+    auto pairs = set_pairs(felt, request);
+    if (!pairs) return Error{kStoppedGrouping};
+    answer.dissimilarity = std::move(pairs->apart);
+    return std::move(pairs->unfelt);
 }
 
 Expected<GroupsAnswer> answered(const GroupsCommand& command, std::stop_token stop) {
