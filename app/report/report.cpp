@@ -31,7 +31,7 @@ namespace {
 
 // One group of nearly everything says little: who reads it is to know why, and what to do.
 std::string chain_remark(const Report& report) {
-    const auto& groups = report.closer.groups;
+    const auto& groups = report.alike.closer.groups;
     const std::size_t all = report.set.vibrations.size();
     if (groups.empty() || 2 * groups.front().members.size() <= all || all < 8) return {};
     return "<p class=\"note\">One group holds more than half of the patterns: neighbours hang "
@@ -49,7 +49,7 @@ std::string step_words(const Report& report) {
 }
 
 std::string threshold_sentence(const Report& report) {
-    return grouped_digits(report.closer.pairs) + " of " +
+    return grouped_digits(report.alike.closer.pairs) + " of " +
            counted(report.dissimilarity.condensed.size(), "pair has", "pairs have") + " a " +
            html_escaped(report.quantity) + " below <b>" +
            plain_digits(report.closer_than.dissimilarity, 4) + "</b>, " +
@@ -71,14 +71,14 @@ std::string ladder_sentence(const Report& report) {
 }
 
 std::string tiles(const Report& report) {
-    const CloseGroups& confused = report.confused;
+    const CloseGroups& confused = report.alike.confused;
     const Subset& best = report.answer.best;
     return "<div class=\"tiles\">" +
            tile(grouped_digits(report.set.vibrations.size()), "patterns") +
            tile(grouped_digits(grouped_patterns(confused)),
                 "of them in " + counted(confused.groups.size(), "group", "groups") +
                     " that feel the same") +
-           tile(grouped_digits(report.closer.pairs),
+           tile(grouped_digits(report.alike.closer.pairs),
                 "of " + counted(report.dissimilarity.condensed.size(), "pair", "pairs") +
                     " closer than " + html_escaped(report.closer_than.words)) +
            tile(grouped_digits(best.members.size()),
@@ -135,18 +135,6 @@ std::string names_html(const Report& report, const std::vector<std::size_t>& pla
     return html + "</div>";
 }
 
-Dissimilarity felt_pairs(Dissimilarity dissimilarity, const std::vector<std::size_t>& unfelt) {
-    const std::size_t n = dissimilarity.size;
-    for (const std::size_t k : unfelt) {
-        for (std::size_t other = 0; other < n; ++other) {
-            if (other == k) continue;
-            const auto [i, j] = std::minmax(k, other);
-            dissimilarity.condensed[pair_index(n, i, j)] = std::numeric_limits<double>::infinity();
-        }
-    }
-    return dissimilarity;
-}
-
 bool is_picked(const Report& report, std::size_t place) {
     return std::ranges::binary_search(report.answer.best.members, place);
 }
@@ -196,7 +184,8 @@ std::string map_section(const Report& report) {
         return html_section("map", "Map", "<p>" + html_escaped(why) + "</p>\n");
     }
     std::vector<SpaceLink> links;
-    for (const ConfusablePair& pair : report.confused.links) links.push_back({pair.a, pair.b});
+    for (const ConfusablePair& pair : report.alike.confused.links)
+        links.push_back({pair.a, pair.b});
     std::string caption = "Near is alike, far is told apart. Ringed: the " +
                           counted(report.answer.best.members.size(), "pattern", "patterns") +
                           " picked.";
@@ -235,10 +224,10 @@ std::string groups_table(const Report& report, const CloseGroups& close) {
 std::string groups_section(const Report& report) {
     constexpr const char* kTitle = "Groups that feel the same";
     std::string html = "<p>Two patterns count as the same where " + step_words(report) + ".";
-    if (report.confused.groups.empty()) {
+    if (report.alike.confused.groups.empty()) {
         return html_section("groups", kTitle, html + " There are no two such patterns.</p>\n");
     }
-    html += "</p>\n" + groups_table(report, report.confused) +
+    html += "</p>\n" + groups_table(report, report.alike.confused) +
             "<p class=\"dim\">Each member is within a felt step of some other, not of all. Ringed "
             "names are picked.</p>\n";
     return html_section("groups", kTitle, html);
@@ -247,9 +236,9 @@ std::string groups_section(const Report& report) {
 std::string closer_section(const Report& report) {
     const std::string title = "Closer than " + html_escaped(report.closer_than.words);
     std::string html = "<p>" + threshold_sentence(report) + "</p>\n";
-    if (report.closer.groups.empty()) return html_section("closer", title, html);
+    if (report.alike.closer.groups.empty()) return html_section("closer", title, html);
     html += "<p>" + ladder_sentence(report) + "</p>\n" + chain_remark(report) +
-            closest_html(report) + groups_table(report, report.closer) +
+            closest_html(report) + groups_table(report, report.alike.closer) +
             "<p class=\"dim\">Single linkage: each member is below the threshold from some other, "
             "not from all. Ringed names are picked.</p>\n";
     return html_section("closer", title, html);

@@ -17,13 +17,12 @@
 
 #include "devices/calibration/rendering.h"
 #include "model/dissimilarity/dissimilarity.h"
-#include "model/grouping/set_groups.h"
 #include "model/map/mds.h"
 #include "model/set/measured_twin.h"
 #include "model/set/pattern_set.h"
-#include "model/subset/close_groups.h"
 #include "model/subset/subset.h"
 #include "model/subset/subset_stability.h"
+#include "model/tasks/set_report.h"
 
 namespace tact {
 
@@ -50,9 +49,8 @@ struct Report {
     std::optional<double> best_worth{};  // by the objective; where `answer.best` is an alternative
     const PerceptualSpace& space;        // of the whole set ...
     std::string space_of = "PM";         // ... by this
-    CloseGroups confused;                // within a felt step: the verdict "same"
-    CloseGroups closer{};                // than a pair that was chosen: no sign of a confusion
-    std::vector<PatternGroup> alike{};   // the tree of groups, cut; empty: not asked for
+    AlikePatterns alike{};               // those closer than a pair that was chosen are no sign of
+                                         // a confusion; no groups: not asked for
     std::vector<std::size_t> unfelt{};   // places that nobody feels: apart
     std::string left_out{};              // "1 not felt pattern left out"; of the picks
     CloserThan closer_than{};            // which
@@ -65,9 +63,6 @@ struct Report {
 };
 
 std::string report_page(const Report& report);
-
-// The same, but that what nobody feels is close to nothing: pairs with it are no numbers.
-Dissimilarity felt_pairs(Dissimilarity dissimilarity, const std::vector<std::size_t>& unfelt);
 
 // Default: the weakest pair of the most distinct patterns, and whether these are proven.
 CloserThan closer_than_picked(const SubsetAnswer& answer);

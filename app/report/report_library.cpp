@@ -63,9 +63,9 @@ Image matrix_image(const std::vector<Mean>& blocks, std::size_t side, double mos
 }  // namespace
 
 std::string alike_section(const Report& report) {
-    if (report.alike.empty()) return {};
+    if (report.alike.groups.empty()) return {};
     std::vector<const PatternGroup*> groups;
-    for (const PatternGroup& group : report.alike) groups.push_back(&group);
+    for (const PatternGroup& group : report.alike.groups) groups.push_back(&group);
     std::ranges::stable_sort(groups, std::ranges::greater{},
                              [](const PatternGroup* group) { return group->members.size(); });
     HtmlTable table{{{"stands for it"}, {"patterns"}, {"farthest pair"}}, {}, "alike"};
@@ -77,7 +77,7 @@ std::string alike_section(const Report& report) {
              farthest_html(report, *groups[k])});
     }
     return html_section(
-        "alike", counted(report.alike.size(), "group", "groups") + " of alike patterns",
+        "alike", counted(report.alike.groups.size(), "group", "groups") + " of alike patterns",
         "<p>The set as a tree (average linkage), cut into as many groups as are picked: the mean " +
             html_escaped(report.quantity) +
             " between two groups is larger than within them. The most central pattern stands for "
@@ -96,7 +96,7 @@ std::string closest_html(const Report& report) {
         table.rows.push_back(
             {pair_html(report, pair), words_of(pair_verdict(report.set, pair.a, pair.b))});
     }
-    const std::size_t all = std::max(report.closer.pairs, pairs.size());
+    const std::size_t all = std::max(report.alike.closer.pairs, pairs.size());
     return html_of(table) + and_more(all - pairs.size(), "pairs");
 }
 

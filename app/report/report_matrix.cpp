@@ -21,7 +21,7 @@ constexpr std::size_t kMostWrittenRows = 16;  // values have room in the cells
 std::vector<std::size_t> by_groups(const Report& report) {
     std::vector<std::size_t> order;
     std::vector<bool> placed(report.dissimilarity.size, false);
-    for (const CloseGroup& group : report.closer.groups) {
+    for (const CloseGroup& group : report.alike.closer.groups) {
         for (const std::size_t place : group.members) {
             order.push_back(place);
             placed[place] = true;

@@ -143,7 +143,7 @@ std::string verdict_html(PairVerdict verdict) {
 }
 
 std::string nearest_html(const Report& report, std::size_t place) {
-    const NearestNeighbour& nearest = report.closer.nearest[place];
+    const NearestNeighbour& nearest = report.alike.closer.nearest[place];
     if (nearest.place == place) return "";
     return name_html(report, nearest.place) + " <span class=\"value\">" +
            value_text(report, nearest.dissimilarity) + "</span>";
@@ -153,7 +153,7 @@ std::string nearest_verdict(const Report& report, std::size_t place) {
     if (std::ranges::find(report.unfelt, place) != report.unfelt.end()) {
         return "<span class=\"verdict hard\">not felt</span>";
     }
-    const std::size_t nearest = report.closer.nearest[place].place;
+    const std::size_t nearest = report.alike.closer.nearest[place].place;
     return nearest == place ? "" : verdict_html(pair_verdict(report.set, place, nearest));
 }
 

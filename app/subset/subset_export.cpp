@@ -111,9 +111,8 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
     std::string rating = of_people("rating", pick.mark);
     rating.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rating.front())));
     // People felt all that they rated.
-    std::vector<std::size_t> nobody_feels;
-    if (!by_ratings) nobody_feels = unfelt(map.prediction.codes);
-    const Dissimilarity felt = felt_pairs(*pick.dissimilarity, nobody_feels);
+    SetPairs pairs{*pick.dissimilarity, {}};
+    if (!by_ratings) pairs.unfelt = unfelt(map.prediction.codes);
     const StalePatterns stale = by_ratings ? stale_patterns(set) : StalePatterns{};
     const Labels labels{.by = by_ratings ? std::nullopt : map.request.rendered_by,
                         .mark = mark_of(set) | pick.mark,
@@ -127,11 +126,8 @@ Report report_of(const Pick& pick, const Subset& shown, const SubsetState& picki
         .objective = pick.request.problem.objective,
         .answer = pick.answer,
         .space = map.space,
-        .confused = groups_within_a_step(set, felt),
-        .closer = groups_below(felt, than.dissimilarity),
-        .alike = groups_at(groups_of_set(set, *pick.dissimilarity, nobody_feels),
-                           *pick.dissimilarity, shown.members.size()),
-        .unfelt = nobody_feels,
+        .alike = alike_patterns(set, pairs, than.dissimilarity, shown.members.size()),
+        .unfelt = pairs.unfelt,
         .left_out = pick.request.with_unfelt ? std::string() : left_out_words(pick.request.unfelt),
         .closer_than = than,
         .by = labels.by,

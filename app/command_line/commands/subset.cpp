@@ -41,10 +41,9 @@ bool is_by_pm(const SubsetCommand& command) {
 struct Source {
     PatternSet set;   // as it is meant: what is written
     PatternSet felt;  // as a device plays it: what is compared
-    Dissimilarity dissimilarity;
     Labels labels;
-    NumberMark matrix_mark{};           // of the file of a matrix
-    std::vector<std::size_t> unfelt{};  // of what is compared: places that nobody feels
+    SetPairs pairs{};          // of what is compared; by ratings or a matrix all count as felt
+    NumberMark matrix_mark{};  // of the file of a matrix
 };
 
 Expected<Dissimilarity> of_ratings(const SubsetCommand& command, Source& source) {
@@ -71,30 +70,34 @@ Expected<Dissimilarity> of_ratings(const SubsetCommand& command, Source& source)
     return mean;
 }
 
-Expected<Dissimilarity> of_metric(const SubsetCommand& command, std::stop_token stop,
-                                  Source& source) {
-    PairsRequest request{*metric_named(command.metric), !command.include_unfelt};
+Expected<SetPairs> of_metric(const SubsetCommand& command, const PatternSet& felt,
+                             std::stop_token stop) {
+    PairsRequest request{*metric_named(command.metric)};
     request.options.threads = command.common.threads;
     request.options.stop = std::move(stop);
     request.options.progress = progress_line("comparing patterns");
-    auto pairs = set_pairs(source.felt, request);
+    auto pairs = set_pairs(felt, request);
     if (!pairs) return Error{"stopped before all patterns were compared"};
-    source.unfelt = std::move(pairs->unfelt);
-    return std::move(pairs->apart);
+    return *std::move(pairs);
 }
 
 Expected<Source> source_of(const SubsetCommand& command, std::stop_token stop) {
     Expected<FeltSet> sets = load_felt(command.common);
     if (!sets) return sets.error();
     if (const auto pair = need_a_pair(sets->meant, command.common); !pair) return pair.error();
-    Source source{std::move(sets->meant), std::move(sets->felt), {}, std::move(sets->labels)};
-    Expected<Dissimilarity> matrix =
-        !command.matrix.empty()    ? dissimilarities_in(command.matrix, names_of(source.set),
-                                                        command.written, &source.matrix_mark)
-        : !command.ratings.empty() ? of_ratings(command, source)
-                                   : of_metric(command, std::move(stop), source);
+    Source source{std::move(sets->meant), std::move(sets->felt), std::move(sets->labels)};
+    if (command.matrix.empty() && command.ratings.empty()) {
+        Expected<SetPairs> pairs = of_metric(command, source.felt, std::move(stop));
+        if (!pairs) return pairs.error();
+        source.pairs = *std::move(pairs);
+        return source;
+    }
+    Expected<Dissimilarity> matrix = command.matrix.empty()
+                                         ? of_ratings(command, source)
+                                         : dissimilarities_in(command.matrix, names_of(source.set),
+                                                              command.written, &source.matrix_mark);
     if (!matrix) return matrix.error();
-    source.dissimilarity = *std::move(matrix);
+    source.pairs.apart = *std::move(matrix);
     return source;
 }
 
@@ -251,9 +254,9 @@ std::size_t last_of_curve(const SubsetCommand& command) {
 
 // The map of the set as the window has it.
 PerceptualSpace map_of(const SubsetCommand& command, const Source& source, std::stop_token stop) {
-    MdsParams params = standard_mds_params(source.dissimilarity.size, 3);
+    MdsParams params = standard_mds_params(source.pairs.apart.size, 3);
     params.threads = command.common.threads;
-    return nonmetric_mds(source.dissimilarity, params, stop);
+    return nonmetric_mds(source.pairs.apart, params, stop);
 }
 
 std::optional<Stability> stability_of(const SubsetCommand& command, const Source& source,
@@ -273,22 +276,22 @@ Expected<SubsetResult> picked(const SubsetCommand& command, const Source& source
                               std::stop_token stop) {
     SubsetResult result;
     if (command.objective == "max-sum") result.objective = SubsetObjective::max_sum;
+    if (!command.include_unfelt) result.left_out = left_out_unfelt(source.set, source.pairs.unfelt);
     const SubsetProblem problem = subset_problem(
-        source.set, static_cast<std::size_t>(command.count), result.objective, source.unfelt);
-    result.left_out = left_out_unfelt(source.set, source.unfelt);
+        source.set, static_cast<std::size_t>(command.count), result.objective, result.left_out);
     SubsetOptions options;
     options.time_limit_s = command.time_limit_s;
     options.alternatives = static_cast<std::size_t>(command.alternatives);
     options.threads = command.common.threads;
     options.stop = stop;
     tell_search(options, "picking", problem.objective);
-    Expected<SubsetAnswer> answer = most_distinct_subset(source.dissimilarity, problem, options);
+    Expected<SubsetAnswer> answer = most_distinct_subset(source.pairs.apart, problem, options);
     if (!answer) return unpickable(answer.error(), result.left_out.size());
     result.answer = *std::move(answer);
     if (command.curve) {
         options.progress = progress_line("trying other counts");
         result.curve =
-            weakest_by_count(source.dissimilarity, problem, last_of_curve(command), options);
+            weakest_by_count(source.pairs.apart, problem, last_of_curve(command), options);
     }
     if (command.draws > 0) {
         result.stability = stability_of(command, source, problem, result.answer.best, stop);
@@ -304,20 +307,17 @@ Expected<Done> write_report_of(const SubsetCommand& command, const Source& sourc
                                      ? "Rating"
                                      : traits(*metric_named(command.metric)).name;
     const CloserThan than = closer_than_picked(result.answer);
-    const Dissimilarity felt = felt_pairs(source.dissimilarity, source.unfelt);
     Report report{.set = source.set,
                   .felt = source.felt,
-                  .dissimilarity = source.dissimilarity,
+                  .dissimilarity = source.pairs.apart,
                   .quantity = source.labels.mark.synthetic ? "Synthetic rating" : quantity,
                   .objective = result.objective,
                   .answer = result.answer,
                   .space = space,
                   .space_of = quantity,
-                  .confused = groups_within_a_step(source.set, felt),
-                  .closer = groups_below(felt, than.dissimilarity),
-                  .alike = groups_at(groups_of_set(source.set, source.dissimilarity, source.unfelt),
-                                     source.dissimilarity, result.answer.best.members.size()),
-                  .unfelt = source.unfelt,
+                  .alike = alike_patterns(source.set, source.pairs, than.dissimilarity,
+                                          result.answer.best.members.size()),
+                  .unfelt = source.pairs.unfelt,
                   .left_out = left_out_words(result.left_out.size()),
                   .closer_than = than,
                   .by = source.labels.by,

@@ -49,8 +49,9 @@ struct Five {
                 .dissimilarity = apart,
                 .answer = answer,
                 .space = space,
-                .confused = groups_within_a_step(set, apart),
-                .closer = groups_below(apart, answer.best.weakest_dissimilarity),
+                .alike = {groups_within_a_step(set, apart),
+                          groups_below(apart, answer.best.weakest_dissimilarity),
+                          {}},
                 .closer_than = closer_than_picked(answer),
                 .program = "tactspace 1.2.3",
                 .date = "2026-11-22"};
@@ -135,8 +136,7 @@ TEST_CASE("report: the matrix has a cell for each ordered pair, with names and v
                          .dissimilarity = apart,
                          .answer = large.answer,
                          .space = none,
-                         .confused = {},
-                         .closer = groups_below(apart, 0.5)};
+                         .alike = {{}, groups_below(apart, 0.5), {}}};
     const std::string page = report_page(thinned);
     CHECK(times_in(section(page, "matrix"), "<img class=\"pairs\"") == 1);
     CHECK(times_in(section(page, "matrix"), "<td") == 0);
@@ -155,20 +155,17 @@ TEST_CASE("report: of a thousand patterns it stays below 5 MB, cuts its lists an
     SubsetProblem problem{.count = 8};
     problem.drop = unfelt;
     const SubsetAnswer answer = *most_distinct_subset(apart, problem, {.time_limit_s = 2.0});
-    const Dissimilarity felt = felt_pairs(apart, unfelt);
     PerceptualSpace none;
     none.verdict = MdsVerdict::constant;
-    const SetGroups groups = groups_of_set(set, apart, unfelt);
-    const Report report{.set = set,
-                        .felt = set,
-                        .dissimilarity = apart,
-                        .answer = answer,
-                        .space = none,
-                        .confused = groups_within_a_step(set, felt),
-                        .closer = groups_below(felt, answer.best.weakest_dissimilarity),
-                        .alike = groups_at(groups, apart, 8),
-                        .unfelt = unfelt,
-                        .closer_than = closer_than_picked(answer)};
+    const Report report{
+        .set = set,
+        .felt = set,
+        .dissimilarity = apart,
+        .answer = answer,
+        .space = none,
+        .alike = alike_patterns(set, {apart, unfelt}, answer.best.weakest_dissimilarity, 8),
+        .unfelt = unfelt,
+        .closer_than = closer_than_picked(answer)};
     const std::string page = report_page(report);
     CHECK(page.size() < 5'000'000);
     // Who is picked can be felt, whatever else has room.

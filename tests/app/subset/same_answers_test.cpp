@@ -3,15 +3,17 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/rendering/rendered_set.h"
 #include "app/subset/groups_follow.h"
+#include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "model/io/set/set_file.h"
 #include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
-#include "model/tasks/set_pairs.h"
+#include "model/tasks/set_report.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
@@ -216,6 +218,31 @@ TEST_CASE("same answers: how sure a subset is, and groups, are of what the devic
         shown.push_back(join.height);
     }
     CHECK(heights == shown);
+}
+
+TEST_CASE("same answers: the window and the terminal write the same page" *
+          doctest::test_suite("long")) {
+    for (const auto& by : {std::optional<RenderedBy>(), dualshock()}) {
+        CAPTURE(by.has_value());
+        Asked asked(by);
+        asked.picked_in_window(Metric::pm);
+        const auto from_window = asked.folder.path / "window.html";
+        const std::string from_terminal = (asked.folder.path / "terminal.html").string();
+        export_report(asked.app.ui, asked.app.picking, from_window);
+        asked.wait([&] { return std::filesystem::exists(from_window); });
+        const Json terminal =
+            asked.told({"report", "--out", from_terminal, "-k", std::to_string(kPicked)});
+        CHECK((bytes_of(from_window) == bytes_of(from_terminal)));
+        SetReportRequest request;
+        request.count = kPicked;
+        const auto report = set_report(asked.app.work.document.set, asked.felt(), request);
+        REQUIRE(report);
+        Json python = json_of(*report, asked.app.work.document.set);
+        for (const auto& [key, value] : python.items()) {
+            CAPTURE(key);
+            CHECK(terminal.at(key) == value);
+        }
+    }
 }
 
 }  // namespace same_answers_test
