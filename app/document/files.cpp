@@ -16,6 +16,7 @@
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
+#include "model/system/process.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 
@@ -251,7 +252,7 @@ void autosave_if_due(Ui& ui, Workspace& work) {
     }
     const bool has_ended =
         is_autosaving(work) &&
-        work.autosave_write.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        work.autosave_write.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
     if (has_ended) tell_if_unkept(ui, work, work.autosave_write.get());
     // What changes while an autosave is under way is kept by the next.
     if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
@@ -259,7 +260,7 @@ void autosave_if_due(Ui& ui, Workspace& work) {
     const bool has_text = work.unsaved && !work.session.folder.empty();
     if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document.kept()));
     work.autosave_write = std::async(
-        std::launch::async, [place = place_of(work.session), document = work.document.kept()] {
+        has_threads() ? std::launch::async : std::launch::deferred, [place = place_of(work.session), document = work.document.kept()] {
             return fault_of(place, document);
         });
 }

@@ -11,6 +11,7 @@
 // Output    answers as immutable snapshots; latest() at the top of a frame, held while drawing
 //           Work may answer in part before it ends: latest() has the newest part until then.
 //           What the work throws, such as for want of memory, is no answer; failure() says why
+//           Where a page has no threads, the work is done between two frames (turns.h)
 // Left out  queues, several workers (the work itself may use more threads)
 #pragma once
 
@@ -25,6 +26,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/jobs/turns.h"
 #include "model/common/thrown.h"
 #include "model/system/process.h"
 
@@ -63,11 +65,14 @@ class LatestJob {
               std::move(wake), std::move(same)) {}
 
     LatestJob(JobPolicy policy, WorkInParts work, std::function<void()> wake = {}, Same same = {})
-        : policy_(policy),
-          work_(std::move(work)),
-          wake_(std::move(wake)),
-          same_(std::move(same)),
-          thread_([this](std::stop_token quit) { run(quit); }) {}
+        : policy_(policy), work_(std::move(work)), wake_(std::move(wake)), same_(std::move(same)) {
+        if (work_takes_turns()) {
+            const bool waits = policy == JobPolicy::supersede;
+            turn_.emplace(waits ? TurnKind::at_rest : TurnKind::soon, [this] { take_turn(); });
+        } else {
+            thread_ = std::jthread([this](std::stop_token quit) { run(quit); });
+        }
+    }
 
     ~LatestJob() { cancel(); }  // the thread then ends as soon as its work heeds the stop
 
@@ -81,6 +86,7 @@ class LatestJob {
             running->stop.request_stop();
         }
         changed_.notify_one();
+        if (turn_) turn_->ask();
     }
 
     // Stops the running request and forgets the waiting one: none of them will be answered.
@@ -138,18 +144,33 @@ class LatestJob {
 
     void run(const std::stop_token& quit) {
         give_way();
-        while (const std::shared_ptr<const Run> run = next(quit)) {
-            std::string failure;
-            std::shared_ptr<const Answer> answer;
-            try {
-                answer = answer_to(*run);
-            } catch (...) {
-                failure = thrown_error().message;
-            }
-            publish(answer, failure, run->stop.get_token());
-            if (wake_) wake_();
-            // Here go the request, and the answer before this one unless somebody still draws it.
+        while (const std::shared_ptr<const Run> run = next(quit)) do_work(*run);
+    }
+
+    // The one that waits, unless it was cancelled meanwhile.
+    void take_turn() {
+        const std::shared_ptr<const Run> run = begin_waiting();
+        if (!run) return;
+        continued_ = nullptr;
+        do_work(*run);
+        if (!take_wish_for_turn() || run->stop.stop_requested()) return;
+        continued_ = run;
+        const std::lock_guard lock(mutex_);
+        if (!waiting_) waiting_ = run;
+        turn_->ask();
+    }
+
+    void do_work(const Run& run) {
+        std::string failure;
+        std::shared_ptr<const Answer> answer;
+        try {
+            answer = answer_to(run);
+        } catch (...) {
+            failure = thrown_error().message;
         }
+        publish(answer, failure, run.stop.get_token());
+        if (wake_) wake_();
+        // Here goes the answer before this one unless somebody still draws it.
     }
 
     std::shared_ptr<const Answer> answer_to(const Run& run) {
@@ -167,7 +188,17 @@ class LatestJob {
     std::shared_ptr<const Run> next(const std::stop_token& quit) {
         std::unique_lock lock(mutex_);
         if (!changed_.wait(lock, quit, [this] { return waiting_ != nullptr; })) return nullptr;
-        progress_.store(0.0F, std::memory_order_relaxed);
+        return begin();
+    }
+
+    std::shared_ptr<const Run> begin_waiting() {
+        const std::lock_guard lock(mutex_);
+        return begin();
+    }
+
+    // Under the mutex.
+    std::shared_ptr<const Run> begin() {
+        if (waiting_ != continued_) progress_.store(0.0F, std::memory_order_relaxed);
         running_ = std::exchange(waiting_, nullptr);
         return running_;
     }
@@ -200,6 +231,8 @@ class LatestJob {
     std::string failure_;
     std::condition_variable_any changed_;
     std::atomic<float> progress_ = 0.0F;
+    std::optional<TurnTaker> turn_;         // in the place of the thread
+    std::shared_ptr<const Run> continued_;  // what the last turn has not finished
     std::jthread thread_;  // last: starts when all else is there and is joined before it goes
 };
 

@@ -10,6 +10,7 @@
 #include "app/ui/question.h"
 #include "model/common/thrown.h"
 #include "model/io/lesson/lesson_file.h"
+#include "model/system/process.h"
 
 namespace tact {
 
@@ -92,7 +93,7 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
     }
     const bool has_ended =
         is_autosaving(state) &&
-        state.autosave_write.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        state.autosave_write.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
     if (has_ended) tell_if_unkept(ui, state, state.autosave_write.get());
     if (!state.keep_pending || ui.time_s < state.keep_due_s || is_autosaving(state)) return;
     state.keep_pending = false;
@@ -100,7 +101,7 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
     place.folder = work.session.folder;
     place.autosave = work.session.autosave;
     state.autosave_write = std::async(
-        std::launch::async, [place = std::move(place), draft = draft_of(state, state.unsaved)] {
+        has_threads() ? std::launch::async : std::launch::deferred, [place = std::move(place), draft = draft_of(state, state.unsaved)] {
             return fault_of(place, draft);
         });
 }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "app/jobs/turns.h"
 #include "app/map/map_refining.h"
 #include "app/rendering/labels.h"
 #include "model/common/parallel.h"
@@ -258,6 +259,7 @@ struct LiveMapWork::Run {
     PredictOptions options;
     // A part, whose points start from those of the one before it.
     std::shared_ptr<const LiveMap> shown;
+    double earlier_s = 0.0;  // taken by earlier turns
 };
 
 namespace {
@@ -351,7 +353,14 @@ LiveMap LiveMapWork::part(Run& run, LiveMap map) {
     return map;
 }
 
-std::optional<Prediction> LiveMapWork::exact(Run& run) {
+// A request that the last turn did not finish continues where it was.
+std::optional<LiveMapWork::Unfinished> LiveMapWork::begun(Run& run) {
+    std::optional<Unfinished> last = std::exchange(unfinished_, std::nullopt);
+    if (last && is_same_work(last->request, run.request)) {
+        run.shown = last->shown;
+        run.earlier_s = last->seconds;
+        return last;
+    }
     auto codes = codes_of(run);
     if (codes.size() != run.set->vibrations.size()) return std::nullopt;
     Refinement refinement = begin_refinement(std::move(codes), run.set->model, run.options);
@@ -360,8 +369,17 @@ std::optional<Prediction> LiveMapWork::exact(Run& run) {
     if (coarse && coarse->prediction.envelope_decimation > 1) {
         refinement.coarse = {coarse->prediction.oc, coarse->prediction.envelope_decimation};
     }
+    const double cells = open_cells(refinement);
+    return Unfinished{run.request, std::move(refinement), cells, run.shown, 0.0};
+}
+
+std::optional<Prediction> LiveMapWork::exact(Run& run) {
+    auto work = begun(run);
+    if (!work) return std::nullopt;
     Refining how{*run.request.set, run.request.wanted.get(), run.request.checkpoint, {}};
-    if (run.partly && coarse) {
+    how.cells = work->cells;
+    how.is_over = is_turn_over;
+    if (run.partly && run.request.coarse) {
         how.partly = [&](const Refinement& now, bool is_kept) {
             LiveMap map = map_of(run.request, run.set, prediction_of(now), run.stop);
             map.exact_share = exact_share(now);
@@ -369,8 +387,13 @@ std::optional<Prediction> LiveMapWork::exact(Run& run) {
             run.partly(part(run, std::move(map)));
         };
     }
-    if (!refine(refinement, run.options, how)) return std::nullopt;
-    return prediction_of(refinement);
+    if (refine(work->refinement, run.options, how)) return prediction_of(work->refinement);
+    if (!run.stop.stop_requested()) {
+        work->shown = run.shown;
+        unfinished_ = std::move(work);
+        want_another_turn();
+    }
+    return std::nullopt;
 }
 
 // PM first, where the points were; the starts of its map take longer than a row of it.
@@ -426,9 +449,11 @@ std::optional<LiveMap> LiveMapWork::in_parts(const LiveMapRequest& request, std:
         progress = kPredictionShare * static_cast<float>(share);
     };
     auto map = request.preview ? previewed(run) : full(run);
-    if (!map || stop.stop_requested()) return std::nullopt;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    map->seconds = took.count();
+    const double seconds = run.earlier_s + took.count();
+    if (unfinished_) unfinished_->seconds = seconds;
+    if (!map || stop.stop_requested()) return std::nullopt;
+    map->seconds = seconds;
     keep(*map);
     return map;
 }

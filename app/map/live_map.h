@@ -21,6 +21,7 @@
 #include "app/rendering/rendered_set.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/perceptual_model/refinement.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {
@@ -128,7 +129,14 @@ class LiveMapWork {
                                     std::atomic<float>& progress, const Partly& partly);
 
   private:
-    struct Run;  // one request
+    struct Run;          // one request
+    struct Unfinished {  // where turns are taken (app/jobs/turns.h): the exact run of a request
+        LiveMapRequest request;
+        Refinement refinement;
+        double cells;  // of all of it
+        std::shared_ptr<const LiveMap> shown;
+        double seconds;  // it took by now
+    };
 
     std::optional<LiveMap> kept(const LiveMapRequest& request);
     void keep(const LiveMap& map);
@@ -136,6 +144,7 @@ class LiveMapWork {
     std::vector<std::shared_ptr<const PatternCode>> codes_of(const Run& run);
     std::optional<LiveMap> previewed(const Run& run);
     std::optional<LiveMap> full(Run& run);
+    std::optional<Unfinished> begun(Run& run);
     std::optional<Prediction> exact(Run& run);
     LiveMap part(Run& run, LiveMap map);
 
@@ -143,6 +152,7 @@ class LiveMapWork {
     std::vector<std::shared_ptr<const LiveMap>> all_;  // exact ones; used last, last
     std::shared_ptr<const LiveMap> last_;
     std::optional<RenderedSet> rendered_;  // the last one
+    std::optional<Unfinished> unfinished_;
 };
 
 }  // namespace tact

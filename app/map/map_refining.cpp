@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/jobs/turns.h"
 #include "app/progress/time_left.h"
 #include "model/common/fingerprint.h"
 #include "model/io/set/set_fingerprint.h"
@@ -133,16 +134,19 @@ bool has_checkpoint(const Workspace& work) {
 
 bool refine(Refinement& refinement, const PredictOptions& options, const Refining& how) {
     std::optional<Checkpoint> file = taken_up(refinement, how);
-    const double whole = open_cells(refinement);
+    const double open = open_cells(refinement);
+    const double whole = std::max(how.cells, open);
     const bool in_parts = expected_dtw_s(whole) >= how.parts_from_s;
-    double made = 0.0;
+    const bool in_lots = in_parts || work_takes_turns();
+    double made = whole - open;
     // By cells, not by the clock: lots of few pairs fill registers badly, on a busy machine as
     // well.
     const double cells_per_s = 1.0 / expected_dtw_s(1.0);
     double cells = std::max(whole / kMostParts, how.part_s * cells_per_s);
+    if (!in_parts) cells = 0.0;  // a tile after the other
     while (!options.stop.stop_requested()) {
         const auto wanted = how.wanted == nullptr ? std::vector<std::size_t>{} : how.wanted->now();
-        const auto lot = next_tiles(refinement, wanted, in_parts ? cells : whole);
+        const auto lot = next_tiles(refinement, wanted, in_lots ? cells : whole);
         if (lot.empty()) break;
         double of_lot = 0.0;
         for (const std::size_t tile : lot) of_lot += open_cells(refinement, tile);
@@ -153,9 +157,11 @@ bool refine(Refinement& refinement, const PredictOptions& options, const Refinin
         if (!make_tiles(refinement, lot, now)) return false;
         made += of_lot;
         for (const std::size_t tile : lot) keep_tile(file, refinement, tile);
-        if (!in_parts || made >= whole) continue;
+        if (made >= whole) continue;
         const Watch telling;
-        if (how.partly) how.partly(refinement, file.has_value());
+        if (in_parts && how.partly) how.partly(refinement, file.has_value());
+        if (how.is_over && how.is_over()) return false;
+        if (!in_parts) continue;
         cells = std::max(cells, kPartToTelling * telling.s() * cells_per_s);
     }
     if (options.stop.stop_requested()) return false;

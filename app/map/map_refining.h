@@ -47,10 +47,14 @@ struct Refining {
     std::function<void(const Refinement&, bool)> partly;
     double parts_from_s = 1.5;  // work that is expected to take less shows its end alone
     double part_s = 0.4;        // expected time of a lot, at least
+    double cells = 0.0;         // of all the work, where some of it is done; 0: what is open
+    // Asked after each lot: the rest is for another call, where work takes turns
+    // (app/jobs/turns.h). May be empty.
+    std::function<bool()> is_over{};
 };
 
 // All tiles, in lots: each as large as makes parts a pleasure to follow and costs little. Takes up
-// the file, and removes it in the end. False when stopped.
+// the file, and removes it in the end. False when stopped, or over before all are made.
 bool refine(Refinement& refinement, const PredictOptions& options, const Refining& how);
 
 // What a preview is worth and what comes next; empty where nothing need be said.

@@ -1,5 +1,6 @@
 // The window as a canvas that fills a page. A browser calls for each frame, and takes it back if
 // nothing is due; run_window() returns at once, and the window is there until the page is gone.
+// Where the page has no threads, jobs get their turns between two frames (app/jobs/turns.h).
 #include <backends/imgui_impl_opengl3.h>
 #include <emscripten.h>
 #include <emscripten/html5.h>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/jobs/turns.h"
 #include "app/page/page_events.h"
 #include "app/screen/kept_frame.h"
 #include "app/screen/window.h"
@@ -27,6 +29,7 @@ namespace {
 
 constexpr int kSettlingFrames = 3;
 constexpr double kCursorBlinkS = 0.2;
+constexpr double kRestS = 0.3;  // after the last input, before work that holds the picture up
 
 std::atomic<bool> was_woken = false;
 
@@ -39,6 +42,8 @@ struct Page {
     int height = 0;
     float scale = 1.0F;
     int frames_due = kSettlingFrames;
+    bool shows_last_turn = false;  // what the last turn of a job has found is on the screen
+    double last_input_s = 0.0;
     double next_wake_s = 0.0;
 };
 
@@ -129,7 +134,10 @@ void draw_frame(Page& page) {
     const double now_s = page_time_s();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(page.width), static_cast<float>(page.height)};
-    if (pending(page.events.input)) page.frames_due = kSettlingFrames;
+    if (pending(page.events.input)) {
+        page.frames_due = kSettlingFrames;
+        page.last_input_s = now_s;
+    }
     apply(page.events.input, io, now_s);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -139,13 +147,25 @@ void draw_frame(Page& page) {
     show_cursor(page);
     paint(page.kept, *ImGui::GetDrawData(), page.width, page.height, request.background);
     heed(page, request, now_s);
+    page.shows_last_turn = true;
     if (page.events.client.after_frame) page.events.client.after_frame();
+}
+
+// A frame and a turn alternate, so that each frame is seen that says what is being computed.
+bool gave_turn(Page& page) {
+    const bool is_at_rest = !is_anything_held(page.events.input, ImGui::GetIO()) &&
+                            !pending(page.events.input) &&
+                            page_time_s() - page.last_input_s >= kRestS;
+    if (!page.shows_last_turn || !give_turn(is_at_rest)) return false;
+    page.shows_last_turn = false;
+    page.frames_due = kSettlingFrames;
+    return true;
 }
 
 void draw_if_due(void* user) {
     Page& page = *static_cast<Page*>(user);
     fit_canvas(page);
-    if (page.width <= 0 || page.height <= 0) return;
+    if (page.width <= 0 || page.height <= 0 || gave_turn(page)) return;
     const bool is_time = page_time_s() >= page.next_wake_s;
     if (was_woken.exchange(false)) page.frames_due = kSettlingFrames;
     if (is_time || page.frames_due > 0 || pending(page.events.input)) draw_frame(page);

@@ -16,6 +16,8 @@ bool is_running(std::int64_t process) {
     return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
+bool has_threads() { return true; }
+
 int bound_processors(int machine) {
     cpu_set_t set;
     CPU_ZERO(&set);

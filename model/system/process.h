@@ -10,6 +10,9 @@ std::int64_t own_process();
 // False for certain only if the system says that there is no such process.
 bool is_running(std::int64_t process);
 
+// Whether threads can be started: not in a page that its browser does not set apart from others.
+bool has_threads();
+
 // The processors that this process may use of a machine's; all of them where the system cannot say.
 int bound_processors(int machine);
 

@@ -1,5 +1,6 @@
 #include "app/map/live_map.h"
 
+#include "app/jobs/latest_job.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
@@ -233,6 +234,31 @@ TEST_CASE("live map: no preview changes more orders of pairs than is told" *
         }
         CHECK_FALSE(preview_grain(*exact));
     }
+}
+
+TEST_CASE("live map: in turns of one thread it has the bits that it has at once") {
+    const PatternSet set = short_patterns(9);
+    std::atomic<float> progress = 0.0F;
+    const auto at_once = LiveMapWork(1)(request_of(set, false), {}, progress);
+    REQUIRE(at_once);
+    pretend_no_threads(true);
+    int turns = 0;
+    {
+        const auto work = std::make_shared<LiveMapWork>();
+        LatestJob<LiveMapRequest, LiveMap> job(
+            JobPolicy::supersede,
+            [work](const LiveMapRequest& request, std::stop_token stop, std::atomic<float>& share) {
+                return (*work)(request, std::move(stop), share);
+            });
+        job.submit(request_of(set, false));
+        while (give_turn(true)) ++turns;
+        REQUIRE(job.latest());
+        CHECK(job.latest()->prediction.pm.condensed == at_once->prediction.pm.condensed);
+        CHECK(job.latest()->space.points == at_once->space.points);
+        CHECK(job.progress() > 0.5F);
+    }
+    pretend_no_threads(false);
+    CHECK(turns >= 1);
 }
 
 }  // namespace live_map_test
