@@ -121,31 +121,6 @@ Expected<Done> AudioStream::open(AudioHost& host) {
     return opened;
 }
 
-// By what sounds, whatever name it was chosen by: an output of a sound server has several.
-Expected<Done> AudioStream::claim_channels() {
-    const std::string& output = place_.server_output;
-    const std::string id = output.empty() ? place_.id : "server " + output;
-    locks_.clear();
-    for (std::size_t channel = 0; channel < place_.channels; ++channel) {
-        if (!place_.everywhere && channel != place_.channel) continue;
-        Expected<ActuatorLock> lock =
-            ActuatorLock::of(id + " " + std::to_string(channel), place_.name);
-        if (!lock) return locks_.clear(), lock.error();
-        locks_.push_back(*std::move(lock));
-    }
-    return Done{};
-}
-
-// No callback runs: all of it may be made again.
-void AudioStream::lay_out(double rate_hz) {
-    playback_.layout = {rate_hz, place_.channels, place_.channel, kCeiling, place_.everywhere};
-    playback_.own = {};
-    playback_.wanted = nullptr;
-    playback_.held = nullptr;
-    playback_.quiet_frames = 0;
-    playback_.cut = Cut::none;
-}
-
 // On that output as it was when it was chosen, and on no other one.
 Expected<Done> AudioStream::open_at_server(SoundServer& server) {
     const std::string on = place_.name + " on \"" + place_.server_output + "\"";

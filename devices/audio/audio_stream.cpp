@@ -225,6 +225,31 @@ void AudioStream::free_clips() {
     });
 }
 
+// By what sounds, whatever name it was chosen by: an output of a sound server has several.
+Expected<Done> AudioStream::claim_channels() {
+    const std::string& output = place_.server_output;
+    const std::string id = output.empty() ? place_.id : "server " + output;
+    locks_.clear();
+    for (std::size_t channel = 0; channel < place_.channels; ++channel) {
+        if (!place_.everywhere && channel != place_.channel) continue;
+        Expected<ActuatorLock> lock =
+            ActuatorLock::of(id + " " + std::to_string(channel), place_.name);
+        if (!lock) return locks_.clear(), lock.error();
+        locks_.push_back(*std::move(lock));
+    }
+    return Done{};
+}
+
+// No callback runs: all of it may be made again.
+void AudioStream::lay_out(double rate_hz) {
+    playback_.layout = {rate_hz, place_.channels, place_.channel, kCeiling, place_.everywhere};
+    playback_.own = {};
+    playback_.wanted = nullptr;
+    playback_.held = nullptr;
+    playback_.quiet_frames = 0;
+    playback_.cut = Cut::none;
+}
+
 // From now on callbacks are counted, and missed.
 void AudioStream::note_calls() {
     seen_calls_ = playback_.calls;
@@ -249,6 +274,7 @@ StreamState AudioStream::lose(const std::string& why) {
         connected_ = false;
         tell(place_.name + why);
     }
+    if (!port_->may_hang) return close(), StreamState::closed;
     const auto closed = std::make_shared<std::promise<void>>();
     std::future<void> is_closed = closed->get_future();
     std::thread([port = *std::exchange(port_, std::nullopt), closed] {

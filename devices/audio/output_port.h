@@ -23,6 +23,7 @@ inline double believable_s(double latency_s) {
 struct OutputPort {
     std::function<bool()> is_active;  // false: it has gone, or was cut
     std::function<void()> close;      // at once: what is on its way is not heard
+    bool may_hang = true;             // it may wait for good for a server that was killed
 };
 
 }  // namespace tact
