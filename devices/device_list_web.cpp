@@ -1,17 +1,65 @@
+#include "devices/audio/audio_device.h"
 #include "devices/device_list.h"
+#include "devices/phone/phone_device.h"
+
+// In phone/web_vibration.js.
+extern "C" {
+int web_vibrates();  // whether the page is on a phone whose browser can
+void web_vibrate(const int* ms, int count, int loop);
+}
 
 namespace tact {
 
-std::vector<DeviceInfo> list_devices(AudioHost& host) { return host.outputs(); }
+namespace {
 
-Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>&,
-                                              const DeviceInfo& device, const DeviceChoice&) {
-    return Error{device.name + " cannot be played on from a browser"};
+Expected<std::unique_ptr<Device>> open_this_phone() {
+    PhoneDoor door;
+    door.play = [](const PhonePlay& play) {
+        web_vibrate(play.ms.data(), static_cast<int>(play.ms.size()), play.loop ? 1 : 0);
+    };
+    ConnectedPhone phone;
+    phone.vibrates = phone.is_here = true;
+    door.phones = [phone] { return std::vector{phone}; };
+    door.has_thread = false;
+    return std::unique_ptr<Device>(std::make_unique<PhoneDevice>(std::move(door)));
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> list_devices(AudioHost& host) {
+    std::vector<DeviceInfo> devices = host.outputs();
+    if (web_vibrates() == 0) return devices;
+    DeviceInfo phone;
+    phone.id = kThisPhoneId;
+    phone.kind = DeviceKind::phone;
+    phone.name = "This phone";
+    phone.interface = "web vibration: on-off times alone, no strength and no frequency";
+    devices.push_back(std::move(phone));
+    return devices;
+}
+
+Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
+                                              const DeviceInfo& device,
+                                              const DeviceChoice& choice) {
+    if (device.id == kThisPhoneId) return open_this_phone();
+    const auto channels = static_cast<int>(device.channels.size());
+    if (choice.channel < 1 || choice.channel > channels) {
+        return Error{device.name + " has no channel " + std::to_string(choice.channel) +
+                     ": expected 1 to " + std::to_string(channels)};
+    }
+    AudioStream::Place place;
+    place.id = device.id;
+    place.name = device.name;
+    place.channel = static_cast<std::size_t>(choice.channel - 1);
+    place.channels = static_cast<std::size_t>(channels);
+    place.buffer_s = choice.buffer_s;
+    place.latency_offset_s = choice.latency_offset_s;
+    place.everywhere = choice.everywhere;
+    return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));
 }
 
 std::string advice_without_devices() {
-    return "In a browser there is no device to play on: install tactspace to play on voice coils "
-           "and controllers.";
+    return "A voice coil plays at the sound output; for controllers install tactspace.";
 }
 
 std::string cards_fault(const AudioHost&) { return {}; }

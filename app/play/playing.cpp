@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kHoverRestS = 0.15;
 constexpr double kMeterFallDbPerS = 30.0;
-bool is_phones(const DeviceInfo& device) { return device.kind == DeviceKind::phone; }
+bool is_phones(const DeviceInfo& device) { return device.id == kPhonesId; }
 
 const Vibration* vibration_named(const Workspace& work, const std::string& name) {
     const auto place = place_named(work.document.set, name);

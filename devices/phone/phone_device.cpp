@@ -24,13 +24,14 @@ PhoneDevice::PhoneDevice(const std::shared_ptr<PhoneServer>& server, PhoneSide s
                   side) {}
 
 PhoneDevice::PhoneDevice(PhoneDoor door, PhoneSide side) : door_(std::move(door)), side_(side) {
+    if (!door_.has_thread) return;
     thread_ = std::jthread([this](const std::stop_token& quit) { run(quit); });
 }
 
 PhoneDevice::~PhoneDevice() {
     stop();
     thread_.request_stop();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 bool PhoneDevice::is_anyone_there(PhoneSide side) const {
@@ -93,6 +94,7 @@ void PhoneDevice::stop() {
 
 DeviceStatus PhoneDevice::status() {
     const std::lock_guard lock(mutex_);
+    if (!door_.has_thread) step(Clock::now());
     DeviceStatus status;
     status.name = "Phones";
     status.connected = is_anyone_there(side_);

@@ -27,13 +27,16 @@
 namespace tact {
 
 inline constexpr double kResentS = 0.1;
-inline constexpr const char* kPhonesId = "phones";  // of all of them, in a list of devices
+inline constexpr const char* kPhonesId = "phones";          // of all of them, in a list of devices
+inline constexpr const char* kThisPhoneId = "phones/this";  // of the one that shows the page
 inline constexpr const char* kNoPhone = "No phone that can vibrate is connected: scan the code";
 
 // The way to the phones: a server, unless a test has its own.
 struct PhoneDoor {
     std::function<void(PhonePlay)> play;
     std::function<std::vector<ConnectedPhone>()> phones;
+    // False: what is due is done by whoever asks for the status, on the only thread of a page.
+    bool has_thread = true;
 };
 
 class PhoneDevice final : public Device {

@@ -76,6 +76,26 @@ TEST_CASE("phone device: without a phone that vibrates it says what to do") {
     CHECK(room.count() == 0);
 }
 
+TEST_CASE("phone device: without a thread it does what is due when it is asked for its status") {
+    Room room;
+    PhoneDoor door = room.door();
+    door.has_thread = false;
+    {
+        PhoneDevice device(std::move(door));
+        REQUIRE(device.play(buzz(0.05), false));
+        CHECK(room.count() == 0);
+        CHECK(device.status().playing);
+        REQUIRE(room.count() == 1);
+        CHECK(length_ms(room.play(0).ms) == 50);
+        CHECK(comes_true([&] { return !device.status().playing; }));
+        CHECK(room.count() == 1);
+        REQUIRE(device.play(buzz(10.0), true));
+        CHECK(device.status().playing);
+    }
+    REQUIRE(room.count() == 3);
+    CHECK(room.play(2).ms.empty());  // it stops with its device
+}
+
 TEST_CASE("phone device: a play goes out once, and ends by the clock") {
     Room room;
     PhoneDevice device(room.door());
