@@ -92,6 +92,7 @@ void draw_text_of(Ui& ui, const LessonState& state, const LessonStep& step) {
     const std::string text = lacks_numbers(state, step.text) ? "The model computes the numbers."
                                                              : text_in(state, step.text);
     wrapped_text(text);
+    read_out(ui, text);
     note_item(ui.rects, "lesson:text", text);
 }
 
@@ -120,6 +121,7 @@ void draw_move(Ui& ui, LessonState& state) {
 void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {
     ImGui::PushFont(lesson_fonts(ui, state).head);
     wrapped_text(text_in(state, step.title));
+    read_out(ui, text_in(state, step.title));
     ImGui::PopFont();
     ImGui::Spacing();
 }

@@ -36,6 +36,7 @@ void draw_option(Ui& ui, LessonState& state, const QuestionAnswer& answer, std::
     std::string text = option_text(state, answer, k);
     if (tally.votes[k] > 0) text += "   " + std::to_string(tally.votes[k]);
     if (right) text += kTick;
+    read_out(ui, text);
     ImGui::PushID(static_cast<int>(k));
     if (right) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
     wrapped_text(text);
@@ -114,6 +115,7 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
     bool& seen = answer_seen(state);
     if (!seen) ImGui::SetScrollHereY(1.0F);
     seen = true;
+    read_out(ui, text);
     note_item(ui.rects, "lesson:answer", text);
 }
 
@@ -147,7 +149,9 @@ void draw_lesson_question(const LessonContext& context, LessonState& state,
     ImGui::Spacing();
     ImGui::PushFont(lesson_fonts(ui, state).head);
     const LessonNumbers none;
-    wrapped_text(filled(question.ask, answers == nullptr ? none : answers->numbers));
+    const std::string ask = filled(question.ask, answers == nullptr ? none : answers->numbers);
+    wrapped_text(ask);
+    read_out(ui, ask);
     ImGui::PopFont();
     if (answer == nullptr) return dim_text(ui, "The model is on its way.");
     const bool hidden = hides_answer(state);

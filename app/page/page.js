@@ -6,32 +6,55 @@ addToLibrary({
     document.getElementById('canvas').style.cursor = UTF8ToString(name);
   },
 
+  page_is_for_fingers: () => matchMedia('(pointer: coarse)').matches ? 1 : 0,
+
+  // What a screen reader has of the canvas.
+  page_read_out: (words) => {
+    document.getElementById('reading').innerText = UTF8ToString(words);
+  },
+
   page_copy: (text) => {
     navigator.clipboard?.writeText(UTF8ToString(text)).catch(() => {});
   },
 
-  page_listen__deps: ['$FS', '$stringToNewUTF8', 'free'],
+  $giveText__deps: ['$stringToNewUTF8', 'free'],
+  $giveText: (take, text) => {
+    const bytes = stringToNewUTF8(text);
+    take(bytes);
+    _free(bytes);
+  },
+
+  // Files of the device, into a folder of the page.
+  $giveFiles__deps: ['$FS', '$giveText'],
+  $giveFiles: async (files) => {
+    const folder = '/dropped';
+    if (!FS.analyzePath(folder).exists) FS.mkdir(folder);
+    for (const file of files) {
+      FS.writeFile(folder + '/' + file.name, new Uint8Array(await file.arrayBuffer()));
+    }
+    giveText(Module['_page_dropped'], files.map((file) => folder + '/' + file.name).join('\n'));
+  },
+
+  page_pick_files__deps: ['$giveFiles'],
+  page_pick_files: () => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.multiple = true;
+    input.onchange = () => giveFiles([...input.files]);
+    input.click();
+  },
+
+  page_listen__deps: ['$giveText', '$giveFiles'],
   page_listen: () => {
-    const give = (take, text) => {
-      const bytes = stringToNewUTF8(text);
-      take(bytes);
-      _free(bytes);
-    };
     addEventListener('paste', (event) => {
-      give(Module['_page_pasted'], event.clipboardData.getData('text/plain'));
+      giveText(Module['_page_pasted'], event.clipboardData.getData('text/plain'));
       event.preventDefault();
     });
     addEventListener('contextmenu', (event) => event.preventDefault());
     addEventListener('dragover', (event) => event.preventDefault());
-    addEventListener('drop', async (event) => {
+    addEventListener('drop', (event) => {
       event.preventDefault();
-      const folder = '/dropped';
-      const files = [...event.dataTransfer.files];
-      if (!FS.analyzePath(folder).exists) FS.mkdir(folder);
-      for (const file of files) {
-        FS.writeFile(folder + '/' + file.name, new Uint8Array(await file.arrayBuffer()));
-      }
-      give(Module['_page_dropped'], files.map((file) => folder + '/' + file.name).join('\n'));
+      giveFiles([...event.dataTransfer.files]);
     });
   },
 });

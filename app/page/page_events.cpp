@@ -21,6 +21,10 @@ namespace {
 
 constexpr const char* kCanvas = "#canvas";
 
+// ImGui's numbers of the mouse's buttons.
+constexpr int kLeft = 0;
+constexpr int kMiddle = 2;
+
 struct NamedCode {
     std::string_view name;  // of the key's place, as the browser has it
     int code;
@@ -197,14 +201,24 @@ float apart_px(const EmscriptenTouchPoint& a, const EmscriptenTouchPoint& b) {
     return static_cast<float>(std::hypot(a.targetX - b.targetX, a.targetY - b.targetY));
 }
 
-// Two fingers zoom as the wheel does: a notch for each tenth that they part.
+void press(PageEvents& events, int button, bool down) {
+    const unsigned bit = 1U << static_cast<unsigned>(button);
+    if (((events.buttons_held & bit) != 0) == down) return;
+    events.buttons_held = down ? events.buttons_held | bit : events.buttons_held & ~bit;
+    push_now(events, MouseButton{button, down});
+}
+
+// Two fingers do what the middle button does, which moves what is shown, and zoom as the wheel
+// does: a notch for each tenth that they part.
 void pinch(PageEvents& events, const EmscriptenTouchEvent& event) {
     constexpr float kNotch = 1.1F;
-    const float now_px = apart_px(event.touches[0], event.touches[1]);
-    if (!events.is_pinching && (events.buttons_held & 1U) != 0) {
-        events.buttons_held &= ~1U;
-        push_now(events, MouseButton{0, false});
-    }
+    const EmscriptenTouchPoint& a = event.touches[0];
+    const EmscriptenTouchPoint& b = event.touches[1];
+    const float now_px = apart_px(a, b);
+    press(events, kLeft, false);
+    push_now(events, place_of(0.5 * static_cast<double>(a.targetX + b.targetX),
+                              0.5 * static_cast<double>(a.targetY + b.targetY)));
+    press(events, kMiddle, true);
     if (events.is_pinching && now_px > 0.0F && events.pinch_px > 0.0F) {
         const float notches = std::log(now_px / events.pinch_px) / std::log(kNotch);
         push_now(events, MouseWheel{0.0F, notches});
@@ -222,16 +236,13 @@ EM_BOOL on_touch(int kind, const EmscriptenTouchEvent* event, void* user) {
     }
     if (ends) {
         if (event->numTouches <= 1) events.is_pinching = false;
-        if ((events.buttons_held & 1U) != 0) push_now(events, MouseButton{0, false});
-        events.buttons_held &= ~1U;
+        press(events, kLeft, false);
+        press(events, kMiddle, false);
         return EM_TRUE;
     }
     if (events.is_pinching) return EM_TRUE;  // the last finger of two draws nothing
     push_now(events, place_of(event->touches[0].targetX, event->touches[0].targetY));
-    if (kind == EMSCRIPTEN_EVENT_TOUCHSTART) {
-        events.buttons_held |= 1U;
-        push_now(events, MouseButton{0, true});
-    }
+    if (kind == EMSCRIPTEN_EVENT_TOUCHSTART) press(events, kLeft, true);
     return EM_TRUE;
 }
 

@@ -22,6 +22,9 @@
 extern "C" {
 int page_is_there();  // 0: node
 void page_show_cursor(const char* name);
+void page_pick_files();
+int page_is_for_fingers();
+void page_read_out(const char* words);
 }
 
 namespace tact {
@@ -38,6 +41,7 @@ struct Page {
     KeptFrame kept;
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
     std::string title;
+    std::string reading;
     int width = 0;  // of the canvas in pixels
     int height = 0;
     float scale = 1.0F;
@@ -109,6 +113,10 @@ void heed(Page& page, const FrameRequest& request, double now_s) {
     if (!request.title.empty() && request.title != page.title) {
         page.title = request.title;
         emscripten_set_window_title(shown_text(page.title).c_str());
+    }
+    if (request.reading != page.reading) {
+        page.reading = request.reading;
+        page_read_out(shown_text(page.reading).c_str());
     }
     const ImGuiIO& io = ImGui::GetIO();
     const bool continues =
@@ -186,6 +194,10 @@ bool is_context_made() {
 }  // namespace
 
 bool has_second_screen() { return false; }
+
+bool is_for_fingers() { return page_is_for_fingers() != 0; }
+
+std::function<void()> file_picker() { return page_pick_files; }
 
 bool display_available() { return page_is_there() != 0; }
 

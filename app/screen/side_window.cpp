@@ -102,6 +102,10 @@ float side_scale(GLFWwindow* glfw) {
 
 }  // namespace
 
+std::function<void()> file_picker() { return {}; }
+
+bool is_for_fingers() { return false; }
+
 bool has_second_screen() { return screens().size() > 1; }
 
 bool show_side(SideWindow& side, GLFWwindow& main, WindowEvents& events,

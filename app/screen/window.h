@@ -56,8 +56,9 @@ struct FrameRequest {
     bool animate = false;                                           // draw the next frame now
     double wake_after_s = std::numeric_limits<double>::infinity();  // or then, without input
     bool rebuild_fonts = false;                                     // before the next frame
-    bool close = false;  // after this one, without asking
-    std::string title;   // empty: as it is
+    bool close = false;     // after this one, without asking
+    std::string title;      // empty: as it is
+    std::string reading{};  // for a screen reader, where it reads pages
     ImU32 background = IM_COL32_BLACK;
     bool full_screen = false;
     std::optional<SideContent> side{};  // none: no second window
@@ -86,6 +87,13 @@ struct WindowClient {
 
 // More screens than one are plugged in. While a window is open.
 bool has_second_screen();
+
+// A dialog of the browser's, whose files come as if dropped on the window; empty where the program
+// sees the files of its computer itself.
+std::function<void()> file_picker();
+
+// Fingers are what the screen is used by: a phone that shows the page.
+bool is_for_fingers();
 
 // Some screen would show a window.
 bool display_available();

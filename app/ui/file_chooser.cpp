@@ -72,6 +72,15 @@ void draw_places(Ui& ui, float height_px) {
     const ImVec2 spacing{2.0F * ui.theme.gap_px, ImGui::GetStyle().ItemSpacing.y};
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
     ImGui::Indent(ui.theme.gap_px);
+    if (ui.pick_files && ui.chooser.use == ChooserUse::open) {
+        if (ImGui::Selectable("This device\u2026", false, ImGuiSelectableFlags_DontClosePopups)) {
+            ui.chooser.is_open = false;
+            ui.pick_files();
+        }
+        note_stop(ui.rects.tab_order);
+        note_item(ui.rects, "chooser:device");
+        draw_tooltip(ui, "Files of this device, picked in a dialog of the browser");
+    }
     draw_place(ui, "Home", home_folder());
     for (const char* name : {"Desktop", "Documents", "Downloads"}) {
         if (is_folder(home_folder() / name)) draw_place(ui, name, home_folder() / name);

@@ -141,6 +141,7 @@ struct Ui {
     bool motion = true;
     bool as_picture = false;     // for a picture: panes without buttons and links
     bool presenting = false;     // for a class: without hints and links
+    bool for_fingers = false;    // targets are as large as a finger needs
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
     FileChooser chooser;
     ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
@@ -158,11 +159,18 @@ struct Ui {
     bool quit = false;
     WidgetRects rects;
     std::function<void()> wake;  // draws a frame soon; from any thread
+    // Lets a person pick files in a dialog of the browser's, which come as if dropped; empty where
+    // the program sees all files itself.
+    std::function<void()> pick_files;
+    // This frame's words for a screen reader, a line each: a card, a question, what panes tell.
+    std::string reading;
     FieldEntry field;
     std::set<std::string> dismissed_hints;
     std::map<std::string, ShownAge> ages;          // by pane
     std::map<std::string, ProgressSeen> progress;  // by the name of the work
 };
+
+inline void read_out(Ui& ui, const std::string& words) { ui.reading += words + '\n'; }
 
 // Show a message in the status line; complaints stay until the next message.
 void say(Ui& ui, const std::string& text);

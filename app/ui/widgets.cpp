@@ -110,8 +110,9 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     if (over && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) {
         layout.maximised = layout.maximised ? std::nullopt : std::optional(pane);
     }
-    note_rect(ui.rects, "title:" + title.title, corner, corner + size,
-              title.right.empty() ? "" : title.right.front());
+    const std::string told = title.right.empty() ? "" : title.right.front();
+    note_rect(ui.rects, "title:" + title.title, corner, corner + size, told);
+    if (!told.empty()) read_out(ui, title.title + ": " + told);
 }
 
 // Points have a dark background to glow on.

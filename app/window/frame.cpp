@@ -58,6 +58,7 @@ namespace tact {
 namespace {
 
 constexpr float kStatusHeightPx = 26.0F;
+constexpr float kFingerPx = 44.0F;  // high enough to be hit by one
 constexpr double kStatusFadeS = 8.0;
 
 // Scale of everything on screen. Text for a class or a participant grows with the window.
@@ -378,6 +379,7 @@ void follow_changes(App& app) {
 
 void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     begin_frame(app, pressed, time_s);
+    app.ui.reading.clear();
     if (is_study_running(app.studying)) {
         draw_study_pages(app.ui, app.work, app.play, app.studying, pressed);
         keep_what_is_unsaved(app);
@@ -471,6 +473,11 @@ void make_theme(App& app) {
                                     drawn_text(app.work.document.set) + drawn_text(app.lesson));
     ImGui::GetStyle() = ImGuiStyle();
     apply(app.ui.theme, ImGui::GetStyle());
+    if (app.ui.for_fingers) {
+        ImVec2& padding = ImGui::GetStyle().FramePadding;
+        const float high_px = kFingerPx * app.ui.theme.scale;
+        padding.y = 0.5F * (high_px - app.ui.theme.fonts.regular->FontSize);
+    }
     app.ui.fonts_outdated = false;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/compare/compare_follow.h"
+#include "app/document/editing.h"
 #include "app/document/files.h"
 #include "app/export/exports.h"
 #include "app/lesson/presenting.h"
@@ -54,6 +55,14 @@ void show_notes(App& app, FrameRequest& request) {
     request.wake_after_s = std::min(request.wake_after_s, notes_wake_s(app.lesson, app.ui.time_s));
 }
 
+// The set, the pattern that is edited, the card or what panes tell, and the last message.
+std::string reading_of(const App& app) {
+    std::string words = document_title(app.work) + "\n";
+    const Vibration* vibration = current_vibration(app.work);
+    if (vibration != nullptr) words += "Pattern " + vibration->name + "\n";
+    return words + app.ui.reading + app.ui.status.text;
+}
+
 FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext& context) {
     app.play.halted |= stop.take();
     app.ui.content_scale = context.content_scale;
@@ -78,6 +87,7 @@ FrameRequest draw_window_frame(App& app, EmergencyStop& stop, const FrameContext
     show_notes(app, request);
     tell_speaker(speaker_line(app.lesson), app.lesson.told);
     request.title = document_title(app.work) + " - tactspace";
+    request.reading = reading_of(app);
     request.background = app.ui.theme.background;
     return request;
 }
@@ -145,6 +155,8 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     App& app = running->app;
     watch_for_crashes(crash_report_file());
     app.ui.wake = wake_window;
+    app.ui.pick_files = file_picker();
+    app.ui.for_fingers = is_for_fingers();
     app.manual.program = running_program();
     app.exports.paper.program = app.manual.program;
     const Expected<Done> started = start_session(app, sets);
