@@ -58,7 +58,8 @@ constexpr const char* kAboutText =
     "slopes and thresholds of the receptors are rebuilt from published rates, as the "
     "original figures were not available. The model knows one fingertip, a 0.5 mm probe, no "
     "adaptation, no noise and no differences between people; it was validated at 1 s.\n\n"
-    "Source under the MIT licence. A binary linked with FFTW falls under the GPL.";
+    "Source under the MIT licence. A binary linked with FFTW falls under the GPL: "
+    "whoever hands one out offers its source, a page in the folder \"source\" beside it.";
 
 // Keys that are not in a menu; they stand before the commands of their group.
 struct Gesture {
