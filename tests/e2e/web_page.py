@@ -1,13 +1,15 @@
-"""Opens the window in a page (app/web), in headless Chromium, and holds what a person would see of it.
+"""Uses the window in a page (app/web) as a person does, in headless Chromium.
 
-    web_page.py FOLDER [--headers] [--width 1280] [--height 800] [--picture F.png]
+    web_page.py BUILD --from disk|server|headers [--matrix CSV] [--edits 200] [--pictures FOLDER]
 
-FOLDER is build/web/page; with --headers the server sets the page apart as threads need it, otherwise
-the service worker of the page does. Prints how long the first view took.
+BUILD is build/web. From the disk its one file is opened, from a server its folder; with headers the
+server sets the page apart as threads need it, without them the page's service worker does. CSV is
+what "tactspace predict" writes of the set that opens. Prints how long what a person waits for took.
 """
 
 import argparse
 import base64
+import contextlib
 import functools
 import http.server
 import json
@@ -18,6 +20,34 @@ import threading
 import time
 
 from browser import Browser
+
+BEFORE_THE_PAGE = """
+self.environment_for_tests = {TACTSPACE_WIDGET_RECTS: '/tmp/widgets'};
+Object.defineProperty(navigator, 'clipboard', {value: {writeText: async (text) => { self.copied = text; }}});
+self.vibrated = [];
+Navigator.prototype.vibrate = function (ms) { self.vibrated.push(ms); return true; };
+// What is played goes past here on its way out: of each piece and channel the largest sample.
+self.heard = [];
+const connect = AudioNode.prototype.connect;
+AudioNode.prototype.connect = function (to, ...more) {
+  if (to !== this.context.destination) return connect.call(this, to, ...more);
+  const tap = this.context.createScriptProcessor(1024, 2, 2);
+  tap.onaudioprocess = (event) => {
+    const peaks = [];
+    for (let channel = 0; channel < 2; ++channel) {
+      let peak = 0;
+      for (const sample of event.inputBuffer.getChannelData(channel)) peak = Math.max(peak, Math.abs(sample));
+      peaks.push(peak);
+    }
+    self.heard.push(peaks);
+  };
+  self.taps = [...(self.taps || []), tap];
+  connect.call(tap, this.context.destination);
+  return connect.call(this, tap);
+};
+"""
+CTRL, SHIFT = 2, 8
+MAP = "title:Perceptual space"
 
 
 class Server(http.server.SimpleHTTPRequestHandler):
@@ -41,26 +71,40 @@ def serve(folder, headers):
 
 
 class Page:
-    def __init__(self, browser, width, height):
+    def __init__(self, browser, downloads):
         self.browser = browser
+        self.downloads = downloads
         target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
+        browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(downloads))
         browser.session = browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Log", "Runtime"):
             browser.ask(domain + ".enable")
-        browser.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        browser.ask("Page.addScriptToEvaluateOnNewDocument", source=BEFORE_THE_PAGE)
+        self.screen(1280, 800)
+
+    def screen(self, width, height, touch=False):
+        self.browser.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                         mobile=touch)
+        self.browser.ask("Emulation.setTouchEmulationEnabled", enabled=touch)
 
     def value(self, expression):
         found = self.browser.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         return found["result"].get("value")
 
-    def until(self, expression, what, seconds=600.0):
+    def fail(self, what):
+        self.picture("failed.png")
+        widgets = {name: one[4] for name, one in self.widgets().items() if not name.startswith("point:")}
+        sys.exit(f"{what}: did not happen; the page says {self.value('said.textContent')!r}, its title is "
+                 f"{self.value('document.title')!r}; {json.dumps(self.messages())[:3000]}\n{json.dumps(widgets)[:6000]}")
+
+    def until(self, true, what, seconds=300.0):
         """Waits for a condition; the clock only ends a page that never comes to it."""
         end = time.monotonic() + seconds
-        while not self.value(expression):
+        while not (found := true()):
             if time.monotonic() > end:
-                sys.exit(f"{what}: did not happen; the page says {self.value('said.textContent')!r}, " +
-                         f"its title is {self.value('document.title')!r}; {json.dumps(self.messages())[:3000]}")
-            time.sleep(0.1)
+                self.fail(what)
+            time.sleep(0.05)
+        return found
 
     def messages(self):
         logged = [one["entry"]["text"] for one in self.browser.all_of("Log.entryAdded")]
@@ -72,85 +116,308 @@ class Page:
 
     def widgets(self):
         """What is on the screen, by name: its rectangle and its value."""
-        lines = self.value("FS.analyzePath('/tmp/widgets').exists ? FS.readFile('/tmp/widgets', {encoding: 'utf8'}) : ''")
+        lines = self.value("typeof FS !== 'undefined' && FS.analyzePath('/tmp/widgets').exists ? "
+                           "FS.readFile('/tmp/widgets', {encoding: 'utf8'}) : ''") or ""
         found = {}
         for line in lines.splitlines():
             name, left, top, right, bottom, value = line.split("\t")
-            found[name] = (int(left), int(top), int(right), int(bottom), value)
+            found.setdefault(name, (int(left), int(top), int(right), int(bottom), value))
         return found
 
-    def until_widget(self, name, wanted, what, seconds=600.0):
-        end = time.monotonic() + seconds
-        while True:
+    def widget(self, name, what, wanted=lambda value: True, seconds=300.0):
+        def look():
             widget = self.widgets().get(name)
-            if widget and wanted(widget[4]):
-                return widget
-            if time.monotonic() > end:
-                sys.exit(f"{what}: did not happen; {name} is {widget}; {json.dumps(self.messages())[:3000]}")
-            time.sleep(0.05)
+            return widget if widget and wanted(widget[4]) else None
+        return self.until(look, what, seconds)
+
+    def exact(self, what):
+        return self.widget(MAP, what, lambda value: value.startswith("exact, "))
 
     def mouse(self, kind, x, y):
         self.browser.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
                          buttons=0 if kind == "mouseReleased" else 1)
+
+    def click(self, name):
+        left, top, right, bottom, _ = self.rests(name)
+        x, y = (left + right) // 2, (top + bottom) // 2
+        self.browser.ask("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.mouse(kind, x, y)
+
+    def tap(self, name):
+        left, top, right, bottom, _ = self.rests(name)
+        at = [{"x": (left + right) // 2, "y": (top + bottom) // 2}]
+        self.browser.ask("Input.dispatchTouchEvent", type="touchStart", touchPoints=at)
+        self.browser.ask("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def rests(self, name):
+        """Where a thing is, once it stands where it stood a moment before."""
+        last = [None]
+
+        def look():
+            before, last[0] = last[0], self.widgets().get(name)
+            return last[0] if last[0] and before and last[0][:4] == before[:4] else None
+        return self.until(look, f"{name} is there and rests", 60.0)
+
+    def key(self, key, code, modifiers=0, number=0):
+        for kind in ("rawKeyDown", "keyUp"):
+            self.browser.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, modifiers=modifiers,
+                             windowsVirtualKeyCode=number)
+
+    def type(self, text):
+        for sign in text:
+            self.browser.ask("Input.dispatchKeyEvent", type="keyDown", key=sign, text=sign)
+            self.browser.ask("Input.dispatchKeyEvent", type="keyUp", key=sign)
+
+    def command(self, name):
+        self.key("p", "KeyP", CTRL, 80)
+        self.until(lambda: any(one.startswith("palette:") for one in self.widgets()), "the palette is open")
+        self.type(name)
+        self.until(lambda: next((one for one in self.widgets() if one.startswith("palette:")), "") ==
+                   "palette:" + name, f"the palette offers {name} first")
+        self.key("Enter", "Enter", 0, 13)
 
     def picture(self, path):
         shot = self.browser.ask("Page.captureScreenshot")
         pathlib.Path(path).write_bytes(base64.b64decode(shot["data"]))
 
 
+def open_page(page, address):
+    began = time.monotonic()
+    page.browser.ask("Page.navigate", url=address)
+    page.until(lambda: (page.value("document.title") or "").endswith(" - tactspace"), "the window opens")
+    print(f"first view after {time.monotonic() - began:.1f} s")
+    page.exact("an exact map")
+    print(f"exact map of the twelve after {time.monotonic() - began:.1f} s; threads: "
+          f"{page.value('self.crossOriginIsolated')}")
+
+
+def same_matrix(page, path):
+    page.command("Copy table")
+    page.until(lambda: page.value("!!self.copied"), "the matrix is copied")
+    copied = page.value("self.copied")
+    if copied.encode() != pathlib.Path(path).read_bytes():
+        pathlib.Path("copied.csv").write_text(copied)
+        sys.exit("the matrix has other bytes than the terminal's")
+    print("the matrix has the bytes of the terminal's")
+
+
+def slide(page, share):
+    """Drags a slider there from its left; the button stays down."""
+    left, top, right, bottom, before = page.rests("slider:modulation_hz")
+    y = (top + bottom) // 2
+    at = left + int(share * (right - left))
+    page.mouse("mousePressed", at - 20, y)
+    for step in range(1, 6):
+        page.mouse("mouseMoved", at - 20 + 4 * step, y)
+    return at, y, before
+
+
 def edit(page):
     """A slider is dragged: the map follows, says that it is a preview, and is exact again."""
-    title = "title:Perceptual space"
-    page.until_widget(title, lambda value: value.startswith("exact"), "an exact map")
-    cell = page.widgets()["matrix selected"][4]
-    left, top, right, bottom, before = page.widgets()["slider:modulation_hz"]
-    page.mouse("mousePressed", left + 8, (top + bottom) // 2)
-    for step in range(1, 6):
-        page.mouse("mouseMoved", left + 8 + step * (right - left - 16) // 8, (top + bottom) // 2)
+    points = [one[:4] for name, one in page.widgets().items() if name.startswith("point:")]
+    at, y, before = slide(page, 0.6)
     began = time.monotonic()
-    page.until_widget("slider:modulation_hz", lambda value: value != before, "the slider follows the mouse")
-    page.until_widget(title, lambda value: "preview" in value, "a preview of the map")
+    page.widget("slider:modulation_hz", "the slider follows the mouse", lambda value: value != before)
+    page.widget(MAP, "a preview of the map", lambda value: "preview" in value)
     print(f"preview {1000 * (time.monotonic() - began):.0f} ms after the slider was moved")
-    page.mouse("mouseReleased", left + 8 + 5 * (right - left - 16) // 8, (top + bottom) // 2)
-    page.until_widget(title, lambda value: value.startswith("exact"), "an exact map after the edit")
-    print(f"exact {time.monotonic() - began:.1f} s after it; matrix of {cell!r}")
+    page.mouse("mouseReleased", at, y)
+    began = time.monotonic()
+    page.exact("an exact map after the edit")
+    print(f"exact {time.monotonic() - began:.1f} s after the edit")
+    moved = [one[:4] for name, one in page.widgets().items() if name.startswith("point:")]
+    if moved == points:
+        sys.exit("no point of the map has moved")
 
 
-def say_from_a_file(browser, folder, width, height):
-    """From the disk the page says what it lacks, and how to get it."""
-    page = Page(browser, width, height)
-    browser.ask("Page.navigate", url=(pathlib.Path(folder) / "tactspace.html").resolve(strict=True).as_uri())
-    page.until("document.getElementById('said')?.textContent.includes('Serve its folder')", "a sentence", 60)
+def play(page):
+    """The pattern is played at the sound output: on the chosen channel, at 10 %, until it is stopped."""
+    page.click("device")
+    page.click("device:audio/Web/default")
+    page.widget("device", "the output is chosen", lambda value: "Sound of this device" in value)
+    page.value("self.heard = []; 0")
+    page.key(" ", "Space", 0, 32)
+    page.until(lambda: page.value("self.heard.some((peaks) => peaks[0] > 1e-4)"), "something is heard", 60)
+    page.until(lambda: page.value("self.heard.length > 30 && self.heard.slice(-8).every((peaks) => peaks[0] < 1e-6)"),
+               "it ends", 60)
+    loudest, other = page.value("[0, 1].map((c) => Math.max(...self.heard.map((peaks) => peaks[c])))")
+    print(f"played: largest sample {loudest:.3f} of full scale, {other:.3f} on the other channel")
+    if not 0.005 < loudest <= 0.1 * 0.8 + 1e-6 or other != 0:
+        sys.exit("expected 10 % of the level on the left channel alone")
+
+
+def reload(page):
+    page.value("self.is_old = true")
+    page.browser.ask("Page.reload")
+    page.until(lambda: not page.value("self.is_old"), "the page goes", 60)
+    page.exact("the page is there again")
+
+
+def save_and_reopen(page):
+    page.key("S", "KeyS", CTRL + SHIFT, 83)
+    page.widget("file name", "the file dialog opens")
+    page.key("a", "KeyA", CTRL, 65)
+    page.type("edited")
+    page.widget("file name", "a name is typed", lambda value: value == "edited")
+    page.key("Enter", "Enter", 0, 13)
+    file = page.downloads / "edited.tactspace.json"
+    page.until(lambda: file.exists() and file.stat().st_size > 0, "what is saved is downloaded", 60)
+    saved = file.read_text()
+    value = page.widgets()["slider:modulation_hz"][4]
+    reload(page)
+    page.value("FS.writeFile('/tmp/widgets', ''); const dropped = new DataTransfer();"
+               f"dropped.items.add(new File([{json.dumps(saved)}], 'again.tactspace.json'));"
+               "dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, cancelable: true})); 0")
+    page.widget("document", "the file opens again", lambda value: "again" in value or "PM 2023" in value, 60)
+    page.widget("slider:modulation_hz", "its edit is there", lambda again: again == value, 60)
+    page.exact("its exact map")
+    print(f"saved {len(saved)} bytes as a download, and dropped again: modulation {value} Hz")
+
+
+def many_edits(page, count):
+    """Memory after many edits is what it was after a few."""
+    def memory():
+        return page.value("wasmMemory.buffer.byteLength") >> 20
+    few = 0
+    for edit_number in range(count):
+        at, y, _ = slide(page, 0.2 + 0.6 * (edit_number % 10) / 10)
+        page.mouse("mouseReleased", at, y)
+        if edit_number % 20 == 19:
+            page.exact("an exact map between edits")
+        if edit_number == count // 4:
+            page.exact("an exact map after a quarter of the edits")
+            few = memory()
+    page.exact("an exact map after all edits")
+    print(f"memory {few} MB after {count // 4} edits, {memory()} MB after {count}")
+    if memory() > 1.1 * few:
+        sys.exit("memory grows with edits")
+
+
+def lesson_by_touch(page, pictures):
+    page.screen(390, 844, touch=True)
+    reload(page)
+    if pictures:
+        page.picture(pathlib.Path(pictures) / "390.png")
+    page.command("Thresholds by frequency")
+    page.widget("tour", "the lesson is open", lambda value: value.startswith("1 of "))
+    seen = []
+    for _ in range(40):
+        widgets = page.widgets()
+        if "tour:next" not in widgets:
+            break
+        state = (widgets["tour"][4], "lesson:answer" in widgets)
+        if pictures and state not in seen:
+            page.picture(pathlib.Path(pictures) / f"lesson_{len(seen) + 1}.png")
+        seen.append(state)
+        left, top, right, bottom, _ = widgets["tour:next"]
+        if min(right - left, bottom - top) < 44:
+            sys.exit(f"a target of {right - left} x {bottom - top} px is too small for a finger")
+        if "option:1" in widgets and not state[1]:
+            page.tap("option:1")
+        page.tap("tour:next")
+        page.until(lambda: "tour" not in (now := page.widgets()) or
+                   (now["tour"][4], "lesson:answer" in now) != state, f"the lesson continues after {state}", 120)
+    last = seen[-1][0].split(" of ")
+    if "tour" in page.widgets() or last[0] != last[1]:
+        sys.exit(f"the lesson did not come to its end: {seen}")
+    print(f"a lesson of {last[1]} cards, by touch")
+
+
+def fingers(page):
+    """One finger turns the map; two move it, and zoom it as they part."""
+    page.screen(1024, 768, touch=True)
+    reload(page)
+    page.until(lambda: "points move" not in page.widgets(), "the points rest", 60)
+
+    def points():
+        return [((one[0] + one[2]) / 2, (one[1] + one[3]) / 2) for name, one in sorted(page.widgets().items())
+                if name.startswith("point:")]
+
+    def middle(places):
+        return [sum(one[k] for one in places) / len(places) for k in (0, 1)]
+
+    def spread(places):
+        at = middle(places)
+        return sum(((one[0] - at[0]) ** 2 + (one[1] - at[1]) ** 2) ** 0.5 for one in places) / len(places)
+
+    left, top, right, bottom, _ = page.rests("pane:Perceptual space")
+    x, y = (left + right) / 2, (top + bottom) / 2 + 20
+
+    def touch(kind, *places):
+        page.browser.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": a, "y": b} for a, b in places])
+        # A frame each, as fingers take.
+        page.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
+
+    def drag(ways, move):
+        touch("touchStart", *ways)
+        for step in range(1, 9):
+            touch("touchMove", *(move(place, step) for place in ways))
+        touch("touchEnd")
+        page.until(lambda: "points move" not in page.widgets(), "the points rest", 60)
+
+    before = points()
+    drag([(x - 40, y), (x + 40, y)], lambda at, step: (at[0] + 5 * step, at[1]))
+    moved = points()
+    if not 20 < middle(moved)[0] - middle(before)[0] < 60:
+        page.fail(f"two fingers move the map, from {middle(before)} to {middle(moved)}")
+    drag([(x - 40, y), (x + 40, y)], lambda at, step: (at[0] + (5 if at[0] > x else -5) * step, at[1]))
+    parted = points()
+    if spread(parted) < 1.2 * spread(moved):
+        page.fail(f"two fingers zoom the map, from {spread(moved)} to {spread(parted)}")
+    drag([(x, y + 60)], lambda at, step: (at[0] + 8 * step, at[1]))
+    if points() == parted:
+        page.fail("a finger turns the map")
+    print("the map is moved, zoomed and turned by fingers")
+
+
+def vibrate(page):
+    """On a phone the pattern is played by its own motor."""
+    page.tap("device")
+    page.tap("device:phones/this")
+    page.widget("device", "this phone is chosen", lambda value: "This phone" in value)
+    page.key(" ", "Space", 0, 32)
+    page.until(lambda: page.value("self.vibrated.some((ms) => Array.isArray(ms) && ms.length > 0)"), "it vibrates", 60)
+    ms = page.value("self.vibrated.find((ms) => Array.isArray(ms) && ms.length > 0)")
+    print(f"this phone: {len(ms)} on-off times, {sum(ms)} ms")
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("folder")
-    parser.add_argument("--headers", action="store_true")
-    parser.add_argument("--width", type=int, default=1280)
-    parser.add_argument("--height", type=int, default=800)
-    parser.add_argument("--picture")
-    parser.add_argument("--set", help="a set file beside the page, opened by its address")
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--from", dest="source", choices=("disk", "server", "headers"), default="disk")
+    parser.add_argument("--matrix")
+    parser.add_argument("--edits", type=int, default=200)
+    parser.add_argument("--pictures")
+    parser.add_argument("--only", help="names of parts, with commas between them")
     args = parser.parse_args()
-    address = serve(args.folder, args.headers)
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        browser = Browser(profile, "--use-angle=swiftshader --enable-unsafe-swiftshader")
-        page = Page(browser, args.width, args.height)
-        began = time.monotonic()
-        browser.ask("Page.addScriptToEvaluateOnNewDocument",
-                    source="self.environment_for_tests = {TACTSPACE_WIDGET_RECTS: '/tmp/widgets'}")
-        fragment = f"#set={args.set}" if args.set else ""
-        browser.ask("Page.navigate", url=f"{address}/tactspace.html{fragment}")
-        page.until("document.title.endsWith(' - tactspace')", "the window opens")
-        print(f"first view after {time.monotonic() - began:.1f} s, title {page.value('document.title')!r}")
-        edit(page)
-        if args.picture:
-            page.picture(args.picture)
+    if args.source == "disk":
+        address = (args.build / "tactspace.html").resolve(strict=True).as_uri()
+    else:
+        address = serve(args.build / "page", args.source == "headers") + "/tactspace.html"
+    with contextlib.ExitStack() as at_end:
+        folder = pathlib.Path(at_end.enter_context(tempfile.TemporaryDirectory(ignore_cleanup_errors=True)))
+        (folder / "downloads").mkdir()
+        browser = Browser(folder / "profile", "--use-angle=swiftshader --enable-unsafe-swiftshader")
+        at_end.callback(browser.process.wait)
+        at_end.callback(browser.process.terminate)
+        page = Page(browser, folder / "downloads")
+        open_page(page, address)
+        parts = {
+            "picture": lambda: args.pictures and page.picture(pathlib.Path(args.pictures) / f"{args.source}_1280.png"),
+            "matrix": lambda: args.matrix and same_matrix(page, args.matrix),
+            "edit": lambda: edit(page),
+            "play": lambda: play(page),
+            "save": lambda: save_and_reopen(page),
+            "edits": lambda: many_edits(page, args.edits),
+            "lesson": lambda: lesson_by_touch(page, args.pictures),
+            "fingers": lambda: fingers(page),
+            "vibrate": lambda: vibrate(page),
+        }
+        for name, part in parts.items():
+            if not args.only or name in args.only.split(","):
+                part()
         for message in page.messages():
             print("said:", message[:400])
-        say_from_a_file(browser, args.folder, args.width, args.height)
-        browser.process.terminate()
-        browser.process.wait()
 
 
 if __name__ == "__main__":
