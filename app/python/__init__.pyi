@@ -162,6 +162,16 @@ def separate(
     *,
     progress: Progress = None,
 ) -> dict[str, Any]: ...
+def report(
+    set: Mapping[str, Any],
+    count: Whole | None = None,
+    closer_than: float | tuple[str | int, str | int] | list[str] | list[int] | None = None,
+    include_unfelt: bool = False,
+    threads: int = 0,
+    time_limit_s: float = 60.0,
+    *,
+    progress: Progress = None,
+) -> dict[str, Any]: ...
 def steps(
     set: Mapping[str, Any],
     start: str | int,

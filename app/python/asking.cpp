@@ -1,4 +1,6 @@
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "app/python/beside_python.h"
 #include "app/python/documents.h"
@@ -8,6 +10,7 @@
 #include "model/ask/parted_pair.h"
 #include "model/ask/steps_json.h"
 #include "model/ask/steps_set.h"
+#include "model/tasks/set_report.h"
 
 namespace tact {
 
@@ -15,17 +18,24 @@ namespace py = pybind11;
 
 namespace {
 
-PairToPart pair_in(const py::object& pair, const py::object& change, const py::object& among,
-                   const PatternSet& set) {
+// `name`: of the argument.
+std::pair<std::size_t, std::size_t> two_in(const py::object& pair, const PatternSet& set,
+                                           const std::string& name) {
     const bool is_pair =
         (py::isinstance<py::tuple>(pair) || py::isinstance<py::list>(pair)) && py::len(pair) == 2;
     if (!is_pair) {
-        throw py::type_error("pair: expected two patterns, got " + described(pair));
+        throw py::type_error(name + ": expected two patterns, got " + described(pair));
     }
+    const std::size_t a = place_in(pair[py::int_(0)], set, name + "[0]");
+    const std::size_t b = place_in(pair[py::int_(1)], set, name + "[1]");
+    if (a == b) throw py::value_error(name + ": expected two different patterns");
+    return {a, b};
+}
+
+PairToPart pair_in(const py::object& pair, const py::object& change, const py::object& among,
+                   const PatternSet& set) {
     PairToPart result;
-    result.a = place_in(pair[py::int_(0)], set, "pair[0]");
-    result.b = place_in(pair[py::int_(1)], set, "pair[1]");
-    if (result.a == result.b) throw py::value_error("pair: expected two different patterns");
+    std::tie(result.a, result.b) = two_in(pair, set, "pair");
     const std::string name =
         change.is_none() ? "" : set.vibrations[place_in(change, set, "change")].name;
     result.changeable = changeable_of(set, result.a, result.b, name);
@@ -68,6 +78,40 @@ py::dict separate(const py::object& given, const py::object& pair, const py::obj
         },
         &told);
     return python_of(json_of(*parted, names_of(set)));
+}
+
+py::dict report(const py::object& given, const py::object& count, const py::object& closer_than,
+                const py::object& include_unfelt, const py::object& threads,
+                const py::object& time_limit_s, const py::object& progress) {
+    Progress told(progress);
+    const PatternSet set = pattern_set_of(given);
+    if (set.vibrations.size() < 2) {
+        throw py::value_error("set: expected at least two patterns to compare, got " +
+                              std::to_string(set.vibrations.size()));
+    }
+    SetReportRequest request;
+    if (!count.is_none()) {
+        request.count = static_cast<std::size_t>(whole_within(count, "count", {2.0, 1e9}));
+    }
+    if (py::isinstance<py::tuple>(closer_than) || py::isinstance<py::list>(closer_than)) {
+        request.closer_than_pair = two_in(closer_than, set, "closer_than");
+    } else {
+        request.closer_than = optional_within(closer_than, "closer_than", {0.0, 1e9});
+    }
+    request.picks_unfelt = py::bool_(include_unfelt);
+    request.threads = threads_of(threads);
+    request.comparing = told.for_work("comparing pairs");
+    request.picking.progress = told.for_work("searching");
+    request.picking.time_limit_s =
+        within(time_limit_s, "time_limit_s", {0.0, std::numeric_limits<double>::infinity()});
+    const auto made = beside_python(
+        [&](std::stop_token stop) {
+            request.stop = stop;
+            return set_report(set, set, request);
+        },
+        &told);
+    if (!made->fault.empty()) throw py::value_error(made->fault);
+    return python_of(json_of(*made, set));
 }
 
 py::dict steps(const py::object& given, const py::object& start, const py::object& end,

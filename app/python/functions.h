@@ -38,6 +38,11 @@ pybind11::dict separate(const pybind11::object& given, const pybind11::object& p
                         const pybind11::object& closest, const pybind11::object& threshold,
                         const pybind11::object& threads, const pybind11::object& progress);
 
+pybind11::dict report(const pybind11::object& given, const pybind11::object& count,
+                      const pybind11::object& closer_than, const pybind11::object& include_unfelt,
+                      const pybind11::object& threads, const pybind11::object& time_limit_s,
+                      const pybind11::object& progress);
+
 pybind11::dict steps(const pybind11::object& given, const pybind11::object& start,
                      const pybind11::object& end, const pybind11::object& count,
                      const pybind11::object& parameter, const pybind11::object& metric,

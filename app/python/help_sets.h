@@ -23,6 +23,29 @@ Returns a dict: pair (names), dissimilarity and threshold (PM, without unit), an
 first, a dict each of pattern, parameter, from and to (in the unit of its name, as amplitude_g),
 felt_steps and nearest (a dict: pattern and dissimilarity of the closest of the others then).)";
 
+inline constexpr const char* kReport =
+    R"(report(set, count=None, closer_than=None, include_unfelt=False, threads=0, time_limit_s=60.0, *, progress=None)
+--
+
+What is told of a set as a whole, by PM: what feels the same, what to pick, what is close.
+
+set             a dict of n patterns, as write_set() takes it; locked ones are picked, dropped ones
+                are not
+count           how many most distinct patterns to pick, 2 to n; None: 8, or half of a small set
+closer_than     a PM, or two patterns, each by its name or its place from 0: pairs closer than that
+                are counted; None: closer than the weakest pair of the picked ones
+include_unfelt  True: patterns that no receptor answers to may be picked, too
+threads         0: all cores
+time_limit_s    seconds, after which the best subset so far is taken, not called optimal
+progress        None, True or a function of (share, text)
+
+Returns a dict. picked (names), optimal, and bound, which the weakest pair of no such subset exceeds; PM has
+no unit. groups (lists of names that feel the same, within a felt step of each other), confused_pairs (how
+many such pairs) and distinct (patterns, each group as one). closer_below (PM), closer_pairs and
+closer_groups, of what is closer than that. alike (a dict each of central and patterns): as many groups as
+are picked. nearest (by name a dict: pattern, dissimilarity, and verdict by felt steps, or None). Where there
+are any, not_felt, and left_out_unfelt of these, which were not picked for that.)";
+
 inline constexpr const char* kSteps =
     R"(steps(set, start, end, count=5, parameter="", metric="pm", threads=0, *, progress=None)
 --

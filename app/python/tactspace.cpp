@@ -212,6 +212,9 @@ void define_sets(py::module_& module) {
     module.def("separate", separate, help::kSeparate, "set"_a, "pair"_a, "change"_a = none,
                "among"_a = py::tuple(), "closest"_a = 5.0, "threshold"_a = none, "threads"_a = 0,
                py::kw_only(), "progress"_a = none);
+    module.def("report", report, help::kReport, "set"_a, "count"_a = none, "closer_than"_a = none,
+               "include_unfelt"_a = false, "threads"_a = 0, "time_limit_s"_a = 60.0, py::kw_only(),
+               "progress"_a = none);
     module.def("steps", steps, help::kSteps, "set"_a, "start"_a, "end"_a, "count"_a = 5,
                "parameter"_a = "", "metric"_a = "pm", "threads"_a = 0, py::kw_only(),
                "progress"_a = none);

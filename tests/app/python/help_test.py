@@ -44,6 +44,7 @@ class Help(unittest.TestCase):
         calls = {"predict": [waves], "unfelt": [waves], "stages": [waves[0]], "space": [square], "subset": [square, 3],
                  "compare": [square, ratings], "train": [[of_set]], "render": [given["patterns"][0]],
                  "read_set": [twelve], "paper": [[of_set]], "steps": [given, 0, 1], "groups": [given],
+                 "report": [given],
                  "separate": [dict(given, **{key: given[key][:3] for key in ("names", "patterns", "waves")}),
                               (0, 1)]}
         for name, arguments in calls.items():
@@ -72,7 +73,8 @@ class Help(unittest.TestCase):
         rated = tactspace.compare({"pm": square, "mine": square[::-1, ::-1]}, square, given={"same": square})
         with tempfile.TemporaryDirectory() as folder:
             exported = tactspace.export(given, folder, "wav")
-        answers = {"groups": tactspace.groups(given), "steps": tactspace.steps(given, 0, 1, 3), "separate": tactspace.separate(given, (0, 1)),
+        answers = {"groups": tactspace.groups(given), "report": tactspace.report(given),
+                   "steps": tactspace.steps(given, 0, 1, 3), "separate": tactspace.separate(given, (0, 1)),
                    "paper": tactspace.paper([dict(given, ratings=square)]), "export": exported,
                    "stages": tactspace.stages(given["waves"][0]), "subset": tactspace.subset(square, 3),
                    "compare": rated["mine"],

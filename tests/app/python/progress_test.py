@@ -57,8 +57,8 @@ class Told(unittest.TestCase):
             for name, arguments in {
                 "predict": [given["waves"]], "subset": [square, 4], "space": [square], "compare": [square, square],
                 "paper": [[dict(given, ratings=square)]], "plan": [square, square, [3]],
-                "train": [[dict(given, ratings=square)]], "separate": [given, (0, 1)], "steps": [given, 0, 1], "groups": [given],
-                "export": [given, folder, "ahap"],
+                "train": [[dict(given, ratings=square)]], "separate": [given, (0, 1)], "steps": [given, 0, 1],
+                "groups": [given], "export": [given, folder, "ahap"], "report": [given],
             }.items():
                 told = []
                 getattr(tactspace, name)(*arguments, progress=lambda share, text: told.append(share))

@@ -174,6 +174,29 @@ class Asked(Folder):
         with self.assertRaisesRegex(TypeError, "pair: expected two patterns, got 'ab'"):
             tactspace.separate(given, "ab")
 
+    def test_what_a_report_tells_is_the_program_s(self):
+        given = tactspace.read_set(twelve)
+        a, b = given["names"][:2]
+        page = self.folder / "page.html"
+        for words, more in {(): {}, ("--count", 5, "--closer-than", f"{a},{b}"): {"count": 5, "closer_than": (a, 1)},
+                            ("--closer-than", 12.5): {"closer_than": 12.5}}.items():
+            theirs = run_json("report", twelve, "--out", page, *words)
+            ours = tactspace.report(given, **more)
+            self.assertEqual(ours, {key: theirs[key] for key in ours})
+        faint = dict(given, patterns=[dict(one) for one in given["patterns"]])
+        faint["patterns"][2]["amplitude_g"] = 0
+        faint.pop("waves")
+        name = given["names"][2]
+        self.assertEqual(tactspace.report(faint)["left_out_unfelt"], [name])
+        with_it = tactspace.report(faint, count=12, include_unfelt=True)
+        self.assertIn(name, with_it["picked"])
+        self.assertEqual(with_it["not_felt"], [name])
+        for words, arguments in {"count: expected": {"count": 1}, "13 to pick of 12": {"count": 13},
+                                 "closer_than: expected two different": {"closer_than": (0, 0)},
+                                 "closer_than: expected": {"closer_than": -1}}.items():
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                tactspace.report(given, **arguments)
+
     def test_steps_are_the_program_s(self):
         given = tactspace.read_set(twelve)
         a, b = given["names"][:2]
