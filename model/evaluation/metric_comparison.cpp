@@ -1,8 +1,9 @@
 #include "model/evaluation/metric_comparison.h"
-#include "model/set/set_waveforms.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "model/set/set_waveforms.h"
 
 namespace tact {
 
@@ -15,13 +16,15 @@ bool is_of_prediction(Metric metric) {
 bool is_simple(Metric metric) { return !is_of_prediction(metric) && metric != Metric::van_rossum; }
 
 // The three that come out of one run, each with half of its cost spared twice.
-std::optional<Prediction> prediction_for(const PatternSet& set, std::span<const Metric> metrics,
+std::optional<Prediction> prediction_for(std::span<const Metric> metrics,
+                                         std::span<const Waveform> waveforms,
+                                         const PerceptualModelParams& params,
                                          const MetricOptions& options) {
     if (std::ranges::none_of(metrics, is_of_prediction)) return Prediction{};
     PredictOptions run;
     run.threads = options.threads;
     run.stop = options.stop;
-    return predict(own_waveforms(set, run.threads), set.model, run);
+    return predict(waveforms, params, run);
 }
 
 std::optional<Dissimilarity> matrix_of(Metric metric, std::span<const Waveform> waveforms,
@@ -43,13 +46,11 @@ std::optional<std::vector<Dissimilarity>> compared_matrices(const PatternSet& se
                                                             std::span<const Metric> metrics,
                                                             const Prediction* known,
                                                             const MetricOptions& options) {
-    const auto computed =
-        known == nullptr ? prediction_for(set, metrics, options) : std::optional<Prediction>();
+    const std::vector<Waveform> waveforms = own_waveforms(set, options.threads);
+    const auto computed = known == nullptr ? prediction_for(metrics, waveforms, set.model, options)
+                                           : std::optional<Prediction>();
     if (known == nullptr && !computed) return std::nullopt;
     const Prediction& prediction = known == nullptr ? *computed : *known;
-    // Unpadded: DTW takes them as they are; the others pad.
-    std::vector<Waveform> waveforms;
-    for (const Vibration& vibration : set.vibrations) waveforms.push_back(waveform_of(vibration));
     std::vector<Dissimilarity> matrices;
     const auto count = static_cast<double>(metrics.size());
     for (const Metric metric : metrics) {
