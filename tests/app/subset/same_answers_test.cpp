@@ -2,12 +2,15 @@
 // meant and as a device plays it, and every bit of what they say is compared.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/ask/steps_follow.h"
 #include "app/rendering/rendered_set.h"
 #include "app/subset/groups_follow.h"
+#include "app/subset/separation_follow.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "model/io/set/set_file.h"
@@ -243,6 +246,50 @@ TEST_CASE("same answers: the window and the terminal write the same page" *
             CHECK(terminal.at(key) == value);
         }
     }
+}
+
+TEST_CASE("same answers: what parts a pair, and steps between two" * doctest::test_suite("long")) {
+    Asked asked(dualshock());
+    SubsetState& picking = asked.app.picking;
+    asked.picked_in_window(Metric::pm);
+    picking.view = SubsetView::confusable;
+    picking.too_close = TooClose::share;
+    picking.share = 0.2;
+    const TooClosePairs& pairs = too_close_pairs(asked.app.shown_map, picking);
+    const auto pair = std::ranges::find_if(pairs.pairs, [&](const ConfusablePair& one) {
+        return fixed_because(asked.app.work, asked.app.shown_map, one.a).empty();
+    });
+    REQUIRE(pair != pairs.pairs.end());
+    const std::string a = asked.names()[pair->a];
+    const std::string b = asked.names()[pair->b];
+    ask_for_separation(asked.app.work, asked.app.shown_map, picking, pair->a);
+    asked.wait([&] { return picking.separations && !is_subset_busy(picking); });
+    Json window = Json::array();
+    for (const Separation& one : picking.separations->all) {
+        window.push_back(
+            {{"pattern", a},
+             {"parameter", traits(one.parameter).key},
+             {"from", one.from},
+             {"to", one.to},
+             {"felt_steps", one.steps},
+             {"nearest",
+              {{"pattern", asked.names()[one.nearest_to]}, {"dissimilarity", one.nearest}}}});
+    }
+    const Json terminal =
+        asked.told({"separate", "--pair", a + "," + b, "--change", a, "--closest", "20"});
+    CHECK(terminal.at("dissimilarity") == pair->dissimilarity);
+    CHECK(terminal.at("threshold") == pairs.threshold);
+    CHECK(terminal.at("changes") == window);
+
+    open_steps(asked.app.ui, asked.app.work, asked.app.steps, "p1", "p8");
+    asked.wait([&] { return current_steps(asked.app.work, asked.app.steps) != nullptr; });
+    const EvenSteps& steps = current_steps(asked.app.work, asked.app.steps)->steps;
+    const auto out = (asked.folder.path / "steps.tactspace.json").string();
+    const Json placed = Json::parse(
+        output_of({"steps", asked.file, "--from", "p1", "--to", "p8", "--out", out, "--json"}));
+    CHECK(placed.at("shares") == steps.shares);
+    CHECK(placed.at("apart") == steps.apart);
+    CHECK(placed.at("pm") == steps.pm);
 }
 
 }  // namespace same_answers_test
