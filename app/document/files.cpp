@@ -259,10 +259,11 @@ void autosave_if_due(Ui& ui, Workspace& work) {
     work.autosave_pending = false;
     const bool has_text = work.unsaved && !work.session.folder.empty();
     if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document.kept()));
-    work.autosave_write = std::async(
-        has_threads() ? std::launch::async : std::launch::deferred, [place = place_of(work.session), document = work.document.kept()] {
-            return fault_of(place, document);
-        });
+    work.autosave_write =
+        std::async(has_threads() ? std::launch::async : std::launch::deferred,
+                   [place = place_of(work.session), document = work.document.kept()] {
+                       return fault_of(place, document);
+                   });
 }
 
 bool is_autosaving(const Workspace& work) { return work.autosave_write.valid(); }

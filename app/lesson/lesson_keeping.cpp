@@ -100,10 +100,11 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
     Session place;  // without the locks, which the program holds
     place.folder = work.session.folder;
     place.autosave = work.session.autosave;
-    state.autosave_write = std::async(
-        has_threads() ? std::launch::async : std::launch::deferred, [place = std::move(place), draft = draft_of(state, state.unsaved)] {
-            return fault_of(place, draft);
-        });
+    state.autosave_write =
+        std::async(has_threads() ? std::launch::async : std::launch::deferred,
+                   [place = std::move(place), draft = draft_of(state, state.unsaved)] {
+                       return fault_of(place, draft);
+                   });
 }
 
 bool is_autosaving(const LessonState& state) { return state.autosave_write.valid(); }

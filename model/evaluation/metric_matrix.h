@@ -1,8 +1,7 @@
 // The dissimilarity matrix of a set by any metric.
 //
-// Input     waveforms of one rate, each at its own length. Shorter ones count as followed by zeros,
-// to
-//           the longest of them, as for PM; but DTW takes them as they are.
+// Input     waveforms of one rate, each at its own length. Zeros follow shorter ones, up to the
+//           longest of them, as for PM; but DTW takes them as they are.
 // Output    0 between equal waveforms; but PM and no-physiology, being sums of ranks, are never 0
 //           and depend on the whole set
 // Left out  tiles and matrices that fill the memory (model/perceptual_model/tiles.h: PM, NC and OC)
