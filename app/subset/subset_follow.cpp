@@ -91,6 +91,8 @@ std::optional<FoundSeparations> find_separations(const SeparationRequest& reques
                                                  std::atomic<float>& progress) {
     SeparationOptions options;
     options.from = request.from;
+    options.share = request.share;
+    options.by_a_step = request.by_a_step;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
     // As the map is: of what a device makes of the pattern.

@@ -232,7 +232,11 @@ TEST_CASE("same answers: the window and the terminal write the same page" *
         const auto from_window = asked.folder.path / "window.html";
         const std::string from_terminal = (asked.folder.path / "terminal.html").string();
         export_report(asked.app.ui, asked.app.picking, from_window);
-        asked.wait([&] { return std::filesystem::exists(from_window); });
+        asked.wait([&] {
+            const App& app = asked.app;
+            continue_subset_export(asked.app.ui, app.work, app.shown_map, asked.app.picking);
+            return std::filesystem::exists(from_window);
+        });
         const Json terminal =
             asked.told({"report", "--out", from_terminal, "-k", std::to_string(kPicked)});
         CHECK((bytes_of(from_window) == bytes_of(from_terminal)));
