@@ -43,8 +43,8 @@ Returns a dict. picked (names), optimal, and bound, which the weakest pair of no
 no unit. groups (lists of names that feel the same, within a felt step of each other), confused_pairs (how
 many such pairs) and distinct (patterns, each group as one). closer_below (PM), closer_pairs and
 closer_groups, of what is closer than that. alike (a dict each of central and patterns): as many groups as
-are picked. nearest (by name a dict: pattern, dissimilarity, and verdict by felt steps, or None). Where there
-are any, not_felt, and left_out_unfelt of these, which were not picked for that.)";
+are picked. nearest (by name a dict: pattern, dissimilarity, and verdict by felt steps; None where a pattern
+is compared with none). Where there are any, not_felt, and left_out_unfelt of these, which were not picked for that.)";
 
 inline constexpr const char* kSteps =
     R"(steps(set, start, end, count=5, parameter="", metric="pm", threads=0, *, progress=None)

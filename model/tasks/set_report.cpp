@@ -59,12 +59,14 @@ nlohmann::json json_of(const CloseGroups& close, const PatternSet& set) {
     return groups;
 }
 
-// A pattern that was compared with none has itself for nearest, and no verdict.
+// A pattern that was compared with none has itself for nearest, at no distance and with no verdict.
 nlohmann::json json_of(const NearestNeighbour& nearest, std::size_t place, const PatternSet& set) {
     nlohmann::json json{{"pattern", set.vibrations[nearest.place].name},
-                        {"dissimilarity", nearest.dissimilarity},
+                        {"dissimilarity", nullptr},
                         {"verdict", nullptr}};
-    if (nearest.place != place) json["verdict"] = words_of(pair_verdict(set, place, nearest.place));
+    if (nearest.place == place) return json;
+    json["dissimilarity"] = nearest.dissimilarity;
+    json["verdict"] = words_of(pair_verdict(set, place, nearest.place));
     return json;
 }
 
