@@ -88,7 +88,10 @@ class Page:
         self.browser.ask("Emulation.setTouchEmulationEnabled", enabled=touch)
 
     def value(self, expression):
-        found = self.browser.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
+        try:
+            found = self.browser.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
+        except SystemExit:  # the page went meanwhile
+            return None
         return found["result"].get("value")
 
     def fail(self, what):
@@ -238,8 +241,9 @@ def play(page):
     page.value("self.heard = []; 0")
     page.key(" ", "Space", 0, 32)
     page.until(lambda: page.value("self.heard.some((peaks) => peaks[0] > 1e-4)"), "something is heard", 60)
-    page.until(lambda: page.value("self.heard.length > 30 && self.heard.slice(-8).every((peaks) => peaks[0] < 1e-6)"),
-               "it ends", 60)
+    page.until(lambda: page.value("self.heard.length > 30"), "it plays on", 60)
+    page.key("Escape", "Escape", 0, 27)
+    page.until(lambda: page.value("self.heard.slice(-8).every((peaks) => peaks[0] < 1e-6)"), "Esc silences it", 60)
     loudest, other = page.value("[0, 1].map((c) => Math.max(...self.heard.map((peaks) => peaks[c])))")
     print(f"played: largest sample {loudest:.3f} of full scale, {other:.3f} on the other channel")
     if not 0.005 < loudest <= 0.1 * 0.8 + 1e-6 or other != 0:
@@ -378,6 +382,8 @@ def vibrate(page):
     page.key(" ", "Space", 0, 32)
     page.until(lambda: page.value("self.vibrated.some((ms) => Array.isArray(ms) && ms.length > 0)"), "it vibrates", 60)
     ms = page.value("self.vibrated.find((ms) => Array.isArray(ms) && ms.length > 0)")
+    page.key("Escape", "Escape", 0, 27)
+    page.until(lambda: page.value("self.vibrated.at(-1) === 0"), "Esc stops it", 60)
     print(f"this phone: {len(ms)} on-off times, {sum(ms)} ms")
 
 
