@@ -2,11 +2,11 @@
 addToLibrary({
   $webSound: {
     context: null,
-    open: new Map(),  // node and memory, by number
+    open: {},  // node and memory, by number
     last: 0,
     // A browser lets a page sound after a press or a key, some only during one.
     wake: () => {
-      if (webSound.open.size > 0 && webSound.context.state !== 'running') webSound.context.resume();
+      if (Object.keys(webSound.open).length > 0 && webSound.context.state !== 'running') webSound.context.resume();
     },
   },
 
@@ -29,19 +29,19 @@ addToLibrary({
       }
     };
     node.connect(context.destination);
-    webSound.open.set(++webSound.last, {node, memory});
+    webSound.open[++webSound.last] = {node, memory};
     webSound.wake();
     return webSound.last;
   },
 
   web_sound_close__deps: ['$webSound', 'free'],
   web_sound_close: (number) => {
-    const {node, memory} = webSound.open.get(number);
-    webSound.open.delete(number);
+    const {node, memory} = webSound.open[number];
+    delete webSound.open[number];
     node.onaudioprocess = null;
     node.disconnect();
     // Not while its last piece may still be copied.
     setTimeout(() => _free(memory), 0);
-    if (webSound.open.size === 0) webSound.context.suspend();
+    if (Object.keys(webSound.open).length === 0) webSound.context.suspend();
   },
 });
