@@ -47,6 +47,7 @@ AudioNode.prototype.connect = function (to, ...more) {
 };
 """
 CTRL, SHIFT = 2, 8
+MODIFIER_KEYS = ((CTRL, "Control", "ControlLeft", 17), (SHIFT, "Shift", "ShiftLeft", 16))
 MAP = "title:Perceptual space"
 
 
@@ -163,9 +164,13 @@ class Page:
         return self.until(look, f"{name} is there and rests", 60.0)
 
     def key(self, key, code, modifiers=0, number=0):
-        for kind in ("rawKeyDown", "keyUp"):
-            self.browser.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, modifiers=modifiers,
-                             windowsVirtualKeyCode=number)
+        # As a hand does: first the modifiers go down, and last they come up.
+        held = [one for one in MODIFIER_KEYS if modifiers & one[0]]
+        presses = [("rawKeyDown", one) for one in held] + [("rawKeyDown", (modifiers, key, code, number))]
+        presses += [("keyUp", (modifiers, key, code, number))] + [("keyUp", one) for one in reversed(held)]
+        for kind, (flags, name, place, virtual) in presses:
+            self.browser.ask("Input.dispatchKeyEvent", type=kind, key=name, code=place, modifiers=flags,
+                             windowsVirtualKeyCode=virtual)
 
     def type(self, text):
         for sign in text:

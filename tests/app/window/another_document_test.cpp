@@ -71,6 +71,15 @@ std::vector<View> views() {
     return all;
 }
 
+// Some view has asked, and is not answered yet.
+bool is_answer_due(const App& app) {
+    const Comparing& comparing = app.comparing;
+    return is_subset_busy(app.picking) || app.rendered.job.busy() ||
+           comparing.comparison_job.busy() || comparing.difference_job.busy() ||
+           comparing.fit_job.busy() || app.physiology.stages_job.busy() ||
+           app.physiology.pinned_job.busy() || app.work.cache.behind;
+}
+
 // All items of the window, view by view and arrangement by arrangement.
 Shown everything(Program& program) {
     Shown shown;
@@ -81,7 +90,7 @@ Shown everything(Program& program) {
             view.show(program.app);
             program.settle();
             // A view may ask for its own answer, which an earlier look has already fetched.
-            wait_until(program, [&] { return !is_subset_busy(program.app.picking); });
+            wait_until(program, [&] { return !is_answer_due(program.app); });
             const std::string in =
                 view.name + " " + std::to_string(static_cast<int>(arrangement)) + "/";
             for (const auto& [name, place] : program.places) shown[in + name] = place.value;
