@@ -71,6 +71,8 @@ void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoi
                           choice.of_channels != play.choice.of_channels ||
                           choice.calibration != play.choice.calibration;
     if (is_other) begin_softly(play);
+    // A phone's own motor is on or off, and weak: 10 % is not felt, and nobody is startled.
+    if (choice.id == kThisPhoneId) play.level = 1.0;
     play.choice = choice;
     if (was_for_ear) play.choice.everywhere = false;  // an actuator has one channel
     play.opened = {};
