@@ -8,6 +8,7 @@
 #include "app/document/pattern_looks.h"
 #include "app/document/shown_side.h"
 #include "app/document/unsaved.h"
+#include "app/jobs/begun_beside.h"
 #include "app/session/autosave.h"
 #include "app/session/document_file.h"
 #include "app/ui/file_question.h"
@@ -16,7 +17,6 @@
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
-#include "model/system/process.h"
 #include "model/text/atomic_file.h"
 #include "model/text/file_stem.h"
 
@@ -250,20 +250,16 @@ void autosave_if_due(Ui& ui, Workspace& work) {
             std::min(ui.time_s + kAutosaveRestS, work.unkept_since_s + kMostUnkeptS);
         work.autosave_pending = true;
     }
-    const bool has_ended =
-        is_autosaving(work) &&
-        work.autosave_write.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
-    if (has_ended) tell_if_unkept(ui, work, work.autosave_write.get());
+    if (has_ended(work.autosave_write)) tell_if_unkept(ui, work, work.autosave_write.get());
     // What changes while an autosave is under way is kept by the next.
     if (!work.autosave_pending || ui.time_s < work.autosave_due_s || is_autosaving(work)) return;
     work.autosave_pending = false;
     const bool has_text = work.unsaved && !work.session.folder.empty();
     if (!has_text) return tell_if_unkept(ui, work, fault_of(work.session, work.document.kept()));
     work.autosave_write =
-        std::async(has_threads() ? std::launch::async : std::launch::deferred,
-                   [place = place_of(work.session), document = work.document.kept()] {
-                       return fault_of(place, document);
-                   });
+        begun_beside([place = place_of(work.session), document = work.document.kept()] {
+            return fault_of(place, document);
+        });
 }
 
 bool is_autosaving(const Workspace& work) { return work.autosave_write.valid(); }

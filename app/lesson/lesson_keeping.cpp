@@ -6,11 +6,11 @@
 
 #include "app/document/pattern_looks.h"
 #include "app/document/unsaved.h"
+#include "app/jobs/begun_beside.h"
 #include "app/lesson/lesson_edit.h"
 #include "app/ui/question.h"
 #include "model/common/thrown.h"
 #include "model/io/lesson/lesson_file.h"
-#include "model/system/process.h"
 
 namespace tact {
 
@@ -91,20 +91,16 @@ void autosave_lesson_if_due(Ui& ui, Workspace& work, LessonState& state) {
         state.keep_due_s = std::min(ui.time_s + kRestS, state.unkept_since_s + kMostUnkeptS);
         state.keep_pending = true;
     }
-    const bool has_ended =
-        is_autosaving(state) &&
-        state.autosave_write.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
-    if (has_ended) tell_if_unkept(ui, state, state.autosave_write.get());
+    if (has_ended(state.autosave_write)) tell_if_unkept(ui, state, state.autosave_write.get());
     if (!state.keep_pending || ui.time_s < state.keep_due_s || is_autosaving(state)) return;
     state.keep_pending = false;
     Session place;  // without the locks, which the program holds
     place.folder = work.session.folder;
     place.autosave = work.session.autosave;
     state.autosave_write =
-        std::async(has_threads() ? std::launch::async : std::launch::deferred,
-                   [place = std::move(place), draft = draft_of(state, state.unsaved)] {
-                       return fault_of(place, draft);
-                   });
+        begun_beside([place = std::move(place), draft = draft_of(state, state.unsaved)] {
+            return fault_of(place, draft);
+        });
 }
 
 bool is_autosaving(const LessonState& state) { return state.autosave_write.valid(); }
