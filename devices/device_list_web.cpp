@@ -29,12 +29,7 @@ Expected<std::unique_ptr<Device>> open_this_phone() {
 std::vector<DeviceInfo> list_devices(AudioHost& host) {
     std::vector<DeviceInfo> devices = host.outputs();
     if (web_vibrates() == 0) return devices;
-    DeviceInfo phone;
-    phone.id = kThisPhoneId;
-    phone.kind = DeviceKind::phone;
-    phone.name = "This phone";
-    phone.interface = "web vibration: on-off times alone, no strength and no frequency";
-    devices.push_back(std::move(phone));
+    devices.push_back(phone_info(kThisPhoneId, "This phone"));
     return devices;
 }
 
@@ -42,20 +37,7 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
     if (device.id == kThisPhoneId) return open_this_phone();
-    const auto channels = static_cast<int>(device.channels.size());
-    if (choice.channel < 1 || choice.channel > channels) {
-        return Error{device.name + " has no channel " + std::to_string(choice.channel) +
-                     ": expected 1 to " + std::to_string(channels)};
-    }
-    AudioStream::Place place;
-    place.id = device.id;
-    place.name = device.name;
-    place.channel = static_cast<std::size_t>(choice.channel - 1);
-    place.channels = static_cast<std::size_t>(channels);
-    place.buffer_s = choice.buffer_s;
-    place.latency_offset_s = choice.latency_offset_s;
-    place.everywhere = choice.everywhere;
-    return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));
+    return open_audio(host, device, choice, static_cast<int>(device.channels.size()));
 }
 
 std::string advice_without_devices() {

@@ -98,8 +98,7 @@ std::string calibration_text(const PlayState& play) {
 
 DrivenBy driven_by(const PlayState& play) {
     // A phone's motor has no strength in g, and protects itself.
-    const bool on_phones = play.choice.id == kPhonesId || play.choice.id == kThisPhoneId;
-    if (on_phones) return {nullptr, play.phone_full_scale_g, false, false};
+    if (is_phone(play.choice.id)) return {nullptr, play.phone_full_scale_g, false, false};
     return {play.calibration, play.full_scale_g, play.is_protected, play.for_ear};
 }
 

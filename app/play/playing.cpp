@@ -267,12 +267,7 @@ void list_phones(PlayState& play) {
         return;
     }
     Listing all = play.found ? *play.found : Listing{};
-    DeviceInfo phones;
-    phones.id = kPhonesId;
-    phones.kind = DeviceKind::phone;
-    phones.name = "Phones";
-    phones.interface = "web vibration: on-off times alone, no strength and no frequency";
-    all.push_back(std::move(phones));
+    all.push_back(phone_info(kPhonesId, "Phones"));
     play.listed = std::make_shared<const Listing>(std::move(all));
 }
 

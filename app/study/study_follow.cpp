@@ -141,7 +141,7 @@ std::string unused_code(const Workspace& work, const StudyState& studying,
 
 std::string study_calibration(const PlayState& play) {
     const std::string level = ", level " + significant(play.level);
-    if (play.choice.id == kPhonesId) {
+    if (is_phone(play.choice.id)) {
         return "uncalibrated, on-off times alone, the loudest pattern at full strength" + level;
     }
     if (play.calibration) {

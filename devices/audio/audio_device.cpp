@@ -31,4 +31,23 @@ void AudioDevice::change(const Drive& drive) {
     host_->post([stream = stream_] { stream->change(); });
 }
 
+Expected<std::unique_ptr<Device>> open_audio(const std::shared_ptr<AudioHost>& host,
+                                             const DeviceInfo& device, const DeviceChoice& choice,
+                                             int channels) {
+    if (choice.channel < 1 || choice.channel > channels) {
+        return Error{device.name + " has no channel " + std::to_string(choice.channel) +
+                     ": expected 1 to " + std::to_string(channels)};
+    }
+    AudioStream::Place place;
+    place.id = device.id;
+    place.name = device.name;
+    place.channel = static_cast<std::size_t>(choice.channel - 1);
+    place.channels = static_cast<std::size_t>(channels);
+    place.buffer_s = choice.buffer_s;
+    place.latency_offset_s = choice.latency_offset_s;
+    place.everywhere = choice.everywhere;
+    place.server_output = device.server_output;
+    return std::unique_ptr<Device>(std::make_unique<AudioDevice>(host, std::move(place)));
+}
+
 }  // namespace tact

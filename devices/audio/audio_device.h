@@ -35,4 +35,9 @@ class AudioDevice final : public Device {
     std::shared_ptr<AudioStream> stream_;
 };
 
+// `channels`: how many the output has there; the choice is one of them.
+Expected<std::unique_ptr<Device>> open_audio(const std::shared_ptr<AudioHost>& host,
+                                             const DeviceInfo& device, const DeviceChoice& choice,
+                                             int channels);
+
 }  // namespace tact

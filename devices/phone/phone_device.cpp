@@ -18,6 +18,15 @@ double seconds_of(std::chrono::nanoseconds time) {
 
 }  // namespace
 
+DeviceInfo phone_info(const char* id, const char* name) {
+    DeviceInfo info;
+    info.id = id;
+    info.kind = DeviceKind::phone;
+    info.name = name;
+    info.interface = "web vibration: on-off times alone, no strength and no frequency";
+    return info;
+}
+
 PhoneDevice::PhoneDevice(const std::shared_ptr<PhoneServer>& server, PhoneSide side)
     : PhoneDevice(PhoneDoor{[server](PhonePlay play) { server->play(std::move(play)); },
                             [server] { return server->phones(); }},

@@ -18,10 +18,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "devices/device/device.h"
+#include "devices/device/device_info.h"
 #include "devices/phone/phone_server.h"
 
 namespace tact {
@@ -29,7 +31,11 @@ namespace tact {
 inline constexpr double kResentS = 0.1;
 inline constexpr const char* kPhonesId = "phones";          // of all of them, in a list of devices
 inline constexpr const char* kThisPhoneId = "phones/this";  // of the one that shows the page
+inline bool is_phone(std::string_view id) { return id == kPhonesId || id == kThisPhoneId; }
 inline constexpr const char* kNoPhone = "No phone that can vibrate is connected: scan the code";
+
+// What a list of devices says of one of these.
+DeviceInfo phone_info(const char* id, const char* name);
 
 // The way to the phones: a server, unless a test has its own.
 struct PhoneDoor {
