@@ -200,7 +200,7 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     const std::string b = name_of(pick, subset.weakest.second);
     ImGui::PushFont(ui.theme.fonts.headline);
     const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
-    const double worth = by_sum ? subset.sum : subset.weakest_dissimilarity;
+    const double worth = worth_of(subset, pick.request.problem.objective);
     ImGui::TextUnformatted(worth_text(worth).c_str());
     ImGui::PopFont();
     note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", shortest_digits(worth));

@@ -10,15 +10,13 @@ namespace tact {
 
 namespace {
 
-constexpr std::size_t kUsualCount = 8;
-
-// Half of a small set: the most distinct of all but one would say nothing.
 SubsetProblem problem_of(const PatternSet& meant, const SetReportRequest& request,
                          std::span<const std::size_t> unpickable) {
     const std::size_t patterns = meant.vibrations.size();
     SubsetProblem problem = subset_problem(meant, 0, SubsetObjective::max_min, unpickable);
-    problem.count = request.count.value_or(possible_count(
-        problem, patterns, std::clamp((patterns + 1) / 2, std::size_t{2}, kUsualCount)));
+    // Half of a small set: the most distinct of all but one would say nothing.
+    problem.count = request.count.value_or(
+        possible_count(problem, patterns, std::max(usual_group_count(patterns), std::size_t{2})));
     return problem;
 }
 
