@@ -57,7 +57,7 @@ struct FrameRequest {
     double wake_after_s = std::numeric_limits<double>::infinity();  // or then, without input
     bool rebuild_fonts = false;                                     // before the next frame
     bool close = false;     // after this one, without asking
-    std::string title;      // empty: as it is
+    std::string title;      // empty: it stays
     std::string reading{};  // for a screen reader, where it reads pages
     ImU32 background = IM_COL32_BLACK;
     bool full_screen = false;

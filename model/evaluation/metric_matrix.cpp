@@ -113,7 +113,7 @@ std::optional<Dissimilarity> dtw_matrix(Waveforms waveforms, const MetricOptions
     return matrix;
 }
 
-// OC as it is a part of PM: the same envelopes, at the same cost of waiting.
+// OC by itself is the part that PM has of it: the same envelopes, at the same cost of waiting.
 std::optional<Dissimilarity> envelope_matrix(Waveforms waveforms, const EnvelopeParams& params,
                                              const MetricOptions& options) {
     const std::size_t samples = longest_of(waveforms);

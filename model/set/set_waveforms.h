@@ -7,8 +7,8 @@
 
 namespace tact {
 
-// Each as long as it is: what PM and every metric take. One clip of a minute does not make all
-// others a minute long. threads = 0: all cores.
+// Each at its own length, which is what PM and every metric take. One clip of a minute does not
+// make all others a minute long. threads = 0: all cores.
 std::vector<Waveform> own_waveforms(const PatternSet& set, int threads = 0);
 
 }  // namespace tact

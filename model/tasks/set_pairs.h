@@ -1,7 +1,7 @@
 // How far apart the patterns of a set are felt, and which of them nobody feels: what is asked
 // before any are picked, grouped, mapped or reported. Window, command line and Python ask here.
 //
-// Input     the set as it is felt: as it is meant, or as files and a device make it
+// Input     the set that people feel: the one that is meant, or what files and a device make of it
 // Output    of every pair the value that is written into files (as_ranked): whoever reads the file
 //           picks and groups as those who ask here
 // Exact     same set, same bits, on any number of threads, also where a prediction is known.

@@ -1,8 +1,8 @@
 // What is told of a set as a whole: what feels the same, what to pick instead, what is close, what
 // nobody feels, the map, and how sure all that is. The page, the terminal and Python tell it.
 //
-// Input     the set as it is meant, whose locks and felt steps count, and as it is felt, which is
-//           compared
+// Input     the set that is meant, whose locks and felt steps count; and the one that is felt,
+//           which is compared
 // Output    PM of pairs; places in the set
 // Exact     same request, same answer, on any number of threads, unless time runs out.
 #pragma once
