@@ -262,10 +262,14 @@ const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking
     return &pick->answer.alternatives[*alternative];
 }
 
-bool is_picking(const SubsetState& picking) { return picking.pick_job.busy(); }
+bool is_picking(const SubsetState& picking) {
+    if (picking.pick_job.busy()) return true;
+    const auto latest = picking.pick_job.latest();
+    return latest && latest != picking.pick;
+}
 
 bool is_subset_busy(const SubsetState& picking) {
-    return picking.pick_job.busy() || picking.curve_job.busy() || picking.separation_job.busy() ||
+    return is_picking(picking) || picking.curve_job.busy() || picking.separation_job.busy() ||
            picking.stability_job.busy() || picking.groups_job.busy();
 }
 

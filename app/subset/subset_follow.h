@@ -31,6 +31,7 @@ bool is_unsettled(const Pick& pick);
 std::set<std::string> picked_names(const ShownMap& shown_map, const SubsetState& picking);
 // The best one, or the alternative that is looked at.
 const Subset* shown_subset(const ShownMap& shown_map, const SubsetState& picking);
+// A search runs, or follow_subset has not yet taken what it found.
 bool is_picking(const SubsetState& picking);
 bool is_subset_busy(const SubsetState& picking);  // with anything
 void cancel_picking(SubsetState& picking);

@@ -145,10 +145,9 @@ std::size_t place_in(const PatternSet& set, std::string_view name) {
 void bring_to_rest(SubsetState& picking, const std::function<void()>& draw) {
     for (int quiet = 0; quiet < 2; ++quiet) {
         draw();
-        while (is_subset_busy(picking)) {
-            quiet = -1;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
+        if (!is_subset_busy(picking)) continue;
+        quiet = -1;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     stop_subset_jobs(picking);
 }

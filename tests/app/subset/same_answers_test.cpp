@@ -1,5 +1,5 @@
-// One question, one answer: window, command line and Python are asked the same of one set, as it is
-// meant and as a device plays it, and every bit of what they say is compared.
+// One question, one answer: window, command line and Python are asked the same of one set, both as
+// it is meant and as a device plays it, and every bit of what they say is compared.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -166,7 +166,7 @@ TEST_CASE("same answers: the most distinct by every metric, meant and as a devic
         CAPTURE(by.has_value());
         Asked asked(by);
         for (const Metric metric : kAsked) {
-            CAPTURE(traits(metric).key);
+            CAPTURE(std::string(traits(metric).key));
             const Pick& pick = asked.picked_in_window(metric);
             const std::size_t alternatives = pick.answer.alternatives.size();
             const Json window = json_of(pick.answer, asked.names());
@@ -183,7 +183,7 @@ TEST_CASE("same answers: a device makes other patterns distinct, by any metric")
     const PatternSet set = asked_set();
     const PatternSet played = rendered_set(set, *dualshock())->played;
     for (const Metric metric : kAsked) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         CHECK(set_pairs(set, {metric})->apart != set_pairs(played, {metric})->apart);
     }
 }

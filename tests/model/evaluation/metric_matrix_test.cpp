@@ -162,7 +162,7 @@ TEST_CASE("metric matrix: small SPQI have an order of their own, which 1 - SPQI 
 TEST_CASE("metric matrix: equal waveforms are at 0, and all values are numbers") {
     const auto waveforms = short_set();
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         const auto matrix = matrix_of(metric, waveforms);
         REQUIRE(matrix.size == waveforms.size());
         for (const double value : matrix.condensed) {
@@ -180,7 +180,7 @@ TEST_CASE("metric matrix: the order of the patterns changes no bit") {
     auto waveforms = short_set();
     std::vector<Waveform> reversed(waveforms.rbegin(), waveforms.rend());
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         const auto matrix = matrix_of(metric, waveforms);
         const auto back = matrix_of(metric, reversed);
         const std::size_t n = waveforms.size();
@@ -195,7 +195,7 @@ TEST_CASE("metric matrix: the order of the patterns changes no bit") {
 TEST_CASE("metric matrix: the same bits for any number of threads") {
     const auto waveforms = short_set();
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         MetricOptions one;
         one.threads = 1;
         const auto expected = matrix_of(metric, waveforms, one);
@@ -262,7 +262,7 @@ TEST_CASE("metric matrix: zeros at the end of the shorter ones change no bit, bu
     for (const double waiting_cost : {0.0, 0.1}) {
         params.envelope.waiting_cost = waiting_cost;
         for (const Metric metric : kMetrics) {
-            CAPTURE(traits(metric).key);
+            CAPTURE(std::string(traits(metric).key));
             const bool is_same =
                 metric_matrix(metric, own, params) == metric_matrix(metric, whole, params);
             CHECK(is_same == (metric != Metric::dtw));
@@ -273,7 +273,7 @@ TEST_CASE("metric matrix: zeros at the end of the shorter ones change no bit, bu
 TEST_CASE("metric matrix: stopped, there is none; else progress ends at all of it") {
     const auto waveforms = short_set();
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         std::stop_source stop;
         MetricOptions options;
         options.stop = stop.get_token();
@@ -290,7 +290,7 @@ TEST_CASE("metric matrix: stopped, there is none; else progress ends at all of i
 TEST_CASE("metric matrix: none and one pattern have no pairs") {
     const std::vector<Waveform> one{render(Pattern{})};
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         CHECK(matrix_of(metric, {}).condensed.empty());
         CHECK(matrix_of(metric, one) == Dissimilarity{1, {}});
     }
@@ -318,7 +318,7 @@ TEST_CASE("metric matrix: as it is written, anybody's ranks of it are the ones t
         waveforms.push_back(render(pattern));
     }
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         const auto matrix = metric_matrix(metric, waveforms, {});
         REQUIRE(matrix);
         const Dissimilarity written = as_ranked(metric, *matrix);

@@ -79,7 +79,7 @@ void check_set(const PatternSet& set, const std::vector<Metric>& metrics) {
     const auto compared = compared_matrices(set, metrics, nullptr, {});
     REQUIRE(compared);
     for (std::size_t m = 0; m < metrics.size(); ++m) {
-        CAPTURE(traits(metrics[m]).key);
+        CAPTURE(std::string(traits(metrics[m]).key));
         const std::vector<double> file = printed(set, metrics[m]);
         CHECK(plain_ranks(file) == average_ranks((*compared)[m].condensed));
         // Ratings of nobody, with ties.

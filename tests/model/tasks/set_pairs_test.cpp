@@ -33,7 +33,7 @@ TEST_CASE("set pairs: they are what the metric says, with what nobody feels besi
     const PatternSet set = some_set();
     const std::vector<Waveform> own = own_waveforms(set);
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         const auto pairs = set_pairs(set, {metric});
         REQUIRE(pairs);
         CHECK(pairs->apart == as_ranked(metric, *metric_matrix(metric, own, set.model)));
@@ -50,7 +50,7 @@ TEST_CASE("set pairs: what a prediction knows has the same bits, and padded wave
     const auto prediction = predict(model_waveforms(set), set.model);
     REQUIRE(prediction);
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         const auto pairs = set_pairs(set, {metric});
         CHECK(set_pairs(set, {metric, true, &*prediction}) == pairs);
         // It takes waveforms as they are.
@@ -63,7 +63,7 @@ TEST_CASE("set pairs: stopped, there are none") {
     std::stop_source stop;
     stop.request_stop();
     for (const Metric metric : kMetrics) {
-        CAPTURE(traits(metric).key);
+        CAPTURE(std::string(traits(metric).key));
         PairsRequest request{metric};
         request.options.stop = stop.get_token();
         CHECK_FALSE(set_pairs(some_set(), request));
