@@ -6,9 +6,12 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "model/common/portable.h"
 
@@ -43,26 +46,41 @@ struct Plan {
     }
 };
 
-// To plan takes as long as to execute, and the patterns of a set have one length: the last plan of
-// each direction is kept. It is executed on arrays other than its own, of the same alignment.
+// To plan takes as long as to execute, and the patterns of a set have one length, or few where they
+// are coded quickly. A plan is executed on arrays other than its own, of the same alignment.
 struct KeptPlan {
     std::size_t samples = 0;
     std::shared_ptr<const Plan> plan;
 };
-KeptPlan kept_forward;
-KeptPlan kept_backward;
+using KeptPlans = std::vector<KeptPlan>;  // the one used last first
+KeptPlans kept_forward;
+KeptPlans kept_backward;
+constexpr std::size_t kKeptSamples = 1'000'000;  // of all but the first; about 16 MB
 
-std::shared_ptr<const Plan> plan_of(KeptPlan& kept, std::size_t samples,
+// What there is no room for.
+KeptPlans taken_out(KeptPlans& kept) {
+    std::size_t samples = 0;
+    const auto first = std::find_if(kept.begin() + 1, kept.end(), [&](const KeptPlan& one) {
+        return (samples += one.samples) > kKeptSamples;
+    });
+    KeptPlans former(std::make_move_iterator(first), std::make_move_iterator(kept.end()));
+    kept.erase(first, kept.end());
+    return former;
+}
+
+std::shared_ptr<const Plan> plan_of(KeptPlans& kept, std::size_t samples,
                                     const std::function<fftw_plan()>& make) {
-    const auto made = std::make_shared<Plan>();
-    std::shared_ptr<const Plan> former;  // goes after the lock, which its end takes
+    KeptPlans former;  // goes after the lock, which the end of a plan takes
     const std::scoped_lock lock(planner_mutex);
-    if (kept.samples != samples) {
+    auto found = std::ranges::find(kept, samples, &KeptPlan::samples);
+    if (found == kept.end()) {
+        const auto made = std::make_shared<Plan>();
         made->plan = make();
-        former = std::exchange(kept.plan, made);
-        kept.samples = samples;
+        found = kept.insert(kept.end(), {samples, made});
     }
-    return kept.plan;
+    std::rotate(kept.begin(), found, found + 1);
+    former = taken_out(kept);
+    return kept.front().plan;
 }
 
 template <class Value>

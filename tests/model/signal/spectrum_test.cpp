@@ -73,8 +73,13 @@ TEST_CASE("spectrum: the same bits whatever lengths others ask for before and me
             }
         });
     }
+    // More than the plans that are kept at a time.
+    for (const std::size_t n : {1U << 18U, 5U << 16U, 3U << 17U, 7U << 16U, 1U << 19U}) {
+        half_spectrum(std::vector<double>(n, 1.0));
+    }
     threads.clear();
     for (const bool one : same) CHECK(one);
+    CHECK(half_spectrum(golden::noise(9, lengths[2], 1.0).samples_g) == alone[2]);
 }
 
 TEST_CASE("spectrum: a filter without delay takes what its gain says, where it was") {
