@@ -4,9 +4,11 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <queue>
+#include <unordered_map>
 #include <utility>
+
+#include "model/common/parallel.h"
 
 namespace tact {
 
@@ -15,6 +17,9 @@ namespace {
 // A pair alone costs this many times its share of a full register: 1.2 (baseline), 1.3 (AVX-512)
 // and 1.6 (AVX2) were measured on Zen 4. It decides who computes a pair, never the result.
 constexpr double kCostOfOne = 1.4;
+
+// Fewer pairs than this are sorted sooner than another thread begins.
+constexpr std::size_t kFewPairs = 10'000;
 
 // With more batches than this for each thread, balance is good without any care.
 constexpr std::size_t kManyBatches = 16;
@@ -112,10 +117,19 @@ std::uint64_t shape_key(const TrimmedPair& pair) {
 }
 
 // Pairs that may share a register, side by side.
-std::vector<std::size_t> by_shape(std::span<const TrimmedPair> pairs) {
+std::vector<std::size_t> by_shape(std::span<const TrimmedPair> pairs, std::size_t threads) {
     std::vector<std::pair<std::uint64_t, std::size_t>> keyed(pairs.size());
-    for (std::size_t k = 0; k < pairs.size(); ++k) keyed[k] = {~shape_key(pairs[k]), k};
-    std::ranges::sort(keyed);  // the largest first, equal ones as they stand
+    const auto middle = keyed.begin() + static_cast<std::ptrdiff_t>(keyed.size() / 2);
+    const int sorters = pairs.size() < kFewPairs ? 1 : static_cast<int>(threads);
+    // The largest first, equal ones as they stand.
+    parallel_for(2, sorters, {}, [&](std::size_t half) {
+        const auto begin = half == 0 ? keyed.begin() : middle;
+        const auto end = half == 0 ? middle : keyed.end();
+        auto k = static_cast<std::size_t>(begin - keyed.begin());
+        for (auto one = begin; one != end; ++one, ++k) *one = {~shape_key(pairs[k]), k};
+        std::sort(begin, end);
+    });
+    std::inplace_merge(keyed.begin(), middle, keyed.end());
     std::vector<std::size_t> order(pairs.size());
     std::ranges::transform(keyed, order.begin(), [](const auto& one) { return one.second; });
     return order;
@@ -214,14 +228,17 @@ TrimmedPair trimmed(const SignalPair& pair, double waiting_cost) {
 }
 
 std::vector<TrimmedPair> trimmed(std::span<const SignalPair> pairs, double waiting_cost) {
-    using Key = std::pair<const double*, std::size_t>;
-    std::map<Key, Silence> known;
+    // By the address of the first value; of signals that begin at the same one, the last.
+    std::unordered_map<const double*, std::pair<std::size_t, Silence>> known;
     const auto silence = [&](const Signal& signal) {
         if (waiting_cost > 0.0) return Silence{};  // every zero counts
-        const auto [place, is_new] =
-            known.try_emplace(Key{signal.values.data(), signal.values.size()});
-        if (is_new) place->second = silence_of(signal.values);
-        return with_zeros(place->second, signal);
+        const auto [place, is_new] = known.try_emplace(signal.values.data());
+        auto& [count, own] = place->second;
+        if (is_new || count != signal.values.size()) {
+            count = signal.values.size();
+            own = silence_of(signal.values);
+        }
+        return with_zeros(own, signal);
     };
     std::vector<TrimmedPair> all;
     all.reserve(pairs.size());
@@ -235,7 +252,7 @@ std::vector<TrimmedPair> trimmed(std::span<const SignalPair> pairs, double waiti
 
 DtwBatches dtw_batches(std::span<const TrimmedPair> pairs, const DtwKernel& kernel,
                        std::size_t threads) {
-    DtwBatches batches{by_shape(pairs), {}};
+    DtwBatches batches{by_shape(pairs, threads), {}};
     for (std::size_t first = 0; first < pairs.size();) {
         batches.all.push_back(batch_at(first, pairs, batches.order, kernel));
         first += batches.all.back().count;

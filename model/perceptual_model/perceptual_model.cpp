@@ -229,6 +229,7 @@ Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
         coarse[k] = decimated(codes[k]->envelope, factor, codes[k]->samples);
     }
     std::vector<SignalPair> pairs;
+    pairs.reserve(open.size());
     for (const std::size_t index : open) {
         const auto [i, j] = pair_at(codes.size(), index);
         if (factor == 1) {
