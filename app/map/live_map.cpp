@@ -73,19 +73,33 @@ double cells_per_s() {
     return kernel == "avx2" ? 6.5e9 : 2.5e9;
 }
 
-// The order of the rows of 2,000 patterns takes a tenth of a second: a stop is heeded between them.
-void note_pairs(LiveMap& map, const std::stop_token& stop) {
+// What is known of the pairs in four parts, which threads may note side by side. The order of the
+// rows of 2,000 patterns takes a tenth of a second: a stop is heeded between them.
+constexpr std::size_t kPairParts = 4;
+
+void note_pairs(LiveMap& map, std::size_t part) {
     const Prediction& prediction = map.prediction;
     const Dissimilarity& pm = prediction.pm;
-    map.sorted_pm = sorted_values(pm);
-    map.closest =
-        static_cast<std::size_t>(std::ranges::min_element(pm.condensed) - pm.condensed.begin());
-    for (const auto& [order, matrix] : {std::pair{&map.alike.pm, &prediction.pm},
-                                        {&map.alike.nc, &prediction.nc},
-                                        {&map.alike.oc, &prediction.oc}}) {
-        if (stop.stop_requested()) return;
-        *order = clustered_order(group_tree(*matrix));
+    const auto rows = [](const Dissimilarity& all) { return clustered_order(group_tree(all)); };
+    switch (part) {
+        case 0:
+            map.alike.pm = rows(pm);
+            break;
+        case 1:
+            map.alike.nc = rows(prediction.nc);
+            break;
+        case 2:
+            map.alike.oc = rows(prediction.oc);
+            break;
+        default:
+            map.sorted_pm = sorted_values(pm);
+            map.closest = static_cast<std::size_t>(std::ranges::min_element(pm.condensed) -
+                                                   pm.condensed.begin());
     }
+}
+
+void note_pairs(LiveMap& map, int threads, const std::stop_token& stop) {
+    parallel_for(kPairParts, threads, stop, [&map](std::size_t part) { note_pairs(map, part); });
 }
 
 void note_scale(LiveMap& map) {
@@ -100,7 +114,7 @@ void place(LiveMap& map, PerceptualSpace space) {
 }  // namespace
 
 void note_facts(LiveMap& map) {
-    note_pairs(map, {});
+    note_pairs(map, 1, {});
     note_scale(map);
 }
 
@@ -264,15 +278,15 @@ struct LiveMapWork::Run {
 
 namespace {
 
+// Without what note_pairs() notes, and without points.
 LiveMap map_of(const LiveMapRequest& request, std::shared_ptr<const PatternSet> set,
-               Prediction prediction, const std::stop_token& stop) {
+               Prediction prediction) {
     LiveMap map;
     map.request = request;
     map.request.coarse.reset();
     map.request.wanted.reset();
     map.prediction = std::move(prediction);
     map.played = std::move(set);
-    note_pairs(map, stop);
     return map;
 }
 
@@ -340,8 +354,14 @@ std::optional<LiveMap> LiveMapWork::previewed(const Run& run) {
     options.envelope_decimation = preview_grain(*run.set).value_or(kGrains.back()).decimation;
     auto prediction = predict(std::move(codes), run.set->model, options);
     if (!prediction) return std::nullopt;
-    LiveMap map = map_of(run.request, run.set, std::move(*prediction), run.stop);
-    place(map, moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop));
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    PerceptualSpace space;
+    parallel_for(kPairParts + 1, threads_, run.stop, [&](std::size_t part) {
+        if (part > 0) return note_pairs(map, part - 1);
+        space = moved_space(map.prediction.pm, run.request.dimensions, last_.get(), run.stop);
+    });
+    if (run.stop.stop_requested()) return std::nullopt;
+    place(map, std::move(space));
     return map;
 }
 
@@ -381,7 +401,8 @@ std::optional<Prediction> LiveMapWork::exact(Run& run) {
     how.is_over = is_turn_over;
     if (run.partly && run.request.coarse) {
         how.partly = [&](const Refinement& now, bool is_kept) {
-            LiveMap map = map_of(run.request, run.set, prediction_of(now), run.stop);
+            LiveMap map = map_of(run.request, run.set, prediction_of(now));
+            note_pairs(map, threads_, run.stop);
             map.exact_share = exact_share(now);
             map.is_kept = is_kept;
             run.partly(part(run, std::move(map)));
@@ -402,7 +423,8 @@ std::optional<LiveMap> LiveMapWork::full(Run& run) {
     if (!prediction) return std::nullopt;
     run.progress = kPredictionShare;
     const bool in_parts = run.partly && run.shown;
-    LiveMap map = map_of(run.request, run.set, std::move(*prediction), run.stop);
+    LiveMap map = map_of(run.request, run.set, std::move(*prediction));
+    note_pairs(map, threads_, run.stop);
     map.exact_share = 1.0;
     if (in_parts) run.partly(part(run, map));
     const Dissimilarity& pm = map.prediction.pm;
