@@ -1,7 +1,9 @@
-// How long a person waits for a map: the first of a file of a thousand patterns of .05 to 3 s and
-// where its time goes, the exact one after an edit, that of a library of short and long patterns.
+// How long a person waits for a map: the first of a file of one or two thousand patterns of .05 to
+// 3 s and where its time goes, the exact one after an edit, that of a library of short and long
+// patterns.
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -23,6 +25,7 @@ using namespace tact::bench;
 namespace {
 
 constexpr std::size_t kPatterns = 1000;
+constexpr std::size_t kMostPatterns = 2000;  // that have a preview
 
 // A library with a recording among its effects: all are compared over the length of the longest.
 PatternSet with_a_clip_of_a_minute(PatternSet set) {
@@ -31,17 +34,20 @@ PatternSet with_a_clip_of_a_minute(PatternSet set) {
     return set;
 }
 
-// From the file on. By what all threads have computed, shared among the processors there are.
+// From the file on. By what all threads have computed, shared among the processors there are, or by
+// what the first has, which computes some of it alone: that long it takes where nothing else runs.
 void first_map(benchmark::State& state, const PatternSet& set) {
     const auto file = std::filesystem::temp_directory_path() /
                       ("tactspace_first_map_" + std::to_string(getpid()) + ".tactspace.json");
     if (!write_set_file(file, set)) return state.SkipWithError("no file");
     std::vector<double> waited_s;
     std::vector<double> computed_s;
+    std::vector<double> first_s;
     for (auto _ : state) {
         std::atomic<float> progress{0.0F};
         const double begin_s = clock_s();
         const double computed_before_s = process_s();
+        const double first_before_s = thread_s();
         LiveMapRequest request;
         request.set = std::make_shared<const PatternSet>(read_set_file(file)->set);
         request.preview = true;
@@ -49,12 +55,14 @@ void first_map(benchmark::State& state, const PatternSet& set) {
         const auto map = LiveMapWork()(request, {}, progress);
         if (!map) state.SkipWithError("no map");
         computed_s.push_back(process_s() - computed_before_s);
+        first_s.push_back(thread_s() - first_before_s);
         waited_s.push_back(clock_s() - begin_s);
     }
     std::filesystem::remove(file);
-    state.counters["computed_s"] = quantile(computed_s, 0.0);
+    const double all_s = quantile(computed_s, 0.0);
+    state.counters["computed_s"] = all_s;
     state.counters["waited_s"] = quantile(waited_s, 0.0);
-    owe_at_most(state, quantile(computed_s, 0.0) / thread_count(0), 5.0, "s");
+    owe_at_most(state, std::max(quantile(first_s, 0.0), all_s / thread_count(0)), 5.0, "s");
 }
 
 LiveMapRequest twelve(double amplitude_g) {
@@ -155,6 +163,15 @@ BENCHMARK_CAPTURE(first_map, thousand, mixed_set(kPatterns))
     ->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(first_map, with_a_clip, with_a_clip_of_a_minute(mixed_set(kPatterns)))
     ->Name("first_map/1000_patterns_with_a_clip_of_a_minute")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(first_map, two_thousand, mixed_set(kMostPatterns))
+    ->Name("first_map/2000_patterns")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(first_map, two_thousand_with_a_clip,
+                  with_a_clip_of_a_minute(mixed_set(kMostPatterns)))
+    ->Name("first_map/2000_patterns_with_a_clip_of_a_minute")
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 BENCHMARK(slider_to_exact)->Name("first_map/slider_to_exact")->Iterations(15);
