@@ -36,6 +36,7 @@ struct VibrationCache {
     // Small pictures may be behind by some frames, so that no frame renders all patterns of a set.
     std::size_t samples_left = std::numeric_limits<std::size_t>::max();  // to render in this frame
     bool behind = false;                                                 // some of them are
+    bool put_off = false;  // all of them, in this frame: it has others to draw
 
     // Without it, as for a picture, long ones are rendered in the frame as well.
     Query<WantedWaveforms, RenderedWaveforms> render_job;

@@ -185,12 +185,23 @@ void take_row_click(App& app) {
     }
 }
 
+constexpr std::size_t kThumbnailSamples = 10'000;  // in a frame: about 1 ms, drawn
+
 // A picture waits for all of them.
 void begin_thumbnails(App& app) {
-    if (app.shown_map.full_job.has_begun())
-        app.work.cache.samples_left = kMostSamplesAtOnce;  // about 1 ms
+    if (app.shown_map.full_job.has_begun()) app.work.cache.samples_left = kThumbnailSamples;
     app.work.cache.behind = false;
     follow_render_job(app.work.cache);
+}
+
+// Stages that have just come are drawn first. Thumbnails wait for one frame and no longer: while a
+// number is dragged, stages may come with every frame.
+void collect_before_thumbnails(App& app) {
+    const auto stages = app.physiology.stages;
+    collect_results(app);
+    VibrationCache& cache = app.work.cache;
+    cache.put_off = app.physiology.stages != stages && !cache.put_off;
+    if (cache.put_off) cache.samples_left = 0;
 }
 
 void run_waiting(App& app) {
@@ -304,7 +315,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     const bool is_free = !is_in_the_middle(app) && !ImGui::IsAnyItemActive();
     follow_opening(app.ui, app.work, app.opening, is_free);
     follow_another_document(app);
-    collect_results(app);
+    collect_before_thumbnails(app);
     watch_pointed(app.ui, app.lesson);
     app.ui.presenting = is_presenting(app.lesson);
     follow_progress(app);
