@@ -100,7 +100,7 @@ double multiple_of(double step, double count) {
     return step < 1.0 && shares * step == 1.0 ? count / shares : count * step;
 }
 
-std::string grouped_digits(std::size_t number) {
+std::string grouped_digits(std::uint64_t number) {
     std::string digits = std::to_string(number);
     group_thousands(digits);
     return digits;

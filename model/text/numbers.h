@@ -1,6 +1,7 @@
 // Numbers as text: digits that read back as the same number, whatever the locale.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,7 +33,7 @@ std::string plain_digits(double value, int digits);
 std::string fixed_digits(double value, int digits);
 
 // Whole number with a comma every three digits, as people read it: 11,025.
-std::string grouped_digits(std::size_t number);
+std::string grouped_digits(std::uint64_t number);
 
 // With the word for one or for many: 1 person, 2,000 people.
 std::string counted(std::size_t count, const char* one, const char* many);
