@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/jobs/turns.h"
 #include "app/map/map_follow.h"
 #include "app/subset/groups_follow.h"
 #include "devices/calibration/rendering.h"
@@ -16,6 +17,10 @@ namespace {
 constexpr double kPickLimitS = 20.0;
 constexpr double kPreviewLimitS = 2.0;  // the exact map soon asks again
 constexpr double kCurveLimitS = 20.0;
+// The limits of a search that holds the picture up: each turn is given twice the time of the one
+// before it, until the subset is proven.
+constexpr double kFirstTurnS = 0.1;
+constexpr double kLongestTurnS = 1.6;
 constexpr std::size_t kAlternatives = 6;
 constexpr std::size_t kMostOfCurve = 30;
 
@@ -37,9 +42,34 @@ Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::sto
     return std::move(found->apart);
 }
 
+// Where there are no threads: the request that took the last turn, and the time of the next.
+struct PickTurns {
+    PickRequest of;
+    double limit_s = kFirstTurnS;
+};
+
+double pick_limit_s(const PickRequest& request, PickTurns& turns) {
+    const double limit_s = is_of_preview(request) ? kPreviewLimitS : kPickLimitS;
+    if (!work_takes_turns()) return limit_s;
+    if (turns.of != request) turns = {request};
+    return std::min(limit_s, turns.limit_s);
+}
+
+// Whether the search begins again, with more time, after the next frame.
+bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
+    const bool is_proven =
+        pick.answer.proof == SubsetProof::optimal && pick.answer.are_alternatives_proven;
+    if (!work_takes_turns() || is_of_preview(pick.request) || is_proven ||
+        turns.limit_s >= kLongestTurnS)
+        return false;
+    turns.limit_s *= 2.0;
+    want_another_turn();
+    return true;
+}
+
 std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
                                 std::atomic<float>& progress,
-                                const Query<PickRequest, Pick>::Partly& give) {
+                                const Query<PickRequest, Pick>::Partly& give, PickTurns& turns) {
     Pick pick{request, nullptr, {}, {}};
     Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, pick.mark);
     if (stop.stop_requested()) return std::nullopt;
@@ -49,7 +79,7 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     }
     pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
     SubsetOptions options;
-    options.time_limit_s = is_of_preview(request) ? kPreviewLimitS : kPickLimitS;
+    options.time_limit_s = pick_limit_s(request, turns);
     options.alternatives = kAlternatives;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
@@ -63,6 +93,11 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     if (stop.stop_requested()) return std::nullopt;
     if (answer) {
         pick.answer = *std::move(answer);
+        if (takes_longer_turn(pick, turns)) {
+            pick.is_so_far = true;
+            give(std::move(pick));
+            return std::nullopt;
+        }
     } else {
         const std::string left_out =
             request.with_unfelt ? std::string() : left_out_words(request.unfelt);
@@ -77,7 +112,7 @@ std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_toke
     const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, mark);
     if (!matrix) return std::nullopt;
     SubsetOptions options;
-    options.time_limit_s = kCurveLimitS;
+    options.time_limit_s = work_takes_turns() ? kLongestTurnS : kCurveLimitS;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
     PickCurve curve{request, weakest_by_count(*matrix, request.problem, kMostOfCurve, options),
@@ -178,7 +213,14 @@ bool is_same_pick(const Pick& a, const Pick& b) {
 }  // namespace
 
 void make_subset_jobs(const Ui& ui, SubsetState& picking) {
-    picking.pick_job.begin(JobPolicy::supersede, pick_subset, ui.wake);
+    using Partly = Query<PickRequest, Pick>::Partly;
+    picking.pick_job.begin(
+        JobPolicy::supersede,
+        [turns = PickTurns()](const PickRequest& request, std::stop_token stop,
+                              std::atomic<float>& progress, const Partly& give) mutable {
+            return pick_subset(request, std::move(stop), progress, give, turns);
+        },
+        ui.wake);
     picking.curve_job.begin(JobPolicy::supersede, follow_curve, ui.wake);
     picking.separation_job.begin(JobPolicy::supersede, find_separations, ui.wake);
     picking.stability_job.begin(JobPolicy::supersede, find_stability, ui.wake);

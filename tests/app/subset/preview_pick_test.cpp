@@ -1,5 +1,6 @@
 // A subset is picked as soon as there is a map, says that it is of a preview, and is picked again
 // once the map is exact.
+#include "app/jobs/turns.h"
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "model/common/fingerprint.h"
@@ -33,6 +34,19 @@ struct Previewed : Program {
     }
     void show(LiveMap map) {
         show_map(app.ui, app.shown_map, std::make_shared<const LiveMap>(std::move(map)));
+    }
+
+    // The sum of 20 of them takes longer than anyone waits.
+    void show_distances_by_chance() {
+        LiveMap map = *app.shown_map.transition.shown;
+        std::uint64_t mixed_so_far = 1;
+        for (double& value : map.prediction.pm.condensed) {
+            mixed_so_far = mixed(mixed_so_far, std::uint64_t{7});
+            value = static_cast<double>(mixed_so_far >> 40U);
+        }
+        app.picking.count = 20;
+        app.picking.objective = SubsetObjective::max_sum;
+        show(std::move(map));
     }
 
     template <class IsSo>
@@ -97,17 +111,8 @@ TEST_CASE(
     Previewed program(90);
     SubsetState& picking = program.app.picking;
     program.show(false);
-    // Distances by chance: the sum of 20 of them takes longer than anyone waits.
-    LiveMap map = *program.app.shown_map.transition.shown;
-    std::uint64_t mixed_so_far = 1;
-    for (double& value : map.prediction.pm.condensed) {
-        mixed_so_far = mixed(mixed_so_far, std::uint64_t{7});
-        value = static_cast<double>(mixed_so_far >> 40U);
-    }
-    const Dissimilarity pm = map.prediction.pm;
-    picking.count = 20;
-    picking.objective = SubsetObjective::max_sum;
-    program.show(std::move(map));
+    program.show_distances_by_chance();
+    const Dissimilarity pm = program.app.shown_map.transition.shown->prediction.pm;
     program.until_proof_begins("The best by now; no sum is above ");
     CHECK(is_picking(picking));
     CHECK(program.app.work.selection.is_pick_preview);
@@ -122,6 +127,36 @@ TEST_CASE(
     program.settle();
     CHECK(program.at("stability obstacle").value ==
           "The search for the subset is not at its end: see Pick.");
+}
+
+TEST_CASE("subset: without threads a search gives its turn back, and ends unproven or cancelled") {
+    pretend_no_threads(true);
+    {
+        Previewed program(90);
+        SubsetState& picking = program.app.picking;
+        program.show(false);
+        program.show_distances_by_chance();
+        program.frame();
+        int turns = 0;
+        const auto give_one = [&] {
+            REQUIRE(give_turn(true));
+            program.frame();
+            ++turns;
+        };
+        while (!picking.pick) give_one();
+        CHECK(picking.pick->is_so_far);
+        CHECK(is_picking(picking));
+        while (is_picking(picking)) give_one();
+        CHECK(turns >= 5);  // of 0.1, 0.2, 0.4, 0.8 and 1.6 s
+        CHECK_FALSE(picking.pick->is_so_far);
+        CHECK(picking.pick->answer.proof == SubsetProof::open);
+        picking.count = 19;
+        program.frame();
+        while (!picking.pick->is_so_far) give_one();
+        cancel_picking(picking);
+        CHECK_FALSE(picking.pick_job.busy());
+    }
+    pretend_no_threads(false);
 }
 
 TEST_CASE("subset: an export does not wait for a picking that was cancelled") {
