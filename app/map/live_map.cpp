@@ -233,7 +233,7 @@ void LiveMapWork::keep(const LiveMap& map) {
     auto oldest = all_.end();
     while (oldest != all_.begin()) {
         pairs += (*(oldest - 1))->prediction.pm.condensed.size();
-        if (pairs > kKeptPairs) break;
+        if (pairs > kKeptPairs || static_cast<std::size_t>(all_.end() - oldest) == kKeptMaps) break;
         --oldest;
     }
     all_.erase(all_.begin(), oldest);

@@ -110,7 +110,9 @@ double largest_pm(const LiveMap& map);
 // PM of every pair, as a matrix file has it.
 std::string matrix_csv(const LiveMap& map);
 
-// Pairs of all maps that are kept for undo: 48 bytes each, besides their patterns' codes.
+// The maps that are kept for undo, and the pairs of all of them: 48 bytes each. An edit of one
+// pattern keeps its code, too: 180 kB for each second of it.
+inline constexpr std::size_t kKeptMaps = 50;
 inline constexpr std::size_t kKeptPairs = 500'000;
 
 // The work of one job. It keeps its answers: an edit of one pattern costs one row of the last, a

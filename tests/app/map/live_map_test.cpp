@@ -236,6 +236,22 @@ TEST_CASE("live map: no preview changes more orders of pairs than is told" *
     }
 }
 
+TEST_CASE("live map: after many edits it keeps the newest maps alone, with their codes") {
+    LiveMapWork work(1);
+    std::atomic<float> progress = 0.0F;
+    PatternSet set = short_patterns(2);
+    std::vector<std::weak_ptr<const PatternCode>> codes;
+    for (std::size_t edit = 0; edit < kKeptMaps + 2; ++edit) {
+        std::get<Pattern>(set.vibrations[0].source).amplitude_g = 0.5 + 0.01 * double(edit);
+        const auto map = work(request_of(set, false), {}, progress);
+        REQUIRE(map);
+        codes.emplace_back(map->prediction.codes[0]);
+    }
+    CHECK(codes[1].expired());
+    CHECK_FALSE(codes[2].expired());
+    CHECK_FALSE(codes.back().expired());
+}
+
 TEST_CASE("live map: in turns of one thread it has the bits that it has at once") {
     const PatternSet set = short_patterns(9);
     std::atomic<float> progress = 0.0F;
