@@ -51,8 +51,16 @@ MODIFIER_KEYS = ((CTRL, "Control", "ControlLeft", 17), (SHIFT, "Shift", "ShiftLe
 MAP = "title:Perceptual space"
 
 
+SETS = pathlib.Path(__file__).resolve().parents[2] / "assets" / "sets"
+NAMED = "rhythms_tactspace.tactspace.json"  # beside the page, where a server hands it out
+WITHIN = "park_choi_2011_am_4hz.tactspace.json"  # in the address itself
+
+
 class Server(http.server.SimpleHTTPRequestHandler):
     headers_too = False
+
+    def translate_path(self, path):
+        return str(SETS / NAMED) if path == "/" + NAMED else super().translate_path(path)
 
     def end_headers(self):
         if self.headers_too:
@@ -276,13 +284,51 @@ def save_and_reopen(page):
     saved = file.read_text()
     value = page.widgets()["slider:modulation_hz"][4]
     reload(page)
-    page.value("FS.writeFile('/tmp/widgets', ''); const dropped = new DataTransfer();"
-               f"dropped.items.add(new File([{json.dumps(saved)}], 'again.tactspace.json'));"
-               "dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, cancelable: true})); 0")
+    again = file.rename(page.downloads / "again.tactspace.json")
+    drop(page, again)
     page.widget("document", "the file opens again", lambda value: "again" in value or "PM 2023" in value, 60)
     page.widget("slider:modulation_hz", "its edit is there", lambda again: again == value, 60)
     page.exact("its exact map")
     print(f"saved {len(saved)} bytes as a download, and dropped again: modulation {value} Hz")
+
+
+def drop(page, path):
+    page.value("FS.writeFile('/tmp/widgets', ''); self.dropped = new DataTransfer();"
+               f"dropped.items.add(new File([{json.dumps(path.read_text())}], {json.dumps(path.name)}));"
+               "dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, cancelable: true})); 0")
+
+
+def named(page, address):
+    """A set that the address names or holds is open; where it cannot be had, the page says what to do instead."""
+    def told():
+        return page.value("missing.hidden ? '' : missing.firstChild.textContent")
+
+    def visit(name):
+        page.browser.ask("Page.navigate", url="about:blank")
+        page.browser.ask("Page.navigate", url=f"{address}#set={name}")
+        page.until(lambda: (page.value("document.title") or "").endswith(" - tactspace"), "the page opens", 60)
+
+    def is_open(name):
+        first = json.loads((SETS / name).read_text())["patterns"][0]["name"]
+        page.until(lambda: "row:" + first in page.widgets(), f"{name} is open", 60)
+
+    visit(NAMED)
+    if address.startswith("file:"):
+        sentence = page.until(told, "the page says that the set is not open", 60)
+        if not ("may not read the files beside it: drop the file here" in sentence and sentence.startswith(NAMED)):
+            sys.exit(f"the page says {sentence!r}")
+        drop(page, SETS / NAMED)
+        page.until(lambda: not told(), "the sentence goes", 60)
+    is_open(NAMED)
+    visit("data:;base64," + base64.b64encode((SETS / WITHIN).read_bytes()).decode())
+    is_open(WITHIN)
+    visit("nowhere.json")
+    sentence = page.until(told, "the page says that there is no such set", 60)
+    page.value("missing.lastChild.click()")
+    page.until(lambda: not told(), "the sentence is closed", 60)
+    page.browser.ask("Page.navigate", url="about:blank")
+    open_page(page, address)
+    print(f"a set named in the address; of one that is not there: {sentence!r}")
 
 
 def many_edits(page, count):
@@ -307,8 +353,6 @@ def many_edits(page, count):
 def lesson_by_touch(page, pictures):
     page.screen(390, 844, touch=True)
     reload(page)
-    if pictures:
-        page.picture(pathlib.Path(pictures) / "390.png")
     page.command("Thresholds by frequency")
     page.widget("tour", "the lesson is open", lambda value: value.startswith("1 of "))
     seen = []
@@ -424,6 +468,7 @@ def main():
             "play": lambda: play(page),
             "save": lambda: save_and_reopen(page),
             "edits": lambda: many_edits(page, args.edits),
+            "named": lambda: named(page, address),
             "lesson": lambda: lesson_by_touch(page, args.pictures),
             "fingers": lambda: fingers(page),
             "vibrate": lambda: vibrate(page),
