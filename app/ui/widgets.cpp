@@ -62,9 +62,11 @@ void draw_title_part(Ui& ui, const ImFont* font, ImVec2 corner, ImU32 colour,
     note_rect(ui.rects, noted, corner, corner + text_size(font, text), text);
 }
 
-// Only a pane of several can be maximised: with a single one, *Fold* leads to the others.
-bool is_alone(const Layout& layout, Pane pane) {
-    return layout.arrangement == Arrangement::physiology && pane == Pane::physiology;
+// Only a pane of several can be maximised: with a single one, *Fold* leads to the others, and in a
+// narrow window buttons do.
+bool is_alone(const Theme& theme, const Layout& layout, Pane pane) {
+    return is_narrow(theme) ||
+           (layout.arrangement == Arrangement::physiology && pane == Pane::physiology);
 }
 
 // Room that the detail leaves to the right end, which shows a state, such as several edited
@@ -87,7 +89,7 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     const float lower = 0.8F * (size.y - text_size(fonts.regular, "0").y);
     float end_px = size.x;
     constexpr const char* kRestore = "Restore";
-    if (layout.maximised == pane && !is_alone(layout, pane)) {
+    if (layout.maximised == pane && !is_alone(theme, layout, pane)) {
         end_px -= text_size(fonts.regular, kRestore).x;
         ImGui::SetCursorScreenPos(corner + ImVec2{end_px, lower});
         if (link(ui, "restore", kRestore)) layout.maximised.reset();
@@ -155,6 +157,11 @@ void draw_pane(Ui& ui, Layout& layout, Pane pane, const Rect& area, const PaneTi
     }
     ImGui::End();
     ImGui::PopStyleVar();
+}
+
+bool is_narrow(const Theme& theme) {
+    constexpr float kNarrowPx = 560.0F;
+    return ImGui::GetIO().DisplaySize.x < kNarrowPx * theme.scale;
 }
 
 bool is_item_disabled() { return (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0; }

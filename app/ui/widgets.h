@@ -19,6 +19,9 @@ namespace tact {
 // as ImGui would not wrap text that is as wide as the one before.
 ImGuiWindowFlags sideways_if_narrow(const Ui& ui, float width_px);
 
+// Whether the window is too narrow for columns of panes: it shows one at a time.
+bool is_narrow(const Theme& theme);
+
 // A pane of the window with its title; a double click on the title maximises it or restores it.
 // Draws `content` inside, with the cursor at its top left.
 struct PaneTitle {

@@ -3,7 +3,9 @@
 // it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "app/ask/pad_state.h"
 #include "app/ask/proposals_state.h"
@@ -53,6 +55,9 @@ struct PaneInUse {
     Pane pane = Pane::matrix;
     int wider = 0;
     int higher = 0;
+    // What a narrow window showed last.
+    std::optional<std::size_t> step{};  // of the lesson
+    BenchTab bench = BenchTab::matrix;
 };
 
 // State that belongs to one document. While a lesson shows its own set, that of the person's

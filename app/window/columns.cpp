@@ -1,15 +1,18 @@
 #include "app/window/columns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/lesson/lesson.h"
 #include "app/lesson/lesson_card.h"
 #include "app/stages/physiology_panel.h"
 #include "app/ui/widgets.h"
+#include "viz/drawing/colour.h"
 
 namespace tact {
 
@@ -206,10 +209,81 @@ void draw_map_column(App& app, const Rect& column) {
     draw_pane_of(app, Pane::physiology, {{column.min.x, column.max.y - row}, column.max});
 }
 
+struct PaneButton {
+    Pane pane;
+    const char* words;
+};
+
+constexpr float kChosenFill = 0.34F;  // as of chosen segments
+
+constexpr std::array kPaneButtons = std::to_array<PaneButton>({{Pane::patterns, "List"},
+                                                               {Pane::editor, "Editor"},
+                                                               {Pane::space, "Map"},
+                                                               {Pane::physiology, "Stages"},
+                                                               {Pane::matrix, "Answers"}});
+
+// What a step of a lesson speaks of comes with it, and a tab that was chosen, wherever that was.
+// The person may then look at another pane.
+void follow_shown(App& app) {
+    PaneInUse& in_use = app.in_use;
+    if (app.layout.maximised) in_use.pane = *std::exchange(app.layout.maximised, std::nullopt);
+    if (std::exchange(in_use.bench, app.layout.bench) != app.layout.bench) {
+        in_use.pane = Pane::matrix;
+    }
+    const LessonStep* step = step_of(app.lesson);
+    if (std::exchange(in_use.step, app.lesson.step) != app.lesson.step && step != nullptr) {
+        in_use.pane = shows_map(*step) ? Pane::space : Pane::physiology;
+    }
+    const bool is_offered =
+        std::ranges::find(kPaneButtons, in_use.pane, &PaneButton::pane) != kPaneButtons.end();
+    if (!is_offered) in_use.pane = Pane::space;  // of the view of studies
+}
+
+void draw_pane_buttons(App& app, const Rect& row) {
+    const float gap = app.ui.theme.splitter_px;
+    const auto count = static_cast<float>(kPaneButtons.size());
+    const ImVec2 size{std::floor((row.width() - (count - 1.0F) * gap) / count), row.height()};
+    for (const PaneButton& button : kPaneButtons) {
+        const bool chosen = app.in_use.pane == button.pane;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(app.ui.theme.accent, kChosenFill));
+        if (ImGui::Button(button.words, size)) app.in_use.pane = button.pane;
+        if (chosen) ImGui::PopStyleColor();
+        note_item(app.ui.rects, std::string("pane button:") + button.words, chosen ? "chosen" : "");
+        ImGui::SameLine(0.0F, gap);
+    }
+}
+
+// The pane in use fills it, as one that is maximised does.
+void draw_pane_alone(App& app, const Rect& area) {
+    Pane pane = app.in_use.pane;
+    const bool is_empty = app.work.document.set.vibrations.empty();
+    if (is_empty && pane != Pane::patterns) pane = Pane::start;
+    app.layout.maximised = pane;
+    draw_pane_of(app, pane, area);
+    app.layout.maximised.reset();
+}
+
+// A narrow window: one pane above a row of buttons for all of them.
+void draw_one_of_panes(App& app, const Rect& area) {
+    follow_shown(app);
+    const float high = std::max(ImGui::GetFrameHeight(), 32.0F * app.ui.theme.scale);
+    const Rect row{{area.min.x, area.max.y - high}, area.max};
+    draw_pane_alone(app, {area.min, {area.max.x, row.min.y - app.ui.theme.splitter_px}});
+    ImGui::SetNextWindowPos(row.min);
+    ImGui::SetNextWindowSize(row.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoBackground |
+                                        ImGuiWindowFlags_NoSavedSettings;
+    if (ImGui::Begin("pane buttons", nullptr, kFlags)) draw_pane_buttons(app, row);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 Rect physiology_area(const App& app, const Rect& columns) {
-    if (app.layout.maximised) return columns;
+    if (app.layout.maximised || is_narrow(app.ui.theme)) return columns;
     const Layout shown = within(layout_limits(app, columns), app.layout);
     return {{columns.min.x + shown.left * columns.width(), columns.min.y},
             {columns.max.x - shown.right * columns.width(), columns.max.y}};
@@ -218,6 +292,7 @@ Rect physiology_area(const App& app, const Rect& columns) {
 void draw_columns(App& app, const Rect& area) {
     // It is never maximised, as all other panes are empty.
     if (app.layout.maximised == Pane::start) app.layout.maximised.reset();
+    if (is_narrow(app.ui.theme)) return draw_one_of_panes(app, area);
     if (app.layout.maximised) return draw_pane_of(app, *app.layout.maximised, area);
     resize_pane_in_use(app, area);
     const float bar = app.ui.theme.splitter_px;

@@ -124,6 +124,7 @@ void start_rename(App& app) {
     // Names are typed in the list, which the table replaces.
     if (app.layout.arrangement == Arrangement::select) show_workspace(app, Arrangement::design);
     if (app.layout.maximised != Pane::patterns) app.layout.maximised.reset();
+    app.in_use.pane = Pane::patterns;
     const std::vector<std::size_t> rows = listed_indices(app.work);
     if (std::ranges::find(rows, app.work.selection.current) == rows.end()) {
         app.work.selection.search.clear();
@@ -222,6 +223,7 @@ void fold_physiology(App& app, Fold fold) {
     close_study(app.studying);
     app.layout.physiology = fold;
     app.layout.maximised.reset();
+    if (fold == Fold::open) app.in_use.pane = Pane::physiology;
 }
 
 void show_training(App& app) {

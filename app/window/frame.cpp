@@ -339,7 +339,15 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     if (app.ui.theme.scale != wanted_scale(app)) app.ui.fonts_outdated = true;
 }
 
+// Beside the pane of a narrow window a card would leave room to neither.
+void keep_card_above_or_below(App& app) {
+    if (!is_narrow(app.ui.theme)) return;
+    if (app.lesson.dock == DockSide::right) app.lesson.dock = DockSide::bottom;
+    if (app.lesson.dock == DockSide::left) app.lesson.dock = DockSide::top;
+}
+
 void draw_panes(App& app, std::span<const KeyPress> all_pressed) {
+    keep_card_above_or_below(app);
     if (!is_presenting(app.lesson)) draw_menus(app);
     const std::vector<KeyPress> pressed =
         take_lesson_keys(lesson_context(app), app.lesson, all_pressed);

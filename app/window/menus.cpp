@@ -359,12 +359,14 @@ void draw_pane_menu(App& app, Pane pane) {
                                        ImGuiPopupFlags_NoOpenOverItems |
                                        ImGuiPopupFlags_NoOpenOverExistingPopup;
     if (!ImGui::BeginPopupContextWindow("pane menu", kWhere)) return;
-    auto& maximised = app.layout.maximised;
-    const std::string keys = shortcut_text(view_command(kMaximise).shortcut);
-    if (draw_menu_row(app.ui.theme, {maximised ? "Restore" : "Maximise", keys.c_str()}))
-        maximised = maximised ? std::nullopt : std::optional(pane);
-    note_item(app.ui.rects, "pane menu:maximise");
-    draw_divider(app.ui.theme);
+    if (!is_narrow(app.ui.theme)) {
+        auto& maximised = app.layout.maximised;
+        const std::string keys = shortcut_text(view_command(kMaximise).shortcut);
+        if (draw_menu_row(app.ui.theme, {maximised ? "Restore" : "Maximise", keys.c_str()}))
+            maximised = maximised ? std::nullopt : std::optional(pane);
+        note_item(app.ui.rects, "pane menu:maximise");
+        draw_divider(app.ui.theme);
+    }
     for (const std::string_view name : commands_of(pane)) {
         draw_item(app, *std::ranges::find(commands(), name, &Command::name));
     }

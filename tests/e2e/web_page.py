@@ -350,6 +350,37 @@ def many_edits(page, count):
         sys.exit("memory grows with edits")
 
 
+def one_pane(page, pictures):
+    """On a phone held upright one pane fills the page, and buttons below it lead to each of them."""
+    page.screen(390, 844, touch=True)
+    reload(page)
+    for button, pane in (("List", "Patterns"), ("Editor", "Editor"), ("Stages", "Physiology"), ("Answers", "Matrix"),
+                         ("Map", "Perceptual space")):
+        page.tap("pane button:" + button)
+        left, top, right, bottom, _ = page.widget("pane:" + pane, f"{button} shows its pane", seconds=60)
+        if right - left < 370 or bottom - top < 500:
+            sys.exit(f"{pane} has {right - left} x {bottom - top} px")
+        left, top, right, bottom, _ = page.rests("pane button:" + button)
+        if min(right - left, bottom - top) < 43:  # 44, but for the rounding of both ends
+            sys.exit(f"{button} has {right - left} x {bottom - top} px: too small for a finger")
+        if pictures:
+            page.picture(pathlib.Path(pictures) / f"390_{button.lower()}.png")
+    print("at 390 x 844 each pane fills the page")
+
+
+def light(page, pictures):
+    """The light theme, to be looked at."""
+    for width, height, name in ((1280, 800, "light_1280"), (390, 844, "light_390")):
+        page.screen(width, height, touch=width < 400)
+        reload(page)
+        page.command("Light")
+        page.until(lambda: not any(one.startswith("palette:") for one in page.widgets()), "the palette closes", 60)
+        page.rests("pane:Perceptual space")
+        if pictures:
+            page.picture(pathlib.Path(pictures) / (name + ".png"))
+    page.command("Dark")
+
+
 def lesson_by_touch(page, pictures):
     page.screen(390, 844, touch=True)
     reload(page)
@@ -469,6 +500,8 @@ def main():
             "save": lambda: save_and_reopen(page),
             "edits": lambda: many_edits(page, args.edits),
             "named": lambda: named(page, address),
+            "pane": lambda: one_pane(page, args.pictures),
+            "light": lambda: light(page, args.pictures),
             "lesson": lambda: lesson_by_touch(page, args.pictures),
             "fingers": lambda: fingers(page),
             "vibrate": lambda: vibrate(page),

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/window/command_actions.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/reach.h"
 #include "tests/support/scenes.h"
@@ -112,6 +113,33 @@ TEST_CASE("panes: the bar keeps its level, its device and Play at any size of te
             }
         }
     }
+}
+
+TEST_CASE("panes: a window as narrow as a phone shows one at a time, whatever asks for it") {
+    Program program(short_patterns(3));
+    program.resize({1280.0F, 720.0F}, 1.0F);
+    CHECK_FALSE(program.shows("pane button:Map"));
+    program.resize({390.0F, 844.0F}, 1.0F);
+    for (const auto& [button, pane] : {std::pair{"List", "pane:Patterns"},
+                                       {"Editor", "pane:Editor"},
+                                       {"Map", "pane:Perceptual space"},
+                                       {"Stages", "pane:Physiology"},
+                                       {"Answers", "pane:Matrix"}}) {
+        CAPTURE(button);
+        program.click(std::string("pane button:") + button);
+        REQUIRE(program.shows(pane));
+        CHECK(program.at(pane).max.x - program.at(pane).min.x > 370.0F);
+        CHECK(program.at(pane).max.y <= program.at("pane button:List").min.y);
+    }
+    CHECK_FALSE(program.shows("pane:Perceptual space"));
+    program.click("pane button:List");
+    show_tab(program.app, BenchTab::subset);
+    program.settle();
+    CHECK(program.at("pane button:Answers").value == "chosen");
+    program.app.layout.maximised = Pane::space;
+    program.settle();
+    CHECK(program.shows("pane:Perceptual space"));
+    CHECK_FALSE(program.app.layout.maximised);
 }
 
 }  // namespace panes_test
