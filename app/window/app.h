@@ -52,7 +52,7 @@ struct PaletteState {
 
 // The pane with the keyboard, and the number of steps by which it grows.
 struct PaneInUse {
-    Pane pane = Pane::matrix;
+    Pane pane = Pane::space;
     int wider = 0;
     int higher = 0;
     // What a narrow window showed last.

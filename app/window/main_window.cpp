@@ -157,7 +157,6 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     app.ui.wake = wake_window;
     app.ui.pick_files = file_picker();
     app.ui.for_fingers = is_for_fingers();
-    if (app.ui.for_fingers) app.in_use.pane = Pane::space;
     app.manual.program = running_program();
     app.exports.paper.program = app.manual.program;
     const Expected<Done> started = start_session(app, sets);

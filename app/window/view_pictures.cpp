@@ -166,6 +166,7 @@ std::shared_ptr<ViewSnapshot> opened_view(const PatternSet& set, const ViewChoic
     if (choice.view == PictureView::window && !choice.stage && !choice.pinned) {
         app.layout = first_layout(Arrangement::design);
     }
+    if (choice.stage || choice.pinned) app.in_use.pane = Pane::physiology;  // of a narrow window
     if (choice.view != PictureView::physiology) compute_map(app, set, choice.threads);
     if (choice.pattern >= set.vibrations.size()) return view;
     app.work.selection.current = choice.pattern;

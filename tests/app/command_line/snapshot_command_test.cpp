@@ -77,8 +77,8 @@ TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two pattern
     const ShortSet set;
     const TemporaryFolder folder;
     const fs::path file = folder.path / "view.png";
-    const auto draw = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"snapshot", set.path, "--width", "500",
+    const auto draw = [&](const std::vector<std::string>& more, const char* width = "600") {
+        std::vector<std::string> arguments{"snapshot", set.path, "--width", width,
                                            "--height", "600",    "--out",   file.string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
         output_of(arguments);
@@ -96,6 +96,9 @@ TEST_CASE("snapshot: physiology is drawn at a time, of one stage, of two pattern
         different.insert(draw({"--view", view, "--stage", "receptors", "--tilted"}));
         CHECK(different.size() == 6);
     }
+    // As narrow as a phone it shows one pane: that of the stage.
+    const std::string narrow = draw({"--view", "window"}, "390");
+    CHECK(draw({"--view", "window", "--stage", "receptors"}, "390") != narrow);
 }
 
 TEST_CASE("snapshot --frames: as many whole pictures as asked for, the same bytes each time" *
