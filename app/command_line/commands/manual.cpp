@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -53,12 +52,10 @@ struct ManualView {
 
 void show_editor(ViewSnapshot& still) { still.app.layout.maximised = Pane::editor; }
 
-// Its answer is computed in the background, as always.
 void show_subset(ViewSnapshot& still) {
     still.app.layout.maximised = Pane::matrix;
     still.app.layout.bench = BenchTab::subset;
     still.app.picking.count = 4;
-    make_subset_jobs(still.app.ui, still.app.picking);
 }
 
 const auto kManualViews = std::to_array<ManualView>({
@@ -141,15 +138,17 @@ std::size_t place_in(const PatternSet& set, std::string_view name) {
     return static_cast<std::size_t>(found - set.vibrations.begin());
 }
 
-// Drawing takes what was answered, and asks on: until two drawings in a row ask for nothing.
-void bring_to_rest(SubsetState& picking, const std::function<void()>& draw) {
+// The subset is picked as in a window, whose frames take what was answered until nothing is busy.
+void pick_subset(ViewSnapshot& still) {
+    auto& [app, scrolled] = still;
+    make_subset_jobs(app.ui, app.picking);
     for (int quiet = 0; quiet < 2; ++quiet) {
-        draw();
-        if (!is_subset_busy(picking)) continue;
+        follow_subset(app.work, app.layout, app.shown_map, app.picking);
+        if (!is_subset_busy(app.picking)) continue;
         quiet = -1;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    stop_subset_jobs(picking);
+    stop_subset_jobs(app.picking);
 }
 
 Expected<ManualPicture> drawn_view(const ManualView& wanted) {
@@ -171,8 +170,7 @@ Expected<ManualPicture> drawn_view(const ManualView& wanted) {
         const PictureSize size = size_of(wanted, dark);
         return std::get<Svg>(view_picture(*view, wanted.view, wanted.at_s, size)).text;
     };
-    if (view->app.picking.pick_job.has_begun())
-        bring_to_rest(view->app.picking, [&] { svg(false); });
+    if (view->app.layout.bench == BenchTab::subset) pick_subset(*view);
     return ManualPicture{svg(false), svg(true)};
 }
 

@@ -116,6 +116,7 @@ TEST_CASE("manual: its pictures are drawn for both themes, and say what they sho
     CHECK(times_in(page(), "<figure id=\"picture-") == asked);
     CHECK(times_in(page(), "<svg role=\"img\" aria-label=\"") == 2 * asked);
     CHECK(times_in(page(), "aria-label=\"\"") == 0);
+    CHECK(times_in(page(), "Nothing picked yet") == 0);
 }
 
 TEST_CASE("manual: every command of the command line is there with its options") {
