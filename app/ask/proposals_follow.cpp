@@ -73,17 +73,6 @@ void make_proposal_jobs(const Ui& ui, ProposalsState& state) {
     state.put.job.begin(JobPolicy::supersede, ProposalsWork{}, ui.wake);
 }
 
-void stop_proposal_jobs(ProposalsState& state) {
-    state.track.end();
-    state.exact_track.end();
-    state.suggestion.end();
-    state.variants.end();
-    state.exact_variants.end();
-    state.put.cloud.end();
-    state.put.job.end();
-    state.gap.end();
-}
-
 void follow_proposals(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                       ProposalsState& state) {
     if (!state.track.has_begun()) return;

@@ -1,5 +1,6 @@
 // A question to the model, as a room asks it: work in the background, what it was asked last, and
-// what it has found.
+// what it has found. Its destructor ends the work, which owns what it uses: states may be destroyed
+// in any order.
 //
 // Work is no value, the state around it is one. So a copy of a state is what was found, without
 // the work: what pictures are drawn from. And a state that another is assigned to keeps its work,

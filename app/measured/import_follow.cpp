@@ -190,13 +190,6 @@ void take_simulated(Ui& ui, Workspace& work, const SimulationAnswer& answer) {
 
 }  // namespace
 
-void stop_import(ImportState& importing) {
-    importing.import_job.end();
-    importing.simulation_job.end();
-    importing.import_takes.job.end();
-    importing.simulation_takes.job.end();
-}
-
 bool is_taking(const ImportState& importing) {
     return !(importing.import_takes.waiting.empty() && importing.simulation_takes.waiting.empty());
 }

@@ -12,8 +12,6 @@
 
 namespace tact {
 
-void stop_import(ImportState& importing);
-
 // Takes what was read or simulated. Requested twins enter the set as one step of undo, unless
 // another set is open by then.
 void follow_import(Ui& ui, Workspace& work, ImportState& importing);

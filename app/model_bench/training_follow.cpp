@@ -104,8 +104,6 @@ void make_training_job(const Ui& ui, ModelBench& model_bench) {
     model_bench.training.job.begin(JobPolicy::supersede, find_parameters, ui.wake);
 }
 
-void stop_training(ModelBench& model_bench) { model_bench.training.job.end(); }
-
 void follow_training(Ui& ui, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
     if (!state.job.has_begun()) return;

@@ -11,7 +11,6 @@
 namespace tact {
 
 void make_training_job(const Ui& ui, ModelBench& model_bench);
-void stop_training(ModelBench& model_bench);
 
 // Takes what the job has found.
 void follow_training(Ui& ui, ModelBench& model_bench);

@@ -160,7 +160,7 @@ void end_phones(PhonesState& state) {
     state.code = {};
     state.phones.clear();
     state.said.clear();
-    state.patterns_job.end();
+    state.patterns_job.forget();
     state.cards_of.reset();
 }
 

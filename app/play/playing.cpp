@@ -314,9 +314,6 @@ void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
 void stop_sound(Timeline& timeline, PlayState& play) {
     silence(timeline, play);
     play.device.reset();
-    play.list_job.end();
-    play.drive_job.end();
-    play.audio.reset();
 }
 
 bool can_sound(const PlayState& play) { return play.device != nullptr; }

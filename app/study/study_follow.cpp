@@ -64,7 +64,6 @@ bool move_or_copy(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 void stop_study(StudyState& studying) {
-    studying.job.end();
     if (studying.run) studying.device->stop();
     stop_masking(studying);
 }

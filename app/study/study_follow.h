@@ -17,7 +17,7 @@
 
 namespace tact {
 
-// Before the program ends: the job, sound, and the file of a run, which is complete.
+// Before the program ends: actuator and noise stop. The file of a run is complete.
 void stop_study(StudyState& studying);
 
 // The device of the window, where there is one, becomes that of the study; a run keeps the one that

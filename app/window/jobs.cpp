@@ -266,44 +266,6 @@ void make_jobs(App& app) {
     make_lesson_job(app.ui, app.lesson);
 }
 
-void stop_jobs(App& app) {
-    app.aside = {};
-    stop_study(app.studying);
-    app.work.cache.render_job.end();
-    app.opening.job.end();
-    app.generating.job.end();
-    app.manual.job.end();
-    app.pattern_panes.recording.job.end();
-    stop_import(app.importing);
-    app.table.job.end();
-    app.table.reading_job.end();
-    app.sounds.job.end();
-    app.library.reader.end();
-    app.library.comparer.end();
-    app.library.holder.end();
-    app.library.adder.end();
-    stop_subset_jobs(app.picking);
-    stop_training(app.model_bench);
-    stop_proposal_jobs(app.proposals);
-    app.steps.job.end();
-    app.transform.job.end();
-    app.exports.effects.job.end();
-    app.exports.paper.job.end();
-    app.planning.job.end();
-    app.phones.patterns_job.end();
-    app.comparing.findings_job.end();
-    app.rendered.job.end();
-    app.comparing.fit_job.end();
-    app.comparing.difference_job.end();
-    app.comparing.comparison_job.end();
-    app.shown_map.full_job.end();
-    app.shown_map.preview_job.end();
-    app.shown_map.unshifted_job.end();
-    app.physiology.stages_job.end();
-    app.physiology.pinned_job.end();
-    app.lesson.job.end();
-}
-
 void collect_results(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);

@@ -1,14 +1,12 @@
-// Background jobs of all rooms: started, collected and stopped together, and started again for
-// another document.
+// Background jobs of all rooms: started and collected together, and started again for another
+// document.
 #pragma once
 
 #include "app/window/app.h"
 
 namespace tact {
 
-// Start and stop the jobs.
 void make_jobs(App& app);
-void stop_jobs(App& app);
 
 // Collects the results since the last frame.
 void collect_results(App& app);

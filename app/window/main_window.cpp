@@ -100,12 +100,11 @@ struct Running {
 void end(Running& running) {
     App& app = running.app;
     running.stop.watch(nullptr);
-    // Jobs end before the window that they wake.
     release_device(app.studying);
     stop_sound(app.timeline, app.play);
     app.play.phones.reset();
     end_phones(app.phones);
-    stop_jobs(app);
+    stop_study(app.studying);
     end_session(app);
 }
 

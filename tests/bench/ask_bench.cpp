@@ -38,7 +38,6 @@ struct MappedFourteen : Program {
         compute_map();
         settle();
     }
-    ~MappedFourteen() { stop_jobs(app); }
 };
 
 // What the frame itself computes, by the clock of its thread, and what a person waits.

@@ -129,12 +129,7 @@ std::unique_ptr<Program>& open_window() {
     return one;
 }
 
-void close_window() {
-    if (auto& one = open_window()) {
-        stop_jobs(one->app);
-        one.reset();
-    }
-}
+void close_window() { open_window().reset(); }
 
 Program& window_of(std::size_t patterns) {
     auto& one = open_window();
@@ -270,7 +265,6 @@ void on_display(benchmark::State& state, std::size_t patterns, const View& view,
         if (frames > 20) tell(computed_s);
     };
     if (!run_window({}, client)) state.SkipWithError("no window");
-    stop_jobs(app);
 }
 
 void frame_on_display(benchmark::State& state, std::size_t patterns, const View& view) {

@@ -218,7 +218,6 @@ struct Program {
 // With its jobs, and the stages of the current pattern on screen.
 struct ProgramWithStages : Program {
     explicit ProgramWithStages(const PatternSet& set) : Program(set) { wait_for_stages(); }
-    ~ProgramWithStages() { stop_jobs(app); }
 };
 
 }  // namespace tact

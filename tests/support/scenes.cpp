@@ -610,8 +610,6 @@ SceneWindow::SceneWindow(double duration_s, const std::string& sign)
     document_ = app.work.document.kept();
 }
 
-SceneWindow::~SceneWindow() { stop_jobs(app); }
-
 void SceneWindow::leave_presentation() {
     const bool was_larger = app.lesson.presenting;
     leave_lesson(lesson_context(app), app.lesson);

@@ -24,7 +24,6 @@ const std::vector<Scene>& scenes();
 struct SceneWindow : Program {
     // `sign`: in the middle of the long names, and of the set's.
     explicit SceneWindow(double duration_s = 0.2, const std::string& sign = "");
-    ~SceneWindow();
 
     // The first window again, then the scene.
     void show(const Scene& scene);

@@ -23,7 +23,6 @@ struct Asked : Program {
         app.ui.motion = false;
         make_jobs(app);
     }
-    ~Asked() { stop_jobs(app); }
 
     void until_found() {
         const auto until = end_of_patience();

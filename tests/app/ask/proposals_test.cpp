@@ -26,7 +26,6 @@ struct Mapped : Program {
         compute_map();
         settle();
     }
-    ~Mapped() { stop_jobs(app); }
 };
 
 }  // namespace
@@ -105,7 +104,6 @@ TEST_CASE("map: saved with the set, it is opened as it lay") {
     CHECK((again.app.shown_map.transition.to - mirrored).norm() < 1e-3 * lay.norm());
     // A document that was only opened is saved unchanged, to the last digit.
     CHECK(again.app.work.document.kept().set.map_places.at == turned.map_places.at);
-    stop_jobs(again.app);
 }
 
 }  // namespace proposals_test

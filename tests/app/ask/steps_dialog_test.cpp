@@ -47,7 +47,6 @@ TEST_CASE("steps dialog: what it finds comes between the two, as one step of und
     CHECK(all[4].name == "p2");
     undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("steps dialog: another question is asked at once; Esc leaves the set as it is") {
@@ -65,7 +64,6 @@ TEST_CASE("steps dialog: another question is asked at once; Esc leaves the set a
     CHECK(program.app.ui.dialog == Dialog::none);
     CHECK(program.app.work.document.set == before);
     CHECK(program.app.work.document.history.undo_label() == nullptr);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("steps dialog: Ctrl+drag from a point of the map to another opens it on the two") {
@@ -81,7 +79,6 @@ TEST_CASE("steps dialog: Ctrl+drag from a point of the map to another opens it o
     CHECK(program.app.ui.dialog == Dialog::steps);
     CHECK(program.app.steps.from == "p2");
     CHECK(program.app.steps.to == "p4");
-    stop_jobs(program.app);
 }
 
 TEST_CASE("map: Ctrl+click adds to the selection, Shift+drag selects all within the box") {
@@ -104,7 +101,6 @@ TEST_CASE("map: Ctrl+click adds to the selection, Shift+drag selects all within 
     push(program.window.input, {program.window.now_s, KeyChange{key::kLeftShift, false, false, 0}});
     program.settle();
     CHECK(selected_indices(program.app.work).size() == 4);
-    stop_jobs(program.app);
 }
 
 }  // namespace steps_dialog_test

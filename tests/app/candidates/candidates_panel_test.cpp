@@ -22,7 +22,6 @@ struct Tabled : Program {
         compute_map();
         settle();
     }
-    ~Tabled() { stop_jobs(app); }
 
     std::vector<std::size_t> order() const {
         std::vector<std::size_t> listed;
@@ -251,7 +250,6 @@ TEST_CASE("candidates: all that nobody feels are excluded by one press, but for 
     undo(app.ui, app.work);
     CHECK_FALSE(all[1].dropped);
     CHECK_FALSE(all[2].dropped);
-    stop_jobs(app);
 }
 
 }  // namespace candidates_panel_test

@@ -47,7 +47,6 @@ struct Opened : Program {
         open_paths(app.ui, app.work, app.opening, {file});
         settle();
     }
-    ~Opened() { stop_jobs(app); }
     void undo_all() {
         while (app.work.document.history.undo_label() != nullptr) undo(app.ui, app.work);
         settle();

@@ -80,7 +80,6 @@ class Person {
     ~Person() {
         program_.after_frame = {};
         wait_for_autosave(program_.app.work);
-        stop_jobs(program_.app);
         (void)close_session(program_.app.work.session);
     }
     Person(const Person&) = delete;

@@ -49,7 +49,6 @@ struct EffectDialog {
         if (!with_job) effects().job.end();
         run_command(program, "Export vibrations...");
     }
-    ~EffectDialog() { stop_jobs(program.app); }
 
     EffectExport& effects() { return program.app.exports.effects; }
 

@@ -188,7 +188,6 @@ TEST_CASE("exports: the picture of the window shows what the window shows, tab b
             for (const auto& [name, value] : still) CHECK_MESSAGE(live.contains(name), name);
         }
     }
-    stop_jobs(app);
 }
 
 TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {

@@ -25,7 +25,6 @@ struct Writing {
         paper.program = bench.folder.write("stand-in", "#!/bin/sh\n" + script);
         fs::permissions(paper.program, fs::perms::owner_all);
     }
-    ~Writing() { paper.job.end(); }
 
     void write() {
         write_paper(program.app.ui, program.app.work, paper, {"/mine.csv"}, out);

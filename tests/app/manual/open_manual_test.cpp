@@ -73,7 +73,6 @@ struct ProgramWithManual : Program {
     explicit ProgramWithManual(const Desktop& desktop) : Program(short_patterns(2)) {
         app.manual.program = desktop.program;
     }
-    ~ProgramWithManual() { app.manual.job.end(); }
 };
 
 }  // namespace

@@ -43,7 +43,6 @@ TEST_CASE("map: until the first one the patterns stand in a ring, and drift to t
     program.compute_map();
     CHECK_FALSE(program.shows("map:waiting"));
     CHECK(farthest > 0.5);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("map: its numbers are those of a run on the set alone, whatever was shown before") {
@@ -125,7 +124,6 @@ TEST_CASE("map: where the exact one has to be asked for, a preview is shown, sai
     CHECK(map_state(app.work, app.shown_map) == MapState::preview);
     CHECK((now.from - stood).norm() < 0.05 * stood.norm());
     CHECK((now.to - stood).norm() < 0.7 * stood.norm());  // a map of its own would be at 1.4
-    stop_jobs(app);
 }
 
 TEST_CASE("map: a clip that takes most of the time is named, and taken out by one press") {
@@ -158,7 +156,6 @@ TEST_CASE("map: a clip that takes most of the time is named, and taken out by on
     CHECK(program.app.work.document.set.vibrations[2].name == "p4");
     undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == set);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("map: a set that is too large even for a preview waits for a word") {
@@ -197,7 +194,6 @@ TEST_CASE("map: of another set nothing is shown, of an earlier state it is said 
     CHECK_FALSE(program.shows("matrix selected"));
     CHECK_FALSE(program.shows("map:closest"));
     CHECK_FALSE(program.shows("point:p1"));
-    stop_jobs(app);
 }
 
 }  // namespace map_follow_test

@@ -58,7 +58,6 @@ TEST_CASE("map look: many patterns are coloured by what explains most of the map
     program.app.shown_map.look.is_chosen = true;
     program.settle();
     CHECK_FALSE(program.shows("map:colour"));
-    stop_jobs(program.app);
 }
 
 TEST_CASE("map look: a few patterns keep their own colours") {
@@ -67,7 +66,6 @@ TEST_CASE("map look: a few patterns keep their own colours") {
     program.compute_map();
     program.settle();
     CHECK_FALSE(program.shows("map:colour"));
-    stop_jobs(program.app);
 }
 
 TEST_CASE("map headline: how many pairs may be confused, by the scale of all panes") {
@@ -93,7 +91,6 @@ TEST_CASE("map headline: how many pairs may be confused, by the scale of all pan
     CHECK(words_with(first_hz).starts_with("1 pair the same"));
     CHECK(words_with(first_hz * std::pow(step, 1.5)).starts_with("1 pair may be confused"));
     CHECK(words_with(first_hz * std::pow(step, 2.5)) == "No pair within two felt steps");
-    stop_jobs(app);
 }
 
 }  // namespace map_look_test

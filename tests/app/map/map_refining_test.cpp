@@ -108,7 +108,6 @@ TEST_CASE("refining: what one looks at comes first, then what lies near it") {
     };
     CHECK(far(rows[3]) <= far(rows[4]));
     CHECK(far(rows[4]) <= far(rows[5]));
-    stop_jobs(app);
 }
 
 TEST_CASE("refining: what the camera sees comes before what lies outside of the pane") {
@@ -137,7 +136,6 @@ TEST_CASE("refining: what the camera sees comes before what lies outside of the 
     CHECK(first_outside - rows.begin() > 2);
     CHECK(first_outside != rows.end());
     CHECK(std::none_of(first_outside, rows.end(), is_seen));
-    stop_jobs(app);
 }
 
 TEST_CASE("refining: words tell how much is exact, how much may change, and that it is kept") {
@@ -190,7 +188,6 @@ TEST_CASE("refining: a map that was under way when the program ended continues b
         CHECK(map_state(app.work, app.shown_map) == MapState::preview);
         CHECK(program.at("map:preview").value.find("restart") != std::string::npos);
         share = shown->exact_share;
-        stop_jobs(app);
     }
     Program program(short_patterns(2));
     App& app = program.app;
@@ -199,7 +196,6 @@ TEST_CASE("refining: a map that was under way when the program ended continues b
     const auto& shown = app.shown_map.transition.shown;
     wait_for(program, [&] { return shown && shown->exact_share > 0.0; });
     CHECK(shown->exact_share >= share);
-    stop_jobs(app);
 }
 
 }  // namespace map_refining_test

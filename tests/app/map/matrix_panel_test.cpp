@@ -27,7 +27,6 @@ TEST_CASE("matrix panel: all that are selected stand out, in whatever order the 
         names.erase(at, 3);
     }
     CHECK(names.empty());
-    stop_jobs(app);
 }
 
 }  // namespace matrix_panel_test

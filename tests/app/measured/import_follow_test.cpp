@@ -96,7 +96,6 @@ TEST_CASE(
     look_at_recordings(app.ui, app.work, app.importing);
     wait_for_it(program, [&] { return app.importing.answer->files[0].fault.empty(); });
     CHECK(app.importing.answer->files[0].twin);
-    stop_import(app.importing);
 }
 
 TEST_CASE("import: of work that fails the sentence is told, and the next one begins") {
@@ -117,7 +116,6 @@ TEST_CASE("import: of work that fails the sentence is told, and the next one beg
     wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(contains(app.ui.status.text, "Not imported: the work failed: the disk is gone"));
     CHECK(count(program) == 4);
-    stop_import(app.importing);
 }
 
 TEST_CASE("import: saved, the waveforms lie beside the set and the set reads again") {

@@ -58,7 +58,6 @@ struct TrainingBench {
         app.model_bench.training.units = 2;   // coarse: quick
         program.settle();
     }
-    ~TrainingBench() { stop_jobs(app); }
 
     void wait_for_training() {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);

@@ -190,7 +190,6 @@ TEST_CASE("opening: of several files the bad ones are left out, and named on req
     run(program, "Files not read...");
     REQUIRE(app.ui.question);
     CHECK(has(app.ui.question->text, "bad.ahap"));
-    stop_jobs(app);
 }
 
 TEST_CASE("opening: a file that cannot be read changes nothing") {
@@ -205,7 +204,6 @@ TEST_CASE("opening: a file that cannot be read changes nothing") {
     CHECK(app.ui.status.is_error);
     CHECK(has(app.ui.status.text, "bad.ahap"));
     CHECK(app.work.document.set == before);
-    stop_jobs(app);
 }
 
 }  // namespace opening_test

@@ -191,7 +191,6 @@ TEST_CASE("recording: in the arrangement for design its stages are the editor's 
         CHECK(foot.min.y > 0.5F * (pane.min.y + pane.max.y));
         CHECK(foot.max.y < pane.max.y);
     }
-    stop_jobs(program.app);
 }
 
 }  // namespace recording_editor_test

@@ -41,7 +41,6 @@ TEST_CASE("rhythm: steps behind the end are told, and one press lengthens the pa
     CHECK(program.at("rhythm:overrun").value == "Plays 1 of 8 steps");
     program.click("link:lengthen");
     CHECK(shown(program).duration_s == 60.0);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("rhythm: a letter has its strength and pitch below, and beats and bars are numbers") {
@@ -66,7 +65,6 @@ TEST_CASE("rhythm: a letter has its strength and pitch below, and beats and bars
     CHECK(shown(program).rhythm.unit_s == 0.25);
     undo(program.app.ui, program.app.work);
     CHECK(shown(program).rhythm.unit_s == 0.125);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("rhythm: dragged up or down, a step's note is weaker or as strong as it can be") {
@@ -88,7 +86,6 @@ TEST_CASE("rhythm: dragged up or down, a step's note is weaker or as strong as i
     give_rhythm(program, "5-", 0.125);
     program.click("step:0");
     CHECK(shown(program).rhythm.text == "--");
-    stop_jobs(program.app);
 }
 
 TEST_CASE("rhythm: one of thousands of steps is edited as text, and says so") {
@@ -98,7 +95,6 @@ TEST_CASE("rhythm: one of thousands of steps is edited as text, and says so") {
     give_rhythm(program, text, 0.001);
     CHECK(program.at("rhythm:long").value == "2,000 steps: edit the text, or notes in the strip");
     CHECK(!program.shows("step:0"));
-    stop_jobs(program.app);
 }
 
 }  // namespace rhythm_fields_test

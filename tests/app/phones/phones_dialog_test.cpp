@@ -185,7 +185,6 @@ TEST_CASE("phones: twenty trials on one of them are kept with the set, in one st
     CHECK(served.program.shows("map:told apart"));
     served.program.press(U'z', true);
     CHECK(work.document.set.told_apart.empty());
-    stop_jobs(served.program.app);
 }
 
 TEST_CASE("phones: another document ends what was under way on the patterns of the first" *

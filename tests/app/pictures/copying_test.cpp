@@ -89,7 +89,6 @@ TEST_CASE("copying: the matrix, and the table of candidates, go as CSV with all 
     CHECK(table.starts_with("name,amplitude_g,carriers_hz,"));
     CHECK(std::ranges::count(table, '\n') == 4);
     CHECK(table.find("\np1,") != std::string::npos);
-    stop_jobs(program.app);
 }
 
 }  // namespace copying_test

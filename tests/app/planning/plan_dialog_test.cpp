@@ -25,7 +25,6 @@ struct Planning {
         program.app.planning.choice.last = 4;
         run(program, "Plan the study...");
     }
-    ~Planning() { program.app.planning.job.end(); }
 
     void simulate() {
         program.click("button:simulate plan");

@@ -164,7 +164,6 @@ TEST_CASE("keys: 1 to 9 play what was picked, by its number in the list") {
     program.click("entry:amplitude_g");
     program.type("1");
     CHECK(program.device->begun() == begun);
-    stop_jobs(app);
 }
 
 TEST_CASE("keys: columns are arranged by Ctrl and a digit, not by the digit alone") {

@@ -109,7 +109,6 @@ TEST_CASE("holding: a point of the map is felt, and a click on it still selects"
     let_go(program);
     CHECK_FALSE(program.device->playing());
     CHECK(program.app.work.selection.current == 3);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("holding: a candidate is felt before it is in the set") {

@@ -42,7 +42,6 @@ void fail(Query<Request, Answer>& job) {
 
 struct Failing : Program {
     Failing() : Program(short_patterns(4)) {}
-    ~Failing() { stop_jobs(app); }
 
     // What is asked again meanwhile fails again.
     bool says(const std::string& pane) {

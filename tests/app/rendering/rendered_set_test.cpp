@@ -167,7 +167,6 @@ TEST_CASE("device tab: the report stands there, and the switch makes the map tha
     program.click("rendered");
     program.wait_for_exact_map();
     CHECK(app.shown_map.transition.shown->prediction.nc == meant);
-    stop_jobs(app);
 }
 
 }  // namespace rendered_set_test

@@ -389,7 +389,6 @@ TEST_CASE("study window: a simulated participant says everywhere that it is none
     CHECK(program.at("participant:synthetic P1").value == "7 of 7, synthetic");
     CHECK(contains(program.at("study:agreement").value, "Synthetic: nobody was asked."));
     CHECK(read_study_folder(program.folder.path / "people")->front().header.synthetic);
-    stop_jobs(program.app);
 }
 
 }  // namespace study_window_test

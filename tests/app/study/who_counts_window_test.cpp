@@ -31,7 +31,6 @@ struct StudyOfThree : StudyWindow {
             wait_for("participant:synthetic P" + std::to_string(k));
         }
     }
-    ~StudyOfThree() { stop_jobs(app); }
 
     std::string state_of(int person) const {
         return at("participant:synthetic P" + std::to_string(person)).value;

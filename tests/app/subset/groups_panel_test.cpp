@@ -27,7 +27,6 @@ struct GroupsBench {
         app.picking.view = SubsetView::groups;
         wait([this] { return shown_groups(app.shown_map, app.picking) != nullptr; });
     }
-    ~GroupsBench() { stop_jobs(app); }
 
     template <class Arrived>
     void wait(const Arrived& arrived) {

@@ -21,7 +21,6 @@ struct Previewed : Program {
         app.layout.bench = BenchTab::subset;
         app.picking.count = 3;
     }
-    ~Previewed() { stop_jobs(app); }
 
     void show(bool preview) {
         const LiveMapRequest request{app.work.revision, app.work.document_number,

@@ -84,7 +84,6 @@ struct Asked {
         app.picking.count = kPicked;
         program.compute_map();
     }
-    ~Asked() { stop_jobs(app); }
 
     PatternSet felt() const {
         const PatternSet& set = app.work.document.set;

@@ -33,7 +33,6 @@ struct SubsetBench {
         app.picking.too_close = TooClose::share;  // by felt steps none of these is
         wait_for_pick();
     }
-    ~SubsetBench() { stop_jobs(app); }
 
     template <class Arrived>
     void wait(const Arrived& arrived) {
@@ -426,7 +425,6 @@ TEST_CASE("subset panel: who has not said how many gets 8, or as many as there a
     REQUIRE(app.picking.pick);
     CHECK(app.picking.count == 5);
     CHECK(app.picking.pick->answer.best.members.size() == 5);
-    stop_jobs(app);
 }
 
 TEST_CASE("subset panel: what nobody feels is none of the most distinct, unless it is included") {
@@ -470,7 +468,6 @@ TEST_CASE("subset panel: what nobody feels is none of the most distinct, unless 
     pick();
     CHECK(program.shows("member:p3"));
     CHECK_FALSE(program.shows("subset:unfelt"));
-    stop_jobs(app);
 }
 
 }  // namespace subset_panel_test

@@ -57,7 +57,6 @@ TEST_CASE("transform: what is applied is what the terminal makes, and one step o
         undo(program.app.ui, program.app.work);
         CHECK(program.app.work.document.set == before);
     }
-    stop_jobs(program.app);
 }
 
 TEST_CASE("transform: what cannot be done is said, and Apply waits for something that can") {
@@ -87,7 +86,6 @@ TEST_CASE("transform: what cannot be done is said, and Apply waits for something
     program.click("button:choose");
     CHECK(program.app.work.document.set.vibrations[0] == before.vibrations[0]);
     CHECK(!(program.app.work.document.set.vibrations[1] == before.vibrations[1]));
-    stop_jobs(program.app);
 }
 
 TEST_CASE("transform: of several, those that can are changed, and the first that cannot is named") {
@@ -108,7 +106,6 @@ TEST_CASE("transform: of several, those that can are changed, and the first that
     CHECK(!(program.app.work.document.set.vibrations[1] == before.vibrations[1]));
     undo(program.app.ui, program.app.work);
     CHECK(program.app.work.document.set == before);
-    stop_jobs(program.app);
 }
 
 TEST_CASE("transform: a change of the document asks again, and no old answer is applied") {
@@ -119,7 +116,6 @@ TEST_CASE("transform: a change of the document asks again, and no old answer is 
     CHECK(!current_transform(program.app.work, program.app.transform));
     const VibrationSource after = wait_for_patterns(program)->after.front();
     CHECK(std::get<Pattern>(after).amplitude_g == 0.123);
-    stop_jobs(program.app);
 }
 
 }  // namespace transform_dialog_test

@@ -157,7 +157,6 @@ Shown after(bool has_worked, const PatternSet& set,
     open(program, set);
     wait_for_it(program);
     Shown shown = everything(program);
-    stop_jobs(program.app);
     return shown;
 }
 
@@ -218,7 +217,6 @@ TEST_CASE("another document: what is asked for is of its number, and an earlier 
     CHECK(app.shown_map.transition.shown != before);
     program.wait_for_exact_map();
     CHECK(app.shown_map.transition.shown->request.document == app.work.document_number);
-    stop_jobs(app);
 }
 
 TEST_CASE("another document: the whole of a short pattern in view is the whole of a long one") {
@@ -265,7 +263,6 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     // A new document has a number that no earlier document or lesson had.
     open(program, short_patterns(2));
     CHECK(app.work.document_number > document + 1);
-    stop_jobs(app);
 }
 
 }  // namespace another_document_test

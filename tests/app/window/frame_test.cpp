@@ -240,7 +240,6 @@ TEST_CASE("design: no number moves when the map comes and the closest pattern is
         REQUIRE(program.shows("neighbour:name"));
         CHECK(program.at("entry:carrier_1_hz").min.y == before.min.y);
         CHECK(program.at("entry:carrier_1_hz").min.x == before.min.x);
-        stop_jobs(program.app);
     }
 }
 

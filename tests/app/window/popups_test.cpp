@@ -28,7 +28,6 @@ struct MapInDesign : Program {
         app.layout = first_layout(Arrangement::design);
         settle();
     }
-    ~MapInDesign() { stop_jobs(app); }
 };
 
 }  // namespace

@@ -35,7 +35,6 @@ struct Counted : Program {
         patterns < 2 ? make_jobs(app) : compute_map();
     }
     explicit Counted(const PatternSet& set) : Program(set) { compute_map(); }
-    ~Counted() { stop_jobs(app); }
 
     void clicks(const std::string& name, bool shift = false) {
         ++actions;

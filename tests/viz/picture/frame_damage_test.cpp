@@ -85,7 +85,6 @@ TEST_CASE("frame damage: while things move, the kept picture is the whole one" *
     check();
     program.press_key(key::kEscape);
     check();
-    program.app.physiology.stages_job.end();
 }
 
 TEST_CASE("frame damage: a frame like the last one needs no paint") {
