@@ -66,12 +66,11 @@ std::vector<std::size_t> picked_places(const Workspace& work) {
 
 void ask_for(Ui& ui, const Workspace& work, const ShownMap& shown_map, ProposalsState& state,
              std::vector<std::size_t> picked, std::size_t missing) {
-    GapQuery& gap = state.gap;
-    gap.begin(JobPolicy::supersede, find_gap, ui.wake);
     const auto& shown = shown_map.transition.shown;
-    gap.ask({work.revision, std::make_shared<const PatternSet>(work.document.set),
-             std::move(picked), free_of(state), missing, kGapSeed,
-             shown ? shown->request.rendered_by : std::nullopt});
+    state.gap.ask(
+        {work.revision, std::make_shared<const PatternSet>(work.document.set), std::move(picked),
+         free_of(state), missing, kGapSeed, shown ? shown->request.rendered_by : std::nullopt},
+        find_gap, ui.wake);
     say(ui, "Searching what is farthest from all others.");
 }
 

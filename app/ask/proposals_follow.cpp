@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kTrackStaysS = 2.0;
 
-void begin(const Ui& ui, ProposalsQuery& query) {
-    query.begin(JobPolicy::supersede, ProposalsWork{}, ui.wake);
-}
-
 // The track stays for a while after the mouse has left the slider, so that the mouse can reach it.
 void follow_rested(const Ui& ui, const Workspace& work, ProposalsState& state) {
     if (work.selection.rested) {
@@ -63,35 +59,29 @@ std::optional<ProposalsRequest> exact_variants(const ProposalsState& state) {
 
 }  // namespace
 
-void make_proposal_jobs(const Ui& ui, ProposalsState& state) {
-    begin(ui, state.track);
-    begin(ui, state.exact_track);
-    begin(ui, state.suggestion);
-    begin(ui, state.variants);
-    begin(ui, state.exact_variants);
-    begin(ui, state.put.cloud);
-    state.put.job.begin(JobPolicy::supersede, ProposalsWork{}, ui.wake);
-}
-
 void follow_proposals(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                       ProposalsState& state) {
-    if (!state.track.has_begun()) return;
+    if (!has_jobs(ui)) return;
+    const auto want = [&ui](ProposalsQuery& query, std::optional<ProposalsRequest> request) {
+        query.want(std::move(request), ProposalsWork{}, ui.wake);
+    };
     follow_rested(ui, work, state);
     const auto& rested = state.rested;
     const auto track =
         rested ? request_for(work, shown_map, rested->name, rested->patterns) : std::nullopt;
-    state.track.want(track);
+    want(state.track, track);
     // The exact job starts after the preview is there, as it would delay the preview.
     const bool is_previewed = track && state.track.current() != nullptr;
     const auto exact = is_previewed ? exactly(*track, track->patterns.size()) : ProposalsRequest{};
-    state.exact_track.want(exact.exact ? std::optional(exact) : std::nullopt);
+    want(state.exact_track, exact.exact ? std::optional(exact) : std::nullopt);
     state.suggested = work.selection.suggested;
     const auto& suggested = state.suggested;
     auto ghost = suggested ? request_for(work, shown_map, suggested->name, {suggested->changed})
                            : std::nullopt;
-    state.suggestion.want(ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
-    state.variants.want(state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
-    state.exact_variants.want(exact_variants(state));
+    want(state.suggestion, ghost ? std::optional(exactly(*std::move(ghost), 1)) : std::nullopt);
+    want(state.variants,
+         state.varied.empty() ? std::nullopt : vary_request(work, shown_map, state));
+    want(state.exact_variants, exact_variants(state));
 }
 
 bool is_asking(const ProposalsState& state) {

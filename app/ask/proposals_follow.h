@@ -10,8 +10,6 @@
 
 namespace tact {
 
-void make_proposal_jobs(const Ui& ui, ProposalsState& state);
-
 // Call once a frame, after the panes: the rested number and the suggestion are those of this frame.
 void follow_proposals(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
                       ProposalsState& state);

@@ -61,17 +61,18 @@ void move_point(Ui& ui, const Workspace& work, const ShownMap& shown_map, Propos
     put.is_dragged = !move.ended;
     if (!move.ended) return;
     auto where = request_for(work, shown_map, put.name, {});
-    if (!where || !put.job.has_begun()) return stop_putting(state);
+    if (!where) return stop_putting(state);
     ReachQuestion question{*pattern, move.to};
     question.free = free_of(state);
     question.steps = work.document.set.felt_steps;
     question.seed = kPutSeed;
-    put.job.ask({exactly(*std::move(where), kReachTries), std::move(question)});
+    put.job.ask({exactly(*std::move(where), kReachTries), std::move(question)}, ProposalsWork{},
+                ui.wake);
 }
 
 void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, ProposalsState& state) {
     PutThere& put = state.put;
-    if (!put.cloud.has_begun()) return;
+    if (!has_jobs(ui)) return;
     if (put.aim_of != work.revision) put.aim.reset();
     const Pattern* pattern = pattern_to_put(work, put.name);
     if (pattern == nullptr && !put.name.empty()) stop_putting(state);
@@ -80,7 +81,8 @@ void follow_put(Ui& ui, Workspace& work, ShownMap& shown_map, ProposalsState& st
     put.cloud.want(is_shown ? request_for(work, shown_map, put.name,
                                           kept_surroundings(put.around, *pattern, state,
                                                             work.document.set.felt_steps))
-                            : std::nullopt);
+                            : std::nullopt,
+                   ProposalsWork{}, ui.wake);
     put.is_dragged = false;
     if (!put.job.asked()) return;
     const auto found = put.job.current();

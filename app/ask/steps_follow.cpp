@@ -49,7 +49,6 @@ void open_steps(Ui& ui, const Workspace& work, StepsState& state, const std::str
     state.to = to.empty() ? other_than(work, state.from) : to;
     state.along.reset();
     state.cancelled = false;
-    state.job.begin(JobPolicy::supersede, found_steps, ui.wake);
     ui.dialog = Dialog::steps;
 }
 
@@ -81,7 +80,7 @@ void follow_steps(const Ui& ui, const Workspace& work, StepsState& state) {
     const auto wanted =
         ui.dialog == Dialog::steps ? steps_request(work, state) : std::optional<StepsRequest>();
     if (wanted != state.job.asked()) state.cancelled = false;
-    state.job.want(wanted);
+    state.job.want(wanted, found_steps, ui.wake);
 }
 
 bool is_placing(const StepsState& state) { return state.job.busy(); }

@@ -106,9 +106,9 @@ void read_calibration_recording(const Ui& ui, CalibrateState& calibrating, const
 
 void look_at_recording(const Ui& ui, CalibrateState& calibrating) {
     if (calibrating.recording.empty()) return;
-    calibrating.job.begin(JobPolicy::supersede, answered, ui.wake);
     calibrating.job.ask({++calibrating.asked, calibrating.params, calibrating.recording,
-                         options_of(calibrating.fields)});
+                         options_of(calibrating.fields)},
+                        answered, ui.wake);
 }
 
 void follow_calibrate(Ui& ui, const PlayState& play, CalibrateState& calibrating) {
@@ -116,7 +116,7 @@ void follow_calibrate(Ui& ui, const PlayState& play, CalibrateState& calibrating
         calibrating.comes_back = false;
         ui.dialog = Dialog::calibrate;
     }
-    if (calibrating.job.has_begun()) calibrating.answer = calibrating.job.latest();
+    if (auto answer = calibrating.job.latest()) calibrating.answer = std::move(answer);
     calibrating.is_playing = calibrating.is_playing && is_sounding(play);
 }
 

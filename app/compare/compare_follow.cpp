@@ -35,7 +35,8 @@ std::vector<Eigen::Index> rated_rows(const RatedPeople& said, Eigen::Index patte
     return rows;
 }
 
-std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float>& progress) {
+std::optional<std::vector<Finding>> find(int /*number*/, std::stop_token stop,
+                                         std::atomic<float>& progress) {
     CheckOptions options;
     options.stop = stop;
     int set = 0;
@@ -48,61 +49,46 @@ std::optional<std::vector<Finding>> find(std::stop_token stop, std::atomic<float
     return check_findings(options);
 }
 
-void follow_comparison(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                       Comparing& comparing) {
+void follow_comparison(const Ui& ui, const Workspace& work, const Layout& layout,
+                       const ShownMap& shown_map, Comparing& comparing) {
     const bool again =
         !comparison_waits(work, comparing) && (comparing.panel.of != shown_map.transition.shown ||
                                                comparing.panel.of_foreign != comparing.foreign);
     if (!wants_comparison(layout, shown_map) || !has_exact_map(work, shown_map) || !again) return;
     comparing.panel.of = shown_map.transition.shown;
     comparing.panel.of_foreign = comparing.foreign;
-    comparing.comparison_job.ask({shown_map.transition.shown, comparing.foreign});
+    comparing.comparison_job.ask({shown_map.transition.shown, comparing.foreign}, ComparisonWork{},
+                                 ui.wake);
 }
 
-void follow_difference(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                       Comparing& comparing) {
+void follow_difference(const Ui& ui, const Workspace& work, const Layout& layout,
+                       const ShownMap& shown_map, Comparing& comparing) {
     const std::optional<ChosenPair> pair = chosen_pair(work, shown_map);
     if (layout.bench != BenchTab::why || !pair || !has_exact_map(work, shown_map)) return;
     const auto rows = rows_in_map(work, shown_map, *pair);
     if (!rows) return;
     comparing.difference_job.want(
-        DifferenceRequest{shown_map.transition.shown, rows->first, rows->second});
+        DifferenceRequest{shown_map.transition.shown, rows->first, rows->second},
+        compute_live_difference, ui.wake, JobPolicy::finish);
 }
 
 }  // namespace
 
-void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& comparing) {
-    comparing.comparison_job.begin(JobPolicy::supersede, ComparisonWork{}, ui.wake);
-    comparing.difference_job.begin(JobPolicy::finish, compute_live_difference, ui.wake);
-    comparing.fit_job.begin(
-        JobPolicy::supersede,
-        [](const FitRequest& request, std::stop_token, std::atomic<float>&) {
-            return std::optional(shepard_fit(request));
-        },
-        ui.wake);
-    rendered.job.begin(JobPolicy::finish, compute_live_rendering, ui.wake);
-    comparing.findings_job.begin(
-        JobPolicy::finish,
-        [](int, std::stop_token stop, std::atomic<float>& progress) {
-            return find(stop, progress);
-        },
-        ui.wake);
-}
-
-void take_compare_answers(RenderingState& rendered, Comparing& comparing) {
-    if (!comparing.comparison_job.has_begun()) return;
+void take_compare_answers(Comparing& comparing) {
     if (auto answer = comparing.comparison_job.latest()) comparing.comparison = std::move(answer);
     if (auto answer = comparing.difference_job.latest()) comparing.difference = std::move(answer);
     if (auto answer = comparing.findings_job.latest()) comparing.findings = std::move(answer);
-    if (auto answer = rendered.job.latest()) rendered.shown = std::move(answer);
 }
 
-void follow_comparing(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                      RenderingState& rendered, Comparing& comparing) {
-    if (!comparing.comparison_job.has_begun()) return;
-    follow_comparison(work, layout, shown_map, comparing);
-    follow_difference(work, layout, shown_map, comparing);
-    if (layout.bench == BenchTab::device) follow_rendering(rendered, current_vibration(work));
+void follow_comparing(const Ui& ui, const Workspace& work, const Layout& layout,
+                      const ShownMap& shown_map, Comparing& comparing) {
+    if (!has_jobs(ui)) return;
+    follow_comparison(ui, work, layout, shown_map, comparing);
+    follow_difference(ui, work, layout, shown_map, comparing);
+}
+
+void ask_for_findings(const Ui& ui, Comparing& comparing) {
+    comparing.findings_job.ask(0, find, ui.wake, JobPolicy::finish);
 }
 
 ShownComparison shown_comparison(const Workspace& work, const ShownMap& shown_map,

@@ -10,18 +10,18 @@
 #include "app/document/workspace.h"
 #include "app/map/map_state.h"
 #include "app/map/pair.h"
-#include "app/rendering/rendering_state.h"
 #include "app/ui/layout.h"
 #include "app/ui/ui.h"
 
 namespace tact {
 
-void make_compare_jobs(const Ui& ui, RenderingState& rendered, Comparing& comparing);
-
 // Collects finished jobs, and starts those that the open tab needs.
-void take_compare_answers(RenderingState& rendered, Comparing& comparing);
-void follow_comparing(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                      RenderingState& rendered, Comparing& comparing);
+void take_compare_answers(Comparing& comparing);
+void follow_comparing(const Ui& ui, const Workspace& work, const Layout& layout,
+                      const ShownMap& shown_map, Comparing& comparing);
+
+// The paper's findings, checked on its own sets.
+void ask_for_findings(const Ui& ui, Comparing& comparing);
 
 // The newest comparison; `is_stale`: it belongs to an earlier map.
 struct ShownComparison {

@@ -59,8 +59,8 @@ void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
 void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
     const bool busy = comparing.findings_job.busy();
     constexpr const char* kCheck = "Check findings";
-    const auto check = [&comparing](bool pressed) {
-        if (pressed) comparing.findings_job.ask(0);
+    const auto check = [&](bool pressed) {
+        if (pressed) ask_for_findings(ui, comparing);
     };
     if (!busy && !comparing.findings && comparing.findings_job.failure().empty() && !area.empty()) {
         check(draw_empty_with(ui, area, "Does the model find what people felt?",

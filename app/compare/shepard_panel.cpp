@@ -61,15 +61,21 @@ std::string corner_text(const ShownFit& fit) {
 
 // Sorting the pairs of a large set takes longer than a frame: a job does it, and until it is done
 // this is null.
-std::shared_ptr<const ShepardFit> followed_fit(Comparing& comparing, const ShownFit& fit) {
+std::shared_ptr<const ShepardFit> followed_fit(const Ui& ui, Comparing& comparing,
+                                               const ShownFit& fit) {
     constexpr std::size_t kMostInFrame = 20'000;
     ComparePanelState& panel = comparing.panel;
     const FitRequest request{fit.owner, fit.matrix, fit.space};
     if (panel.fit && panel.fit->request == request) return panel.fit;
-    if (!comparing.fit_job.has_begun() || fit.matrix->condensed.size() <= kMostInFrame) {
+    if (!has_jobs(ui) || fit.matrix->condensed.size() <= kMostInFrame) {
         return panel.fit = std::make_shared<const ShepardFit>(shepard_fit(request));
     }
-    comparing.fit_job.want(request);
+    comparing.fit_job.want(
+        request,
+        [](const FitRequest& asked, std::stop_token, std::atomic<float>&) {
+            return std::optional(shepard_fit(asked));
+        },
+        ui.wake);
     panel.fit = comparing.fit_job.latest();
     return panel.fit && panel.fit->request == request ? panel.fit : nullptr;
 }
@@ -83,7 +89,7 @@ void draw_no_fit(Ui& ui, const Comparing& comparing, const Rect& area) {
 
 void draw_fit(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
               const ShownFit& fit, const std::vector<Vibration>& vibrations, const Rect& area) {
-    const std::shared_ptr<const ShepardFit> kept = followed_fit(comparing, fit);
+    const std::shared_ptr<const ShepardFit> kept = followed_fit(ui, comparing, fit);
     if (!kept) return draw_no_fit(ui, comparing, area);
     const std::vector<double>& apart = kept->distances;
     const std::vector<double>& fitted = kept->disparities;

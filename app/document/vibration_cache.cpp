@@ -78,6 +78,16 @@ bool is_long(const Vibration& vibration) {
     return own_duration_s(vibration) * kModelRateHz > static_cast<double>(kMostSamplesAtOnce);
 }
 
+std::optional<RenderedWaveforms> rendered_all(const WantedWaveforms& wanted, std::stop_token stop,
+                                              std::atomic<float>& /*progress*/) {
+    RenderedWaveforms rendered;
+    for (const Vibration& vibration : wanted) {
+        if (stop.stop_requested()) break;
+        rendered.emplace_back(vibration, waveform_of(vibration));
+    }
+    return rendered;
+}
+
 }  // namespace
 
 const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibration) {
@@ -91,22 +101,8 @@ const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibratio
     return keep(cache, vibration, waveform_of(vibration));
 }
 
-void make_render_job(VibrationCache& cache, std::function<void()> wake) {
-    cache.render_job.begin(
-        JobPolicy::finish,
-        [](const WantedWaveforms& wanted, std::stop_token stop, std::atomic<float>&) {
-            RenderedWaveforms rendered;
-            for (const Vibration& vibration : wanted) {
-                if (stop.stop_requested()) break;
-                rendered.emplace_back(vibration, waveform_of(vibration));
-            }
-            return std::optional(std::move(rendered));
-        },
-        std::move(wake));
-}
-
-void follow_render_job(VibrationCache& cache) {
-    if (!cache.render_job.has_begun()) return;
+void follow_render_job(VibrationCache& cache, const std::function<void()>& wake) {
+    cache.has_job = wake != nullptr;
     if (auto rendered = cache.render_job.latest(); rendered && rendered != cache.taken) {
         for (const auto& [vibration, waveform] : *rendered) keep(cache, vibration, waveform);
         cache.taken = std::move(rendered);
@@ -115,7 +111,7 @@ void follow_render_job(VibrationCache& cache) {
     const WantedWaveforms wanted = std::exchange(cache.wanted, {});
     if (wanted.empty() || wanted == cache.asked) return;
     cache.asked = wanted;
-    cache.render_job.ask(wanted);
+    cache.render_job.ask(wanted, rendered_all, wake, JobPolicy::finish);
 }
 
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration) {
@@ -125,7 +121,7 @@ const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibrati
     const auto found = cache.entries.find(vibration.name);
     const bool known = found != cache.entries.end() && found->second.source == vibration.source;
     if (known) return &found->second.waveform;
-    const bool beside = cache.render_job.has_begun() && is_long(vibration);
+    const bool beside = cache.has_job && is_long(vibration);
     if (beside) cache.wanted.push_back(vibration);
     if (beside || cache.samples_left == 0) {
         cache.behind = cache.behind || !beside;  // the job brings a frame when it is done

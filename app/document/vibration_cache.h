@@ -38,7 +38,7 @@ struct VibrationCache {
     bool behind = false;                                                 // some of them are
     bool put_off = false;  // all of them, in this frame: it has others to draw
 
-    // Without it, as for a picture, long ones are rendered in the frame as well.
+    bool has_job = false;  // for long ones, which are otherwise, as for a picture, rendered at once
     Query<WantedWaveforms, RenderedWaveforms> render_job;
     WantedWaveforms wanted, asked;
     std::shared_ptr<const RenderedWaveforms> taken;
@@ -54,10 +54,9 @@ const Waveform& cached_waveform(VibrationCache& cache, const Vibration& vibratio
 // Above this many samples a pattern is rendered in the background.
 inline constexpr std::size_t kMostSamplesAtOnce = 30'000;
 
-void make_render_job(VibrationCache& cache, std::function<void()> wake);
-
-// At the beginning of a frame: what was rendered since, and what the last frame still wanted.
-void follow_render_job(VibrationCache& cache);
+// At the beginning of a frame: what was rendered since, and what the last frame still wanted. An
+// empty `wake`: the cache has no job.
+void follow_render_job(VibrationCache& cache, const std::function<void()>& wake);
 
 // The same while there are samples left to render; then what it was before, or null.
 const Waveform* waveform_in_time(VibrationCache& cache, const Vibration& vibration);

@@ -121,7 +121,7 @@ void draw_which(Ui& ui, EffectExport& effects) {
 }  // namespace
 
 void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
-    follow_effects(effects);
+    follow_effects(ui, effects);
     if (!begin_dialog(ui, "Export vibrations", kEffectDialogPx)) return;
     draw_format(ui, effects.choice);
     if (is_sampled(effects.choice.format)) {

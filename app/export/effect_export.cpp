@@ -59,9 +59,9 @@ LossRequest loss_request(const ExportGround& ground, const EffectChoice& choice)
     return request;
 }
 
-void ask(EffectExport& effects) {
+void ask(const Ui& ui, EffectExport& effects) {
     effects.without = false;
-    effects.job.ask(effects.request);
+    if (has_jobs(ui)) effects.job.ask(effects.request, compute_loss, ui.wake);
 }
 
 std::vector<std::string> written_names(const EffectExport& effects) {
@@ -99,10 +99,6 @@ std::optional<LiveLoss> compute_loss(const LossRequest& request, std::stop_token
     return LiveLoss{request, *std::move(loss)};
 }
 
-void make_effect_job(const Ui& ui, EffectExport& effects) {
-    effects.job.begin(JobPolicy::supersede, compute_loss, ui.wake);
-}
-
 void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                            const std::vector<std::string>& picked, std::size_t subset_count,
                            SubsetObjective objective, EffectExport& effects) {
@@ -126,7 +122,7 @@ void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_
     ui.dialog = Dialog::export_effects;
 }
 
-void follow_effects(EffectExport& effects) {
+void follow_effects(const Ui& ui, EffectExport& effects) {
     const auto latest = effects.job.latest();
     if (latest && latest->request.number > effects.opened) effects.answer = latest;
     if (effects.asked == effects.choice) return;
@@ -143,10 +139,10 @@ void follow_effects(EffectExport& effects) {
         effects.job.cancel();
         return;
     }
-    ask(effects);
+    ask(ui, effects);
 }
 
-void predict_anyway(EffectExport& effects) { ask(effects); }
+void predict_anyway(const Ui& ui, EffectExport& effects) { ask(ui, effects); }
 
 void stop_predicting(EffectExport& effects) {
     effects.job.cancel();

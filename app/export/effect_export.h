@@ -71,10 +71,10 @@ struct EffectExport {
     ExportGround ground;
     std::optional<EffectChoice> asked;  // what `request` is of
     LossRequest request;
-    std::uint64_t opened = 0;          // of requests up to this another set was asked about
-    bool large = false;                // it would take minutes: predicted when that is asked for
-    bool without = false;              // nothing is predicted: large, or stopped by the person
-    Query<LossRequest, LiveLoss> job;  // begun with the program
+    std::uint64_t opened = 0;  // of requests up to this another set was asked about
+    bool large = false;        // it would take minutes: predicted when that is asked for
+    bool without = false;      // nothing is predicted: large, or stopped by the person
+    Query<LossRequest, LiveLoss> job;
     std::shared_ptr<const LiveLoss> answer;  // may be of an earlier request
     SpaceCamera camera;
     std::filesystem::path export_to;  // when the frame is done
@@ -83,16 +83,14 @@ struct EffectExport {
 // Where no actuator is chosen: as it was when the set's effects were read, or the format's own.
 ExportTarget target_of(const EffectExport& effects);
 
-void make_effect_job(const Ui& ui, EffectExport& effects);
-
 // The menu's command; `picked` are names.
 void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                            const std::vector<std::string>& picked, std::size_t subset_count,
                            SubsetObjective objective, EffectExport& effects);
 
 // Once a frame while the dialog is open: takes the answer, asks where the choice has changed.
-void follow_effects(EffectExport& effects);
-void predict_anyway(EffectExport& effects);
+void follow_effects(const Ui& ui, EffectExport& effects);
+void predict_anyway(const Ui& ui, EffectExport& effects);
 void stop_predicting(EffectExport& effects);
 bool is_predicting_loss(const EffectExport& effects);
 

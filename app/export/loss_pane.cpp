@@ -184,7 +184,7 @@ void draw_state(Ui& ui, EffectExport& effects) {
         ImGui::AlignTextToFramePadding();
         dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Skipped.");
         ImGui::SameLine();
-        if (ImGui::Button("Predict it")) predict_anyway(effects);
+        if (ImGui::Button("Predict it")) predict_anyway(ui, effects);
         note_item(ui.rects, "button:predict loss");
         ImGui::SameLine();
         dim_text(ui, "Without it the files are written alone.");

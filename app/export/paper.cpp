@@ -130,20 +130,18 @@ void write_paper(Ui& ui, const Workspace& work, PaperState& paper,
     }
     for (const PaperSet& set : paper.more) request.sets.push_back(set.file);
     if (request.sets.empty() || paper.program.empty() || paper.job.busy()) return;
-    paper.job.begin(
-        JobPolicy::finish,
+    paper.begun_s = ui.time_s;
+    paper.job.ask(
+        std::move(request),
         [](const PaperRequest& one, const std::stop_token& stop, std::atomic<float>&) {
             return made_paper(one, stop);
         },
-        ui.wake);
-    paper.begun_s = ui.time_s;
-    paper.job.ask(std::move(request));
+        ui.wake, JobPolicy::finish);
 }
 
 bool is_writing_paper(const PaperState& paper) { return paper.job.busy(); }
 
 void take_paper(Ui& ui, PaperState& paper) {
-    if (!paper.job.has_begun()) return;
     const auto made = paper.job.latest();
     if (!made || made == paper.shown) return;
     paper.shown = made;

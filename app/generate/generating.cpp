@@ -76,12 +76,6 @@ void open_generate(Ui& ui, const Workspace& work, GenerateState& generating) {
     }
     generating.asking.reset();
     generating.typing.clear();
-    generating.job.begin(
-        JobPolicy::supersede,
-        [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
-            return plan_of(request, std::move(stop));
-        },
-        ui.wake);
     ui.dialog = Dialog::generate;
 }
 
@@ -105,7 +99,12 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating) {
     if (ui.dialog != Dialog::generate) return;
-    generating.job.want(GenerateRequest{generating.draft, work.document.committed});
+    generating.job.want(
+        GenerateRequest{generating.draft, work.document.committed},
+        [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {
+            return plan_of(request, std::move(stop));
+        },
+        ui.wake);
 }
 
 std::shared_ptr<const GeneratePlan> current_plan(const Workspace& work,

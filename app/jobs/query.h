@@ -1,13 +1,13 @@
 // A question to the model, as a room asks it: work in the background, what it was asked last, and
-// what it has found. Its destructor ends the work, which owns what it uses: states may be destroyed
-// in any order.
+// what it has found. The first question begins the work, and the destructor ends it.
 //
 // Work is no value, the state around it is one. So a copy of a state is what was found, without
 // the work: what pictures are drawn from. And a state that another is assigned to keeps its work,
 // which forgets: what a room begins again with when another document takes the place of its own.
 //
-// Input     requests; before begin() nothing is asked, and everything else says so
-// Output    answers as immutable snapshots (latest_job.h)
+// Input     requests, and the work that answers them, of which the first is kept. Work owns what it
+//           uses, so that states may be destroyed in any order
+// Output    answers as immutable snapshots (latest_job.h); before the first question, none
 #pragma once
 
 #include <functional>
@@ -25,9 +25,7 @@ class Query {
     using Job = LatestJob<Request, Answer>;
 
   public:
-    using Work = typename Job::Work;
     using Partly = typename Job::Partly;
-    using WorkInParts = typename Job::WorkInParts;
     using Same = typename Job::Same;
 
     Query() = default;
@@ -40,34 +38,29 @@ class Query {
         return *this;
     }
 
-    // Work begins with the first call; a further one changes nothing.
-    void begin(JobPolicy policy, Work work, std::function<void()> wake = {}, Same same = {}) {
-        if (job_) return;
-        job_ = std::make_unique<Job>(policy, std::move(work), std::move(wake), std::move(same));
-    }
-    void begin(JobPolicy policy, WorkInParts work, std::function<void()> wake = {},
-               Same same = {}) {
-        if (job_) return;
-        job_ = std::make_unique<Job>(policy, std::move(work), std::move(wake), std::move(same));
-    }
-    bool has_begun() const { return job_ != nullptr; }
-    void end() {
-        job_.reset();
-        asked_.reset();
+    // Begins the work (see LatestJob); the first question does so by itself.
+    template <class Work>
+    void begin(const Work& work, const std::function<void()>& wake = {},
+               JobPolicy policy = JobPolicy::supersede, const Same& same = {}) {
+        if (!job_) job_ = std::make_unique<Job>(policy, work, wake, same);
     }
 
     // Asks, even what was asked last.
-    void ask(Request request) {
-        if (!job_) return;
+    template <class Work>
+    void ask(Request request, const Work& work, const std::function<void()>& wake = {},
+             JobPolicy policy = JobPolicy::supersede, const Same& same = {}) {
+        begin(work, wake, policy, same);
         asked_ = request;
         job_->submit(std::move(request));
     }
 
     // To be told in each frame what is wanted: asks what was not asked last. What was cancelled is
     // not asked again until something else is wanted.
-    void want(std::optional<Request> request) {
-        if (!job_ || request == asked_) return;
-        request ? ask(*std::move(request)) : leave();
+    template <class Work>
+    void want(std::optional<Request> request, const Work& work,
+              const std::function<void()>& wake = {}, JobPolicy policy = JobPolicy::supersede) {
+        if (request == asked_) return;
+        request ? ask(*std::move(request), work, wake, policy) : leave();
     }
 
     const std::optional<Request>& asked() const { return asked_; }

@@ -139,7 +139,6 @@ void show_lesson(LessonState& state, std::shared_ptr<const Lesson> lesson) {
     state.lesson = std::move(lesson);
     state.shown = in_language(state.lesson, shown_language(state));
     state.tallies.resize(state.lesson->steps.size());
-    state.job.ask({state.shown});
 }
 
 void choose_language(Ui& ui, LessonState& state, const std::string& code) {

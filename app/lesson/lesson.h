@@ -96,8 +96,7 @@ void follow_document(const LessonContext& context, LessonState& state);
 void follow_renaming(LessonState& state, const Renaming& renaming);
 
 // The lesson's numbers are computed in the background.
-void make_lesson_job(const Ui& ui, LessonState& state);
-void follow_lesson(LessonState& state);
+void follow_lesson(const Ui& ui, LessonState& state);
 const LessonAnswers* answers_of(const LessonState& state);
 
 // The current step, in the shown language; null if no lesson is running.

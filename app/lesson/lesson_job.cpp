@@ -6,29 +6,24 @@
 
 namespace tact {
 
-void make_lesson_job(const Ui& ui, LessonState& state) {
-    state.job.begin(
-        JobPolicy::supersede,
-        [](const LessonAsked& asked, std::stop_token stop,
-           std::atomic<float>& progress) -> std::optional<LessonAnswered> {
-            LessonAnswered answered{asked.lesson, asked.with_pairs,
-                                    lesson_answers(*asked.lesson, stop, asked.with_pairs)};
-            progress = 1.0F;
-            if (stop.stop_requested()) return std::nullopt;
-            return answered;
-        },
-        ui.wake);
-    if (state.step && state.shown) state.job.ask({state.shown});
+namespace {
+
+std::optional<LessonAnswered> answer_lesson(const LessonAsked& asked, std::stop_token stop,
+                                            std::atomic<float>& progress) {
+    LessonAnswered answered{asked.lesson, asked.with_pairs,
+                            lesson_answers(*asked.lesson, stop, asked.with_pairs)};
+    progress = 1.0F;
+    if (stop.stop_requested()) return std::nullopt;
+    return answered;
 }
 
-void follow_lesson(LessonState& state) {
-    if (!state.job.has_begun()) return;
-    auto answered = state.job.latest();
-    if (!answered || answered == state.answered) return;
-    state.answered = std::move(answered);
-    if (!state.answered->with_pairs && state.answered->of == state.shown) {
-        state.job.ask({state.shown, true});
-    }
+}  // namespace
+
+void follow_lesson(const Ui& ui, LessonState& state) {
+    if (auto answered = state.job.latest()) state.answered = std::move(answered);
+    if (!has_jobs(ui) || !state.shown) return;
+    const bool has_quick = state.answered && state.answered->of == state.shown;
+    state.job.want(LessonAsked{state.shown, has_quick}, answer_lesson, ui.wake);
 }
 
 // Numbers of a lesson that is being edited stay until the new ones are ready.

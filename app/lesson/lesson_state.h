@@ -72,6 +72,8 @@ struct CardGrowth {
 struct LessonAsked {
     std::shared_ptr<const Lesson> lesson;
     bool with_pairs = false;  // pairs take longer, so they come second
+
+    bool operator==(const LessonAsked&) const = default;
 };
 
 struct LessonAnswered {

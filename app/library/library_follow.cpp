@@ -65,12 +65,6 @@ std::optional<EntriesRead> read_entries(const EntriesRequest& request, std::stop
     return read;
 }
 
-template <class Request, class Answer, class Work>
-void submit(Query<Request, Answer>& job, const Ui& ui, Work work, Request request) {
-    job.begin(JobPolicy::supersede, work, ui.wake);
-    job.ask(std::move(request));
-}
-
 // By the target that is chosen now.
 void ask_alike(const Ui& ui, const Workspace& work, LibraryState& state, AlikeRequest request) {
     if (!state.library) return;
@@ -82,7 +76,7 @@ void ask_alike(const Ui& ui, const Workspace& work, LibraryState& state, AlikeRe
     std::iota(question.among.begin(), question.among.end(), std::size_t{0});
     question.target.reset();
     if (const auto format = target_format_of(state.target)) question.target = own_target(*format);
-    submit(state.comparer, ui, compare, std::move(request));
+    state.comparer.ask(std::move(request), compare, ui.wake);
 }
 
 // What was found is of another reading: entries may stand elsewhere.
@@ -197,7 +191,7 @@ void show_library(Ui& ui, LibraryState& state, const fs::path& folder) {
 }
 
 void read_library_again(Ui& ui, LibraryState& state) {
-    submit(state.reader, ui, read_whole, LibraryRequest{state.folder});
+    state.reader.ask({state.folder}, read_whole, ui.wake);
 }
 
 void find_alike(const Ui& ui, const Workspace& work, LibraryState& state, const Vibration& wanted) {
@@ -222,8 +216,7 @@ void forget_alike(LibraryState& state) {
 void add_entries(Ui& ui, const Workspace& work, LibraryState& state,
                  const std::vector<std::size_t>& entries) {
     if (!state.library || entries.empty()) return;
-    submit(state.adder, ui, read_entries,
-           EntriesRequest{state.library, entries, work.document_number});
+    state.adder.ask({state.library, entries, work.document_number}, read_entries, ui.wake);
 }
 
 void follow_library(Ui& ui, Workspace& work, LibraryState& state) {
@@ -266,7 +259,7 @@ bool is_library_busy(const LibraryState& state) {
 void hold_entry(const Ui& ui, Workspace& work, LibraryState& state, std::size_t entry) {
     if (state.held != entry) {
         state.held = entry;
-        submit(state.holder, ui, read_entries, EntriesRequest{state.library, {entry}, 0});
+        state.holder.ask({state.library, {entry}, 0}, read_entries, ui.wake);
     }
     const auto read = state.holder.latest();
     const bool is_it = read && read->request.library == state.library &&

@@ -84,19 +84,17 @@ void open_manual(Ui& ui, ManualState& manual) {
     }
     if (is_current(kept, manual.program)) return show_in_browser(ui, manual, kept);
     if (manual.job.busy()) return;
-    manual.job.begin(
-        JobPolicy::finish,
+    manual.job.ask(
+        {manual.program, kept},
         [](const ManualRequest& request, const std::stop_token& stop, std::atomic<float>&) {
             return made_manual(request, stop);
         },
-        ui.wake);
-    manual.job.ask({manual.program, kept});
+        ui.wake, JobPolicy::finish);
     say(ui, "The manual is being made; it opens in a moment.");
 }
 
 void take_manual(Ui& ui, ManualState& manual) {
     if (!manual.openers.empty()) forget_ended(manual);
-    if (!manual.job.has_begun()) return;
     const auto made = manual.job.latest();
     if (!made || made == manual.shown) return;
     manual.shown = made;

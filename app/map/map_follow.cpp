@@ -70,8 +70,19 @@ Eigen::MatrixXd places_of(const LiveMap& map, const ShownMap& shown_map) {
     return is_held ? held->points : aligned_to_anchor(shown_map.transition, map);
 }
 
+void ask_exact(const Ui& ui, ShownMap& shown_map, LiveMapRequest request) {
+    shown_map.full_job.ask(
+        std::move(request),
+        [full = LiveMapWork()](const LiveMapRequest& asked, std::stop_token stop,
+                               std::atomic<float>& progress,
+                               const LiveMapWork::Partly& partly) mutable {
+            return full.in_parts(asked, std::move(stop), progress, partly);
+        },
+        ui.wake, JobPolicy::supersede, is_same_work);
+}
+
 // A preview that failed is waited for no longer.
-void ask_in_turn(ShownMap& shown_map) {
+void ask_in_turn(const Ui& ui, ShownMap& shown_map) {
     auto request = std::exchange(shown_map.exact_in_turn, std::nullopt);
     if (!request || shown_map.cancelled) return;
     const auto& shown = shown_map.transition.shown;
@@ -82,7 +93,7 @@ void ask_in_turn(ShownMap& shown_map) {
     }
     shown_map.wanted = std::make_shared<WantedRows>();
     request->wanted = shown_map.wanted;
-    shown_map.full_job.ask(std::move(*request));
+    ask_exact(ui, shown_map, std::move(*request));
 }
 
 // A map that was stopped by the end of the program, or by another document, continues.
@@ -135,35 +146,19 @@ void show_map(const Ui& ui, ShownMap& shown_map, std::shared_ptr<const LiveMap> 
     shown_map.transition = std::move(next);
 }
 
-void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map) {
-    shown_map.preview_job.begin(JobPolicy::finish, LiveMapWork{}, ui.wake);
-    using Full = Query<LiveMapRequest, LiveMap>;
-    const auto full = std::make_shared<LiveMapWork>();
-    shown_map.full_job.begin(
-        JobPolicy::supersede,
-        Full::WorkInParts([full](const LiveMapRequest& request, std::stop_token stop,
-                                 std::atomic<float>& progress, const Full::Partly& partly) {
-            return full->in_parts(request, std::move(stop), progress, partly);
-        }),
-        ui.wake, is_same_work);
-    shown_map.unshifted_job.begin(JobPolicy::supersede, LiveMapWork{}, ui.wake, is_same_work);
-    shown_map.maps_asked = work.revision;  // until something changes or is asked for
-}
-
 void take_maps(const Ui& ui, ShownMap& shown_map) {
-    if (!shown_map.full_job.has_begun()) return;
     const bool is_previewed = !shown_map.preview_job.busy();  // before its answer is taken
     for (const auto* job : {&shown_map.preview_job, &shown_map.full_job}) {
         if (auto map = job->latest(); is_news(shown_map, map))
             show_map(ui, shown_map, std::move(map));
     }
-    if (is_previewed) ask_in_turn(shown_map);
-    follow_unshifted(shown_map);
+    if (is_previewed) ask_in_turn(ui, shown_map);
+    follow_unshifted(ui, shown_map);
 }
 
-void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
-    if (!shown_map.full_job.has_begun())
-        return;  // a picture without a window computes its map itself
+void request_maps(const Ui& ui, const Workspace& work, ShownMap& shown_map,
+                  const RenderingState& rendered) {
+    if (!has_jobs(ui)) return;  // a picture without a window computes its map itself
     shown_map.maps_asked = work.revision;
     shown_map.cancelled = false;
     // Another document is another map: the last one says nothing of it.
@@ -189,18 +184,19 @@ void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingSta
     }
     const bool in_turn = has_preview && expected_map_s(set) > kInTurnS;
     if (!waits && in_turn) shown_map.exact_in_turn = request;
-    if (!waits && !in_turn) shown_map.full_job.ask(request);
+    if (!waits && !in_turn) ask_exact(ui, shown_map, request);
     const auto& shown = shown_map.transition.shown;
     const bool is_shown = shown && shown->request.revision == work.revision;
     if (!has_preview || (is_shown && shown->request.preview)) {
-        return ask_in_turn(shown_map);
+        return ask_in_turn(ui, shown_map);
     }
     request.preview = true;
-    shown_map.preview_job.ask(request);
+    shown_map.preview_job.ask(request, LiveMapWork{}, ui.wake, JobPolicy::finish);
 }
 
-void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered) {
-    if (shown_map.maps_asked != work.revision) request_maps(work, shown_map, rendered);
+void follow_map(const Ui& ui, const Workspace& work, ShownMap& shown_map,
+                const RenderingState& rendered) {
+    if (shown_map.maps_asked != work.revision) request_maps(ui, work, shown_map, rendered);
     if (shown_map.wanted && shown_map.full_job.busy()) {
         shown_map.wanted->tell(rows_looked_at(work, shown_map));
     }

@@ -8,12 +8,12 @@
 
 namespace tact {
 
-void make_map_jobs(const Ui& ui, const Workspace& work, ShownMap& shown_map);
-
 // The map of a very large set waits until asked for.
-void request_maps(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
+void request_maps(const Ui& ui, const Workspace& work, ShownMap& shown_map,
+                  const RenderingState& rendered);
 // Asks again if the document has changed since: once a frame, whoever changed it.
-void follow_map(const Workspace& work, ShownMap& shown_map, const RenderingState& rendered);
+void follow_map(const Ui& ui, const Workspace& work, ShownMap& shown_map,
+                const RenderingState& rendered);
 
 // Takes what the jobs have finished, aligns it to what is shown and starts the transition.
 void take_maps(const Ui& ui, ShownMap& shown_map);

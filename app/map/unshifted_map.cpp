@@ -48,13 +48,14 @@ bool shows_unshifted(const MapTransition& map) {
            is_without_shifts(map.anchor->request, map.shown->request);
 }
 
-void follow_unshifted(ShownMap& shown_map) {
+void follow_unshifted(const Ui& ui, ShownMap& shown_map) {
     MapTransition& map = shown_map.transition;
-    if (!map.shown || !shown_map.unshifted_job.has_begun() || map.shown->request.preview) return;
+    if (!map.shown || !has_jobs(ui) || map.shown->request.preview) return;
     const LiveMapRequest& shown = map.shown->request;
     if (!is_shifted(shown) || shows_unshifted(map) || needs_asking(*shown.set)) return;
     if (std::exchange(shown_map.unshifted_asked_of, map.shown) != map.shown) {
-        shown_map.unshifted_job.ask(without_shifts(shown));
+        shown_map.unshifted_job.ask(without_shifts(shown), LiveMapWork{}, ui.wake,
+                                    JobPolicy::supersede, is_same_work);
     }
     auto unshifted = shown_map.unshifted_job.latest();
     if (!unshifted || !is_without_shifts(unshifted->request, shown)) return;

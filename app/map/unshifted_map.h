@@ -8,6 +8,7 @@
 #pragma once
 
 #include "app/map/map_state.h"
+#include "app/ui/ui.h"
 
 namespace tact {
 
@@ -21,6 +22,6 @@ bool keeps_anchor(const MapTransition& before, const LiveMap& fresh);
 bool shows_unshifted(const MapTransition& map);
 
 // Once a frame: asks for the map without shifts, and takes it.
-void follow_unshifted(ShownMap& shown_map);
+void follow_unshifted(const Ui& ui, ShownMap& shown_map);
 
 }  // namespace tact

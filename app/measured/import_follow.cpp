@@ -142,32 +142,39 @@ SimulationRequest simulation_request(const Workspace& work, ImportState& importi
             keep_in};
 }
 
-template <class Request, class Answer, class Work>
-void ask_to_take(const Ui& ui, Takes<Request, Answer>& takes, Request request, Work work) {
-    takes.job.begin(JobPolicy::finish, work, ui.wake);
+void ask_first(const Ui& ui, Takes<ImportRequest, ImportAnswer>& takes) {
+    takes.job.ask(takes.waiting.front(), import_all, ui.wake, JobPolicy::finish);
+}
+
+void ask_first(const Ui& ui, Takes<SimulationRequest, SimulationAnswer>& takes) {
+    takes.job.ask(takes.waiting.front(), simulate_all, ui.wake, JobPolicy::finish);
+}
+
+template <class Request, class Answer>
+void ask_to_take(const Ui& ui, Takes<Request, Answer>& takes, Request request) {
     takes.waiting.push_back(std::move(request));
-    if (takes.waiting.size() == 1) takes.job.ask(takes.waiting.front());
+    if (takes.waiting.size() == 1) ask_first(ui, takes);
 }
 
 // Takes the answer to the current request once, and starts the next request.
 template <class Request, class Answer>
-std::shared_ptr<const Answer> next_taken(Takes<Request, Answer>& takes) {
+std::shared_ptr<const Answer> next_taken(const Ui& ui, Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
     std::shared_ptr<const Answer> answer = takes.job.latest();
     if (!answer || answer->request.number != takes.waiting.front().number) return {};
     takes.waiting.pop_front();
-    if (!takes.waiting.empty()) takes.job.ask(takes.waiting.front());
+    if (!takes.waiting.empty()) ask_first(ui, takes);
     return answer;
 }
 
 // Takes the error of the current request once, and starts the next request.
 template <class Request, class Answer>
-std::string next_failed(Takes<Request, Answer>& takes) {
+std::string next_failed(const Ui& ui, Takes<Request, Answer>& takes) {
     if (takes.waiting.empty()) return {};
     std::string failure = takes.job.failure();
     if (failure.empty()) return {};
     takes.waiting.pop_front();
-    if (!takes.waiting.empty()) takes.job.ask(takes.waiting.front());
+    if (!takes.waiting.empty()) ask_first(ui, takes);
     return failure;
 }
 
@@ -195,24 +202,21 @@ bool is_taking(const ImportState& importing) {
 }
 
 void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
-    if (importing.import_job.has_begun()) {
-        if (auto answer = importing.import_job.latest()) importing.answer = std::move(answer);
-    }
-    if (importing.simulation_job.has_begun()) {
-        if (auto answer = importing.simulation_job.latest())
-            importing.simulated = std::move(answer);
-    }
+    if (auto answer = importing.import_job.latest()) importing.answer = std::move(answer);
+    if (auto answer = importing.simulation_job.latest()) importing.simulated = std::move(answer);
     // The chooser was closed without a file.
     if (importing.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
         importing.adding = false;
         ui.dialog = Dialog::import_recordings;
     }
-    if (const auto taken = next_taken(importing.import_takes)) take_import(ui, work, *taken);
-    if (const auto taken = next_taken(importing.simulation_takes)) take_simulated(ui, work, *taken);
-    if (const auto failure = next_failed(importing.import_takes); !failure.empty()) {
+    if (const auto taken = next_taken(ui, importing.import_takes)) take_import(ui, work, *taken);
+    if (const auto taken = next_taken(ui, importing.simulation_takes)) {
+        take_simulated(ui, work, *taken);
+    }
+    if (const auto failure = next_failed(ui, importing.import_takes); !failure.empty()) {
         complain(ui, "Not imported: " + failure + ".");
     }
-    if (const auto failure = next_failed(importing.simulation_takes); !failure.empty()) {
+    if (const auto failure = next_failed(ui, importing.simulation_takes); !failure.empty()) {
         complain(ui, "Not simulated: " + failure + ".");
     }
 }
@@ -267,19 +271,18 @@ void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& imp
 }
 
 void look_at_recordings(const Ui& ui, const Workspace& work, ImportState& importing) {
-    importing.import_job.begin(JobPolicy::supersede, import_all, ui.wake);
-    importing.import_job.ask(import_request(work, importing, {}));
+    importing.import_job.ask(import_request(work, importing, {}), import_all, ui.wake);
 }
 
 void take_recordings(Ui& ui, const Workspace& work, ImportState& importing) {
     const fs::path folder = measured_folder(work.session);
     if (folder.empty()) return complain(ui, "Not imported: there is no folder to keep it in");
-    ask_to_take(ui, importing.import_takes, import_request(work, importing, folder), import_all);
+    ask_to_take(ui, importing.import_takes, import_request(work, importing, folder));
 }
 
 void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing) {
-    importing.simulation_job.begin(JobPolicy::supersede, simulate_all, ui.wake);
-    importing.simulation_job.ask(simulation_request(work, importing, {work.selection.current}, {}));
+    importing.simulation_job.ask(simulation_request(work, importing, {work.selection.current}, {}),
+                                 simulate_all, ui.wake);
 }
 
 void take_simulation(Ui& ui, const Workspace& work, ImportState& importing) {
@@ -287,8 +290,8 @@ void take_simulation(Ui& ui, const Workspace& work, ImportState& importing) {
     if (folder.empty()) return complain(ui, "Not simulated: there is no folder to keep it in");
     std::vector<std::size_t> places;
     if (!importing.simulate_all) places = selected_indices(work);
-    ask_to_take(ui, importing.simulation_takes, simulation_request(work, importing, places, folder),
-                simulate_all);
+    ask_to_take(ui, importing.simulation_takes,
+                simulation_request(work, importing, places, folder));
 }
 
 }  // namespace tact

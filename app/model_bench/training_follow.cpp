@@ -100,13 +100,8 @@ std::string proposed_name(const FoundTraining& found) {
 
 }  // namespace
 
-void make_training_job(const Ui& ui, ModelBench& model_bench) {
-    model_bench.training.job.begin(JobPolicy::supersede, find_parameters, ui.wake);
-}
-
 void follow_training(Ui& ui, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
-    if (!state.job.has_begun()) return;
     const auto latest = state.job.latest();
     if (!latest || latest == state.found) return;
     state.found = latest;
@@ -146,10 +141,10 @@ TrainingRequest training_request(const Workspace& work, ModelBench& model_bench)
     return request;
 }
 
-void begin_training(const Workspace& work, ModelBench& model_bench) {
+void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench) {
     TrainingRequest request = training_request(work, model_bench);
-    if (request.sets.empty() || !model_bench.training.job.has_begun()) return;
-    model_bench.training.job.ask(std::move(request));
+    if (request.sets.empty()) return;
+    model_bench.training.job.ask(std::move(request), find_parameters, ui.wake);
 }
 
 void cancel_training(ModelBench& model_bench) { model_bench.training.job.cancel(); }

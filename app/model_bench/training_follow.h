@@ -10,8 +10,6 @@
 
 namespace tact {
 
-void make_training_job(const Ui& ui, ModelBench& model_bench);
-
 // Takes what the job has found.
 void follow_training(Ui& ui, ModelBench& model_bench);
 bool is_training(const ModelBench& model_bench);
@@ -21,7 +19,7 @@ const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench);
 
 // All sets that take part, the document first.
 TrainingRequest training_request(const Workspace& work, ModelBench& model_bench);
-void begin_training(const Workspace& work, ModelBench& model_bench);
+void begin_training(const Ui& ui, const Workspace& work, ModelBench& model_bench);
 void cancel_training(ModelBench& model_bench);
 
 // Whether the patterns, the ratings or the model's other choices have changed since.

@@ -130,7 +130,7 @@ void draw_search(Ui& ui, ModelBench& model_bench) {
 void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     const TrainingRequest request = training_request(work, model_bench);
     ImGui::BeginDisabled(request.sets.empty());
-    if (primary_button(ui, "Train")) begin_training(work, model_bench);
+    if (primary_button(ui, "Train")) begin_training(ui, work, model_bench);
     ImGui::EndDisabled();
     note_item(ui.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
     std::string text = "No ratings to train on.";
@@ -162,7 +162,7 @@ void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {
         draw_search(ui, model_bench);
-    } else if (model_bench.training.job.has_begun()) {
+    } else if (has_jobs(ui)) {
         draw_begin(ui, work, model_bench);
         (void)draw_failure(ui, "training", model_bench.training.job.failure());
     }

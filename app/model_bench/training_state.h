@@ -84,7 +84,7 @@ struct TrainingState {
     std::vector<KeptModel> kept;  // by name
     bool kept_were_read = false;
 
-    Query<TrainingRequest, FoundTraining> job;  // not begun: a picture
+    Query<TrainingRequest, FoundTraining> job;
     std::shared_ptr<const FoundTraining> found;
 };
 

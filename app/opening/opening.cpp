@@ -133,20 +133,12 @@ void begin(Ui& ui, Workspace& work, Opening& opening, OpeningRequest request) {
     request.number = ++opening.requests;
     request.since_s = ui.time_s;
     opening.asked = request;
-    if (opening.job.has_begun()) return opening.job.ask(std::move(request));
+    if (has_jobs(ui)) return opening.job.ask(std::move(request), read_files, ui.wake);
     std::atomic<float> progress;
     take(ui, work, opening, read_files(request, {}, progress));
 }
 
 }  // namespace
-
-void make_opening_job(Ui& ui, Opening& opening) {
-    opening.job.begin(
-        JobPolicy::supersede,
-        [](const OpeningRequest& request, const std::stop_token& stop, std::atomic<float>& progress)
-            -> std::optional<OpeningAnswer> { return read_files(request, stop, progress); },
-        ui.wake);
-}
 
 void open_paths(Ui& ui, Workspace& work, Opening& opening, const std::vector<fs::path>& paths,
                 bool partly) {
@@ -163,7 +155,7 @@ void add_paths(Ui& ui, Workspace& work, Opening& opening, const std::vector<fs::
 }
 
 void follow_opening(Ui& ui, Workspace& work, Opening& opening, bool is_free) {
-    if (!opening.asked || !opening.job.has_begun() || !is_free) return;
+    if (!opening.asked || !is_free) return;
     // Before its answer is looked for: one that comes in between is taken by the next frame.
     const bool is_busy = opening.job.busy();
     const auto answer = opening.job.latest();

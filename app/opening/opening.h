@@ -18,8 +18,6 @@
 
 namespace tact {
 
-void make_opening_job(Ui& ui, Opening& opening);
-
 // As one set, in the place of the open one. Unsaved changes of that one are kept in a file of their
 // own; where they cannot be, it stays.
 void open_paths(Ui& ui, Workspace& work, Opening& opening,

@@ -41,15 +41,14 @@ void follow_recording(RecordingEditor& editor, const Vibration& vibration) {
 }
 
 void follow_trace(const Ui& ui, RecordingEditor& editor) {
-    editor.job.begin(
-        JobPolicy::finish,
+    editor.job.want(
+        TraceRequest{editor.after, editor.most_points},
         [](const TraceRequest& request, std::stop_token, std::atomic<float>&) {
             TraceParams params;
             params.most_points = request.most_points;
             return std::optional(TraceAnswer{request, traced(*request.recording, params)});
         },
-        ui.wake);
-    editor.job.want(TraceRequest{editor.after, editor.most_points});
+        ui.wake, JobPolicy::finish);
 }
 
 void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) {

@@ -32,8 +32,7 @@ std::optional<MadePhonePatterns> made_patterns(const PhonePatternsRequest& reque
 }
 
 void follow_patterns(Ui& ui, const Workspace& work, PlayState& play, PhonesState& state) {
-    state.patterns_job.begin(JobPolicy::supersede, made_patterns, ui.wake);
-    state.patterns_job.want(request_of(work));
+    state.patterns_job.want(request_of(work), made_patterns, ui.wake);
     const auto made = state.patterns_job.latest();
     if (!made || made == state.cards_of) return;
     state.cards_of = made;

@@ -6,24 +6,24 @@
 
 namespace tact {
 
-void make_stages_jobs(const Ui& ui, Physiology& physiology) {
-    for (auto* job : {&physiology.stages_job, &physiology.pinned_job}) {
-        job->begin(JobPolicy::finish, compute_live_stages, ui.wake);
-    }
-}
-
 void take_stages(Physiology& physiology) {
     if (auto stages = physiology.stages_job.latest()) physiology.stages = std::move(stages);
     if (auto stages = physiology.pinned_job.latest()) physiology.pinned_stages = std::move(stages);
 }
 
-void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology) {
+void follow_current(const Ui& ui, Workspace& work, const RenderingState& rendered,
+                    Physiology& physiology) {
     const PatternSet& set = work.document.set;
     if (work.selection.current >= set.vibrations.size()) return;
-    physiology.stages_job.want(stages_request(set, work.selection.current, rendered_by(rendered)));
+    const auto want = [&](auto& job, std::size_t place) {
+        if (!has_jobs(ui)) return;
+        job.want(stages_request(set, place, rendered_by(rendered)), compute_live_stages, ui.wake,
+                 JobPolicy::finish);
+    };
+    want(physiology.stages_job, work.selection.current);
     const auto pinned = place_named(set, work.selection.pinned);
     if (!pinned) return work.selection.pinned.clear();
-    physiology.pinned_job.want(stages_request(set, *pinned, rendered_by(rendered)));
+    want(physiology.pinned_job, *pinned);
 }
 
 void follow_pair(const Workspace& work, const ShownMap& shown_map, Physiology& physiology) {

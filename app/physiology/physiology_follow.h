@@ -9,12 +9,12 @@
 
 namespace tact {
 
-void make_stages_jobs(const Ui& ui, Physiology& physiology);
 void take_stages(Physiology& physiology);
 
 // Asks for the stages of the current and of the pinned vibration where they are not those that were
 // asked for last.
-void follow_current(Workspace& work, const RenderingState& rendered, Physiology& physiology);
+void follow_current(const Ui& ui, Workspace& work, const RenderingState& rendered,
+                    Physiology& physiology);
 
 // How far the rhythms of the two are apart, as the map beside them has it.
 void follow_pair(const Workspace& work, const ShownMap& shown_map, Physiology& physiology);

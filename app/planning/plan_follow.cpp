@@ -64,19 +64,18 @@ Expected<SetPlan> plan_of(const PlanRequest& request, std::stop_token stop,
 }  // namespace
 
 void simulate_plan(Ui& ui, const Workspace& work, PlanState& planning) {
-    planning.job.begin(
-        JobPolicy::supersede,
-        [](const PlanRequest& request, const std::stop_token& stop,
-           std::atomic<float>& progress) -> std::optional<LivePlan> {
-            Expected<SetPlan> plan = plan_of(request, stop, progress);
-            if (stop.stop_requested()) return std::nullopt;
-            return LivePlan{request, std::move(plan)};
-        },
-        ui.wake);
     PlanRequest request = request_of(work, planning.choice);
     request.set = std::make_shared<const PatternSet>(study_part(work.document.set));
     planning.chosen.reset();
-    planning.job.ask(std::move(request));
+    planning.job.ask(
+        std::move(request),
+        [](const PlanRequest& asked, const std::stop_token& stop,
+           std::atomic<float>& progress) -> std::optional<LivePlan> {
+            Expected<SetPlan> plan = plan_of(asked, stop, progress);
+            if (stop.stop_requested()) return std::nullopt;
+            return LivePlan{asked, std::move(plan)};
+        },
+        ui.wake);
 }
 
 std::string plan_obstacle(const Workspace& work) {

@@ -34,7 +34,15 @@ void restore_devices(Workspace& work, PlayState& play) {
     play.choices.erase(chosen);
 }
 
-void refresh_devices(PlayState& play) { play.list_job.ask(++play.lists_asked); }
+void refresh_devices(const Ui& ui, PlayState& play) {
+    if (!play.audio) return;
+    play.list_job.ask(
+        ++play.lists_asked,
+        [host = play.audio](int, std::stop_token, std::atomic<float>&) {
+            return std::optional<Listing>(list_devices(*host));
+        },
+        ui.wake, JobPolicy::finish);
+}
 
 void begin_softly(PlayState& play) {
     play.was_softened = play.was_softened || play.level > kFirstLevel;

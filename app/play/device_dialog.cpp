@@ -239,7 +239,7 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     draw_tooltip(ui, "150 Hz for 0.3 s, at the playback level");
     ImGui::EndDisabled();
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (ImGui::Button("Refresh")) refresh_devices(play);
+    if (ImGui::Button("Refresh")) refresh_devices(ui, play);
     note_item(ui.rects, "button:refresh");
     if (play.list_job.busy()) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);

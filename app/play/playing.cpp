@@ -300,13 +300,7 @@ Sounding of_transport(const Workspace& work, const Timeline& timeline, const Sho
 
 void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
     play.audio = std::make_shared<AudioHost>();
-    play.list_job.begin(
-        JobPolicy::finish,
-        [host = play.audio](int, std::stop_token, std::atomic<float>&) {
-            return std::optional<Listing>(list_devices(*host));
-        },
-        ui.wake);
-    refresh_devices(play);
+    refresh_devices(ui, play);
     // With an actuator connected, play means to feel it.
     if (!play.choice.id.empty()) timeline.playhead.speed = 1.0;
 }
@@ -334,9 +328,7 @@ void take_escape(Ui& ui, Timeline& timeline, PlayState& play, bool is_pressed) {
 
 void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
-    if (play.list_job.has_begun()) {
-        if (auto found = play.list_job.latest()) take_list(ui, play, std::move(found));
-    }
+    if (auto found = play.list_job.latest()) take_list(ui, play, std::move(found));
     list_phones(play);
     follow_calibration(ui, work, rendered, play);
     tell_softened(ui, play);

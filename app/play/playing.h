@@ -37,7 +37,7 @@ void follow_sound(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
                   PlayState& play);
 
 // Searches for devices again.
-void refresh_devices(PlayState& play);
+void refresh_devices(const Ui& ui, PlayState& play);
 
 // Chooses another device or channel; an empty id: silent. Stops playing.
 void choose_device(Ui& ui, Timeline& timeline, PlayState& play, const DeviceChoice& choice);

@@ -60,7 +60,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     for (std::size_t k = 0; listed && k < listed->size(); ++k)
         draw_device_item(ui, timeline, play, (*listed)[k]);
     draw_divider(ui.theme);
-    if (ImGui::MenuItem("Refresh devices")) refresh_devices(play);
+    if (ImGui::MenuItem("Refresh devices")) refresh_devices(ui, play);
     note_item(ui.rects, "device:refresh");
     if (ImGui::MenuItem("Devices...")) ui.dialog = Dialog::devices;
     note_item(ui.rects, "device:dialog");

@@ -17,14 +17,13 @@ constexpr double kLongestAtOnceS = 2.0;
 
 // Returns the number of the request.
 std::uint64_t submit(const Ui& ui, PlayState& play, DriveRequest request) {
-    play.drive_job.begin(
-        JobPolicy::finish,
+    request.number = ++play.drives_asked;
+    play.drive_job.ask(
+        std::move(request),
         [](const DriveRequest& asked, std::stop_token, std::atomic<float>&) {
             return std::optional(made_drive(asked));
         },
-        ui.wake);
-    request.number = ++play.drives_asked;
-    play.drive_job.ask(std::move(request));
+        ui.wake, JobPolicy::finish);
     return play.drives_asked;
 }
 

@@ -239,7 +239,7 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
             shown_map.preview_job.cancel();
             shown_map.cancelled = true;
         } else {
-            request_maps(work, shown_map, rendered);
+            request_maps(ui, work, shown_map, rendered);
         }
     }
     note_item(ui.rects, std::string("map:") + texts.action);

@@ -1,10 +1,14 @@
 #include "app/rendering/rendering_state.h"
 
+#include <atomic>
+#include <stop_token>
 #include <utility>
 
 #include "app/rendering/rendered_set.h"
 
 namespace tact {
+
+namespace {
 
 std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& request,
                                                     std::stop_token stop,
@@ -18,12 +22,18 @@ std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& requ
     return live;
 }
 
-void follow_rendering(RenderingState& state, const Vibration* vibration) {
-    if (!state.job.has_begun() || vibration == nullptr) return;
+}  // namespace
+
+void follow_rendering(const Ui& ui, RenderingState& state, const Vibration* vibration) {
+    if (!has_jobs(ui) || vibration == nullptr) return;
     RenderingRequest request{*vibration, state.by};
     if (request == state.asked) return;
     state.asked = request;
-    state.job.ask(std::move(request));
+    state.job.ask(std::move(request), compute_live_rendering, ui.wake, JobPolicy::finish);
+}
+
+void take_rendering(RenderingState& state) {
+    if (auto answer = state.job.latest()) state.shown = std::move(answer);
 }
 
 std::optional<RenderedBy> rendered_by(const RenderingState& state) {

@@ -2,13 +2,12 @@
 // current one, and whether all that is predicted is of what the device plays.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 
 #include "app/jobs/query.h"
+#include "app/ui/ui.h"
 #include "devices/calibration/rendering.h"
 #include "model/set/pattern_set.h"
 
@@ -36,12 +35,11 @@ struct RenderingState {
     std::shared_ptr<const LiveRendering> shown;  // of the current vibration, or of one before it
 };
 
-std::optional<LiveRendering> compute_live_rendering(const RenderingRequest& request,
-                                                    std::stop_token stop,
-                                                    std::atomic<float>& progress);
-
 // Asks for the report on a vibration (may be null) unless it was asked for last.
-void follow_rendering(RenderingState& state, const Vibration* vibration);
+void follow_rendering(const Ui& ui, RenderingState& state, const Vibration* vibration);
+
+// Takes the newest report.
+void take_rendering(RenderingState& state);
 
 // None while predictions are of the patterns as they were meant.
 std::optional<RenderedBy> rendered_by(const RenderingState& state);

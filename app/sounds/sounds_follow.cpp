@@ -51,8 +51,7 @@ SoundsRequest with_pm(SoundsRequest request) {
 }
 
 void ask_for(const Ui& ui, SoundsState& sounds, SoundsRequest request) {
-    sounds.job.begin(JobPolicy::supersede, make_all, ui.wake);
-    sounds.job.ask(std::move(request));
+    sounds.job.ask(std::move(request), make_all, ui.wake);
 }
 
 }  // namespace
@@ -88,7 +87,6 @@ bool are_sounds(const std::vector<fs::path>& files) {
 }
 
 void follow_sounds(const Ui& ui, SoundsState& sounds) {
-    if (!sounds.job.has_begun()) return;
     auto answer = sounds.job.latest();
     if (!answer || answer == sounds.answer) return;
     sounds.answer = std::move(answer);

@@ -42,8 +42,7 @@ void follow_question(const Ui& ui, const Workspace& work, StudyState& studying) 
     question.rule = studying.rule;
     question.rule.attention = work.document.set.study.attention;
     question.set = work.document.committed;
-    studying.job.begin(JobPolicy::supersede, read_answers, ui.wake);
-    if (question != studying.asked) studying.job.ask(question);
+    if (question != studying.asked) studying.job.ask(question, read_answers, ui.wake);
     studying.asked = question;
     studying.answers = studying.job.latest();
 }

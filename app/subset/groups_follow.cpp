@@ -30,14 +30,11 @@ std::size_t asked_count(const SubsetState& picking) {
 
 }  // namespace
 
-void make_groups_job(const Ui& ui, SubsetState& picking) {
-    picking.groups_job.begin(JobPolicy::supersede, find_groups, ui.wake);
-}
-
-void follow_groups(const ShownMap& shown_map, const Layout& layout, SubsetState& picking) {
+void follow_groups(const Ui& ui, const ShownMap& shown_map, const Layout& layout,
+                   SubsetState& picking) {
     if (auto latest = picking.groups_job.latest()) picking.groups = std::move(latest);
     if (layout.bench != BenchTab::subset || picking.view != SubsetView::groups) return;
-    picking.groups_job.want(GroupsRequest{shown_map.transition.shown});
+    picking.groups_job.want(GroupsRequest{shown_map.transition.shown}, find_groups, ui.wake);
 }
 
 const FoundGroups* shown_groups(const ShownMap& shown_map, const SubsetState& picking) {

@@ -11,9 +11,9 @@
 
 namespace tact {
 
-void make_groups_job(const Ui& ui, SubsetState& picking);
 // Asks for the tree of the map on screen while the groups are looked at.
-void follow_groups(const ShownMap& shown_map, const Layout& layout, SubsetState& picking);
+void follow_groups(const Ui& ui, const ShownMap& shown_map, const Layout& layout,
+                   SubsetState& picking);
 
 // The groups of the map on screen; null: not there yet.
 const FoundGroups* shown_groups(const ShownMap& shown_map, const SubsetState& picking);

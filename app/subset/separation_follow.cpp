@@ -5,6 +5,7 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/subset/subset_follow.h"
+#include "devices/calibration/rendering.h"
 #include "model/common/quantile.h"
 #include "model/set/set_ratings.h"
 
@@ -40,6 +41,25 @@ void keep_closest(TooClosePairs& pairs, const Dissimilarity& dissimilarity) {
     pairs.pairs = confusable_pairs(dissimilarity, pairs.threshold, kMostPairs);
     pairs.count = static_cast<std::size_t>(std::ranges::count_if(
         dissimilarity.condensed, [&](double value) { return value <= pairs.threshold; }));
+}
+
+std::optional<FoundSeparations> find_separations(const SeparationRequest& request,
+                                                 std::stop_token stop,
+                                                 std::atomic<float>& progress) {
+    SeparationOptions options;
+    options.from = request.from;
+    options.share = request.share;
+    options.by_a_step = request.by_a_step;
+    options.stop = stop;
+    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
+    // As the map is: of what a device makes of the pattern.
+    if (const auto& by = request.map->request.rendered_by) {
+        options.felt = [&by](const Waveform& meant) { return rendering(*by, meant).waveform; };
+    }
+    auto all = separations(*request.map->request.set, request.map->prediction, request.changed,
+                           request.threshold, options);
+    if (!all) return std::nullopt;
+    return FoundSeparations{request, *std::move(all)};
 }
 
 void find_pairs(TooClosePairs& pairs, const SubsetState& state) {
@@ -153,25 +173,24 @@ std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map
                                                          : "It can be asked once the map is exact.";
 }
 
-void ask_for_separation(const Workspace& work, const ShownMap& shown_map, SubsetState& picking,
-                        std::size_t row) {
-    if (!picking.separation_job.has_begun() ||
-        !separation_obstacle(work, shown_map, picking, row).empty())
-        return;
-    picking.separation_job.ask(separation_request(shown_map, picking, row));
+void ask_for_separation(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                        SubsetState& picking, std::size_t row) {
+    if (!separation_obstacle(work, shown_map, picking, row).empty()) return;
+    picking.separation_job.ask(separation_request(shown_map, picking, row), find_separations,
+                               ui.wake);
 }
 
-void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
-                      const std::string& a, const std::string& b) {
+void ask_about_picked(const Ui& ui, Workspace& work, const ShownMap& shown_map,
+                      SubsetState& picking, const std::string& a, const std::string& b) {
     picking.view = SubsetView::confusable;
     picking.too_close = TooClose::picked;
     open_pair(work, picking, a, b);
     if (const auto rows = opened_rows(shown_map, picking))
-        ask_for_separation(work, shown_map, picking,
+        ask_for_separation(ui, work, shown_map, picking,
                            row_to_change(work, shown_map, picking, *rows));
 }
 
-void ask_about_pair(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+void ask_about_pair(const Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                     const std::string& a, const std::string& b) {
     picking.view = SubsetView::confusable;
     if (picking.too_close == TooClose::ratings) picking.too_close = TooClose::felt;
@@ -180,7 +199,8 @@ void ask_about_pair(Workspace& work, const ShownMap& shown_map, SubsetState& pic
     if (!rows) return;
     const auto& all = shown_map.transition.shown->request.set->vibrations;
     picking.change_second = all[rows->second].name == a;
-    ask_for_separation(work, shown_map, picking, row_to_change(work, shown_map, picking, *rows));
+    ask_for_separation(ui, work, shown_map, picking,
+                       row_to_change(work, shown_map, picking, *rows));
 }
 
 bool is_listed(const TooClosePairs& pairs, const std::string& a, const std::string& b) {

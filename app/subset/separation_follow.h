@@ -28,15 +28,15 @@ SeparationRequest separation_request(const ShownMap& shown_map, SubsetState& pic
                                      std::size_t row);
 std::string separation_obstacle(const Workspace& work, const ShownMap& shown_map,
                                 const SubsetState& picking, std::size_t row);
-void ask_for_separation(const Workspace& work, const ShownMap& shown_map, SubsetState& picking,
-                        std::size_t row);
+void ask_for_separation(const Ui& ui, const Workspace& work, const ShownMap& shown_map,
+                        SubsetState& picking, std::size_t row);
 
 // The same in one go for a pair of the picked subset.
-void ask_about_picked(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
-                      const std::string& a, const std::string& b);
+void ask_about_picked(const Ui& ui, Workspace& work, const ShownMap& shown_map,
+                      SubsetState& picking, const std::string& a, const std::string& b);
 
 // And for any pair, by what counts as too close now; the first of them is to be changed.
-void ask_about_pair(Workspace& work, const ShownMap& shown_map, SubsetState& picking,
+void ask_about_pair(const Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                     const std::string& a, const std::string& b);
 
 // Whether the two are listed as too close.

@@ -32,7 +32,7 @@ std::string obstacle_to_asking(const Pick* pick) {
 
 // Takes the click on the button, which was drawn last.
 void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
-    if (pressed) picking.stability_job.ask({picking.pick, 100});
+    if (pressed) ask_for_stability(ui, picking, 100);
     note_item(ui.rects, "button:draw models");
     draw_tooltip(ui,
                  "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "

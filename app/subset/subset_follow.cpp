@@ -5,7 +5,6 @@
 #include "app/jobs/turns.h"
 #include "app/map/map_follow.h"
 #include "app/subset/groups_follow.h"
-#include "devices/calibration/rendering.h"
 #include "model/set/set_ratings.h"
 #include "model/subset/set_subset.h"
 #include "model/tasks/set_pairs.h"
@@ -67,9 +66,11 @@ bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
     return true;
 }
 
+using PickPartly = Query<PickRequest, Pick>::Partly;
+
 std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
                                 std::atomic<float>& progress,
-                                const Query<PickRequest, Pick>::Partly& give, PickTurns& turns) {
+                                const PickPartly& give, PickTurns& turns) {
     Pick pick{request, nullptr, {}, {}};
     Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, pick.mark);
     if (stop.stop_requested()) return std::nullopt;
@@ -106,6 +107,14 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
     return pick;
 }
 
+// Work that remembers its turns.
+auto picker() {
+    return [turns = PickTurns()](const PickRequest& request, std::stop_token stop,
+                                 std::atomic<float>& progress, const PickPartly& give) mutable {
+        return pick_subset(request, std::move(stop), progress, give, turns);
+    };
+}
+
 std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_token stop,
                                       std::atomic<float>& progress) {
     NumberMark mark;
@@ -119,25 +128,6 @@ std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_toke
                     mark};
     if (stop.stop_requested()) return std::nullopt;
     return curve;
-}
-
-std::optional<FoundSeparations> find_separations(const SeparationRequest& request,
-                                                 std::stop_token stop,
-                                                 std::atomic<float>& progress) {
-    SeparationOptions options;
-    options.from = request.from;
-    options.share = request.share;
-    options.by_a_step = request.by_a_step;
-    options.stop = stop;
-    options.progress = [&progress](double share) { progress = static_cast<float>(share); };
-    // As the map is: of what a device makes of the pattern.
-    if (const auto& by = request.map->request.rendered_by) {
-        options.felt = [&by](const Waveform& meant) { return rendering(*by, meant).waveform; };
-    }
-    auto all = separations(*request.map->request.set, request.map->prediction, request.changed,
-                           request.threshold, options);
-    if (!all) return std::nullopt;
-    return FoundSeparations{request, *std::move(all)};
 }
 
 std::optional<FoundStability> find_stability(const StabilityRequest& request, std::stop_token stop,
@@ -212,32 +202,9 @@ bool is_same_pick(const Pick& a, const Pick& b) {
 
 }  // namespace
 
-void make_subset_jobs(const Ui& ui, SubsetState& picking) {
-    using Partly = Query<PickRequest, Pick>::Partly;
-    picking.pick_job.begin(
-        JobPolicy::supersede,
-        [turns = PickTurns()](const PickRequest& request, std::stop_token stop,
-                              std::atomic<float>& progress, const Partly& give) mutable {
-            return pick_subset(request, std::move(stop), progress, give, turns);
-        },
-        ui.wake);
-    picking.curve_job.begin(JobPolicy::supersede, follow_curve, ui.wake);
-    picking.separation_job.begin(JobPolicy::supersede, find_separations, ui.wake);
-    picking.stability_job.begin(JobPolicy::supersede, find_stability, ui.wake);
-    make_groups_job(ui, picking);
-}
-
-void stop_subset_jobs(SubsetState& picking) {
-    picking.pick_job.end();
-    picking.curve_job.end();
-    picking.separation_job.end();
-    picking.stability_job.end();
-    picking.groups_job.end();
-}
-
-void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                   SubsetState& picking) {
-    if (!picking.pick_job.has_begun()) return;
+void follow_subset(const Ui& ui, const Workspace& work, const Layout& layout,
+                   const ShownMap& shown_map, SubsetState& picking) {
+    if (!has_jobs(ui)) return;
     take(picking.pick_job, picking.pick);
     take(picking.curve_job, picking.curve);
     take(picking.separation_job, picking.separations);
@@ -249,18 +216,18 @@ void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& 
                            layout.bench == BenchTab::candidates || work.selection.only_picked ||
                            !picking.export_to.empty() || !picking.report_to.empty();
     if (!is_wanted || !has_pairs) return;
-    follow_groups(shown_map, layout, picking);
+    follow_groups(ui, shown_map, layout, picking);
     PickRequest request = request_of(work, shown_map, picking);
     if (request == picking.asked) return;
     picking.asked = request;
     picking.cancelled = false;
     picking.alternative.reset();
-    picking.pick_job.ask(request);
+    picking.pick_job.ask(request, picker(), ui.wake);
     if (state == MapState::preview) return;
     request = curve_request(std::move(request));
     if (request == picking.curve_asked) return;
     picking.curve_asked = request;
-    picking.curve_job.ask(std::move(request));
+    picking.curve_job.ask(std::move(request), follow_curve, ui.wake);
 }
 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {
@@ -319,6 +286,10 @@ void cancel_picking(SubsetState& picking) {
     picking.pick_job.cancel();
     picking.curve_job.cancel();
     picking.cancelled = true;
+}
+
+void ask_for_stability(const Ui& ui, SubsetState& picking, std::size_t draws) {
+    picking.stability_job.ask({picking.pick, draws}, find_stability, ui.wake);
 }
 
 const FoundStability* found_stability(const SubsetState& picking) {

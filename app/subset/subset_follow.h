@@ -12,12 +12,9 @@
 
 namespace tact {
 
-void make_subset_jobs(const Ui& ui, SubsetState& picking);
-void stop_subset_jobs(SubsetState& picking);
-
 // Takes what the jobs have finished; asks again if the document or the question has changed.
-void follow_subset(const Workspace& work, const Layout& layout, const ShownMap& shown_map,
-                   SubsetState& picking);
+void follow_subset(const Ui& ui, const Workspace& work, const Layout& layout,
+                   const ShownMap& shown_map, SubsetState& picking);
 
 // The subset on screen, of the map on screen; null: none. It may answer an earlier question ...
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking);
@@ -36,8 +33,8 @@ bool is_picking(const SubsetState& picking);
 bool is_subset_busy(const SubsetState& picking);  // with anything
 void cancel_picking(SubsetState& picking);
 
-// The share of draws, where the shown subset's was computed.
 // Variants of the model, asked of the subset on screen; null: nobody asked yet.
+void ask_for_stability(const Ui& ui, SubsetState& picking, std::size_t draws);
 const FoundStability* found_stability(const SubsetState& picking);
 const Stability* shown_stability(const SubsetState& picking);
 

@@ -186,7 +186,7 @@ void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
     if (pick.request.by_ratings || pick.request.metric != Metric::pm) return;
     constexpr const char* kAsk = "What would separate them?";
     flow_on(ImGui::CalcTextSize(kAsk).x, 1.5F * ui.theme.gap_px);
-    if (link(ui, "separate pair", kAsk)) ask_about_picked(work, shown_map, picking, a, b);
+    if (link(ui, "separate pair", kAsk)) ask_about_picked(ui, work, shown_map, picking, a, b);
     note_item(ui.rects, "link:separate pair");
     draw_tooltip(ui,
                  "The smallest change of one number that brings one of the two farther from all "

@@ -160,7 +160,7 @@ struct SubsetState {
     std::filesystem::path export_to;  // both: when a subset has been picked and the frame is done
     std::filesystem::path report_to;
 
-    // Null until the program has begun; the answers may be of an earlier document.
+    // The answers may be of an earlier document.
     Query<PickRequest, Pick> pick_job;
     Query<PickRequest, PickCurve> curve_job;
     Query<SeparationRequest, FoundSeparations> separation_job;

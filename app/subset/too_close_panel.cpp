@@ -328,7 +328,7 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     if (picking.separation_job.busy()) return draw_search(ui, picking);
     const std::string obstacle = separation_obstacle(work, shown_map, picking, row);
     ImGui::BeginDisabled(!obstacle.empty());
-    if (primary_button(ui, kAsk)) ask_for_separation(work, shown_map, picking, row);
+    if (primary_button(ui, kAsk)) ask_for_separation(ui, work, shown_map, picking, row);
     note_item(ui.rects, "button:separate", obstacle);
     ImGui::EndDisabled();
     const std::string from = asked.from.empty() ? "all others" : "the other picked ones";

@@ -212,25 +212,23 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path
 }
 
 void look_at_table(const Ui& ui, const Workspace& work, TableState& table) {
-    table.job.begin(JobPolicy::supersede, looked_at, ui.wake);
     table.job.ask({work.document_number, table.file, table.words,
-                   std::make_shared<const PatternSet>(work.document.set)});
+                   std::make_shared<const PatternSet>(work.document.set)},
+                  looked_at, ui.wake);
 }
 
 void read_tables(Ui& ui, const Workspace& work, TableState& table,
                  const std::vector<fs::path>& files, bool may_be_recordings) {
     if (files.empty()) return;
-    table.reading_job.begin(JobPolicy::finish, read_all, ui.wake);
-    table.reading_job.ask({++table.asked, work.document_number, files, may_be_recordings});
+    table.reading_job.ask({++table.asked, work.document_number, files, may_be_recordings}, read_all,
+                          ui.wake, JobPolicy::finish);
     say(ui, "Reading " + files.front().filename().string() + "\u2026");
 }
 
 void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                    ImportState& importing) {
-    if (table.job.has_begun()) {
-        const auto answer = table.job.latest();
-        if (answer && answer->request.file == table.file) table.answer = answer;
-    }
+    const auto answer = table.job.latest();
+    if (answer && answer->request.file == table.file) table.answer = answer;
     if (table.asked == table.taken) return;
     if (const std::string failure = table.reading_job.failure(); !failure.empty()) {
         table.taken = table.asked;

@@ -78,7 +78,6 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
         if (is_other(state.other)) break;
         state.other = vibration.name;
     }
-    state.job.begin(JobPolicy::supersede, transformed, ui.wake);
     ui.dialog = Dialog::transform;
 }
 
@@ -112,7 +111,9 @@ void follow_transform(const Ui& ui, const Workspace& work, TransformState& state
                                                        : std::optional<TransformRequest>();
     if (!wanted) return state.job.leave();
     const auto& asked = state.job.asked();
-    if (!asked || !is_same(*wanted, asked->request)) state.job.ask(task_of(work, *wanted));
+    if (!asked || !is_same(*wanted, asked->request)) {
+        state.job.ask(task_of(work, *wanted), transformed, ui.wake);
+    }
 }
 
 bool is_transforming(const TransformState& state) { return state.job.busy(); }

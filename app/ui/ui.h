@@ -158,7 +158,7 @@ struct Ui {
     bool has_pressed = false;    // since it came to rest: no tooltip over the pressed item
     bool quit = false;
     WidgetRects rects;
-    std::function<void()> wake;  // draws a frame soon; from any thread
+    std::function<void()> wake;  // draws a frame soon; from any thread. Empty: no jobs
     // Lets a person pick files in a dialog of the browser's, which come as if dropped; empty where
     // the program sees all files itself.
     std::function<void()> pick_files;
@@ -169,6 +169,9 @@ struct Ui {
     std::map<std::string, ShownAge> ages;          // by pane
     std::map<std::string, ProgressSeen> progress;  // by the name of the work
 };
+
+// Whether rooms ask on their own in the background: in a window. A picture has all its answers.
+inline bool has_jobs(const Ui& ui) { return ui.wake != nullptr; }
 
 inline void read_out(Ui& ui, const std::string& words) { ui.reading += words + '\n'; }
 

@@ -133,7 +133,7 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      "Refresh devices",
      {},
      always,
-     [](App& app) { refresh_devices(app.play); },
+     [](App& app) { refresh_devices(app.ui, app.play); },
      nullptr,
      "plugged in actuator"},
     {"Play", "Show the whole pattern", plain('0'), always,

@@ -189,9 +189,9 @@ constexpr std::size_t kThumbnailSamples = 10'000;  // in a frame: about 1 ms, dr
 
 // A picture waits for all of them.
 void begin_thumbnails(App& app) {
-    if (app.shown_map.full_job.has_begun()) app.work.cache.samples_left = kThumbnailSamples;
+    if (has_jobs(app.ui)) app.work.cache.samples_left = kThumbnailSamples;
     app.work.cache.behind = false;
-    follow_render_job(app.work.cache);
+    follow_render_job(app.work.cache, app.ui.wake);
 }
 
 // Stages that have just come are drawn first. Thumbnails wait for one frame and no longer: while a
@@ -419,11 +419,14 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     follow_hold(app.ui, app.work, app.timeline, app.play);
     follow_level(app.work, app.rendered, app.play);
     note_map_places(app.work, app.shown_map);
-    follow_map(app.work, app.shown_map, app.rendered);
-    follow_current(app.work, app.rendered, app.physiology);
+    follow_map(app.ui, app.work, app.shown_map, app.rendered);
+    follow_current(app.ui, app.work, app.rendered, app.physiology);
     follow_pair(app.work, app.shown_map, app.physiology);
-    follow_comparing(app.work, app.layout, app.shown_map, app.rendered, app.comparing);
-    follow_subset(app.work, app.layout, app.shown_map, app.picking);
+    follow_comparing(app.ui, app.work, app.layout, app.shown_map, app.comparing);
+    if (app.layout.bench == BenchTab::device) {
+        follow_rendering(app.ui, app.rendered, current_vibration(app.work));
+    }
+    follow_subset(app.ui, app.work, app.layout, app.shown_map, app.picking);
     check_applied(app.ui, app.work, app.shown_map, app.picking);
     follow_steps(app.ui, app.work, app.steps);
     follow_transform(app.ui, app.work, app.transform);

@@ -2,20 +2,15 @@
 
 #include <utility>
 
-#include "app/ask/proposals_follow.h"
 #include "app/compare/compare_follow.h"
 #include "app/course/course_state.h"
 #include "app/lesson/lesson.h"
 #include "app/library/library_follow.h"
 #include "app/manual/open_manual.h"
 #include "app/map/map_follow.h"
-#include "app/measured/import_follow.h"
-#include "app/model_bench/training_follow.h"
-#include "app/opening/opening.h"
 #include "app/physiology/physiology_follow.h"
 #include "app/play/playing.h"
 #include "app/study/study_follow.h"
-#include "app/subset/subset_follow.h"
 
 namespace tact {
 
@@ -191,14 +186,6 @@ void begin_time_again(Timeline& timeline) {
     timeline.playhead.playing = false;
 }
 
-void make_document_jobs(App& app) {
-    make_map_jobs(app.ui, app.work, app.shown_map);
-    make_stages_jobs(app.ui, app.physiology);
-    make_compare_jobs(app.ui, app.rendered, app.comparing);
-    make_subset_jobs(app.ui, app.picking);
-    make_proposal_jobs(app.ui, app.proposals);
-}
-
 void swap_with_aside(App& app) {
     DocumentRooms& aside = app.aside;
     std::swap(app.shown_map, aside.shown_map);
@@ -217,9 +204,6 @@ void swap_with_aside(App& app) {
     app.shown_map.dimensions = aside.shown_map.dimensions;
     app.physiology.view.open = aside.physiology.view.open;
     app.pattern_panes.strip.height = aside.pattern_panes.strip.height;
-    if (!app.shown_map.full_job.has_begun() && aside.shown_map.full_job.has_begun()) {
-        make_document_jobs(app);
-    }
 }
 
 // True if the rooms again are those of the document set aside, unchanged.
@@ -257,23 +241,15 @@ void follow_another_document(App& app) {
     begin_others_again(app);
 }
 
-void make_jobs(App& app) {
-    make_render_job(app.work.cache, app.ui.wake);
-    make_opening_job(app.ui, app.opening);
-    make_document_jobs(app);
-    make_effect_job(app.ui, app.exports.effects);
-    make_training_job(app.ui, app.model_bench);
-    make_lesson_job(app.ui, app.lesson);
-}
-
 void collect_results(App& app) {
     take_maps(app.ui, app.shown_map);
     take_stages(app.physiology);
-    follow_lesson(app.lesson);
+    follow_lesson(app.ui, app.lesson);
     follow_course(app.ui, app.work.session, app.lesson, app.course);
     take_manual(app.ui, app.manual);
     take_paper(app.ui, app.exports.paper);
-    take_compare_answers(app.rendered, app.comparing);
+    take_compare_answers(app.comparing);
+    take_rendering(app.rendered);
 }
 
 }  // namespace tact

@@ -1,12 +1,9 @@
-// Background jobs of all rooms: started and collected together, and started again for another
-// document.
+// Background jobs of all rooms: collected together, and begun again for another document.
 #pragma once
 
 #include "app/window/app.h"
 
 namespace tact {
-
-void make_jobs(App& app);
 
 // Collects the results since the last frame.
 void collect_results(App& app);

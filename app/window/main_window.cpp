@@ -21,7 +21,6 @@
 #include "app/window/animation.h"
 #include "app/window/dialogs.h"
 #include "app/window/frame.h"
-#include "app/window/jobs.h"
 #include "app/window/session_layout.h"
 
 namespace tact {
@@ -153,16 +152,15 @@ Expected<Done> run_main_window(const std::vector<std::filesystem::path>& sets) {
     const auto running = std::make_shared<Running>();
     App& app = running->app;
     watch_for_crashes(crash_report_file());
-    app.ui.wake = wake_window;
     app.ui.pick_files = file_picker();
     app.ui.for_fingers = is_for_fingers();
     app.manual.program = running_program();
     app.exports.paper.program = app.manual.program;
     const Expected<Done> started = start_session(app, sets);
     if (!started) return started.error();
-    make_jobs(app);
+    app.ui.wake = wake_window;  // jobs may begin; the files above were read in place
     make_sound(app.ui, app.timeline, app.play);
-    request_maps(app.work, app.shown_map, app.rendered);
+    request_maps(app.ui, app.work, app.shown_map, app.rendered);
     const Expected<Done> answer = run_window(options_of(app), client_of(running));
     if (!answer) end(*running);
     return answer;

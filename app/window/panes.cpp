@@ -400,7 +400,7 @@ void draw_editor(App& app) {
             return;
         case NeighbourChoice::separate:
             app.layout.bench = BenchTab::subset;
-            return ask_about_pair(app.work, app.shown_map, app.picking, all[current].name,
+            return ask_about_pair(app.ui, app.work, app.shown_map, app.picking, all[current].name,
                                   all[done->neighbour].name);
     }
 }

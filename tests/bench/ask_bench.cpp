@@ -7,7 +7,6 @@
 
 #include "app/ask/proposals_follow.h"
 #include "app/ask/put_there.h"
-#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/bench/owed.h"
 #include "tests/support/program.h"

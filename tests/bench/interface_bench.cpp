@@ -13,7 +13,6 @@
 #include "app/map/map_follow.h"
 #include "app/screen/window.h"
 #include "app/subset/subset_state.h"
-#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"
@@ -34,8 +33,8 @@ PatternSet twelve() {
 }
 
 void start_jobs(App& app) {
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
+    begin_jobs(app);
+    request_maps(app.ui, app.work, app.shown_map, app.rendered);
 }
 
 // The points set out again, and keep moving.
@@ -48,7 +47,7 @@ void change_every_pattern(App& app, int turn) {
         }
     }
     ++app.work.revision;
-    request_maps(app.work, app.shown_map, app.rendered);
+    request_maps(app.ui, app.work, app.shown_map, app.rendered);
 }
 
 // From now on a frame is what a person's is: where things are is noted for tests alone.
@@ -180,7 +179,7 @@ PatternSet drawn_full() {
 // Drags the amplitude of a full strip. What is computed of it runs in the background.
 void drag_in_full_strip(benchmark::State& state) {
     Program program(drawn_full());
-    make_render_job(program.app.work.cache, {});
+    begin_jobs(program.app);
     Program small(short_patterns(1));
     program.window.move(program.at("grip:amplitude curve:250").middle());
     program.window.button(true);
@@ -218,7 +217,7 @@ PatternSet full_of_notes() {
 // While the strength of one of them is dragged by its top.
 void drag_in_full_notes(benchmark::State& state) {
     Program program(full_of_notes());
-    make_render_job(program.app.work.cache, {});
+    begin_jobs(program.app);
     program.resize({1600.0F, 1000.0F}, 1.0F);
     program.app.layout = first_layout(Arrangement::design);
     program.app.pattern_panes.strip.tool = StripTool::notes;
@@ -276,7 +275,7 @@ PatternSet thousand() {
 
 // A map at random: what matters is that it is drawn, coloured, with a subset and links.
 void show_made_up_map(App& app) {
-    make_jobs(app);
+    begin_jobs(app);
     RandomStream random{5};
     LiveMap map;
     map.request = {app.work.revision, app.work.document_number,

@@ -19,7 +19,6 @@
 #include "app/document/editing.h"
 #include "app/map/map_follow.h"
 #include "app/screen/window.h"
-#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/bench/owed.h"
 #include "tests/support/mixed_set.h"
@@ -137,7 +136,7 @@ Program& window_of(std::size_t patterns) {
     close_window();
     one = std::make_unique<Program>(mixed_set(patterns));
     one->app.ui.rects.file.clear();  // a frame is what a person's is
-    make_jobs(one->app);
+    begin_jobs(one->app);
     show_as_exact(one->app);
     return *one;
 }
@@ -237,7 +236,7 @@ void on_display(benchmark::State& state, std::size_t patterns, const View& view,
     PatternSet set = mixed_set(patterns);
     give_looks(set);
     app.work.document.open({set, {}, set});
-    make_jobs(app);
+    begin_jobs(app);
     show_as_exact(app);
     show_view(app, view);
     std::vector<double> computed_s;

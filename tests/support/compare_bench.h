@@ -9,7 +9,6 @@
 #include "app/compare/compare_follow.h"
 #include "app/document/rating_files.h"
 #include "app/map/pair.h"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -37,8 +36,8 @@ struct CompareBench {
     Program program;
 
     explicit CompareBench(const PatternSet& set = short_patterns(kRatedPatterns)) : program(set) {
-        make_jobs(program.app);
-        request_maps(program.app.work, program.app.shown_map, program.app.rendered);
+        begin_jobs(program.app);
+        request_maps(program.app.ui, program.app.work, program.app.shown_map, program.app.rendered);
         if (set.vibrations.size() >= 2) program.wait_for_exact_map();
     }
 

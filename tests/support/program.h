@@ -14,7 +14,6 @@
 #include "app/document/pattern_looks.h"
 #include "app/map/map_follow.h"
 #include "app/window/frame.h"
-#include "app/window/jobs.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/patience.h"
 
@@ -38,6 +37,12 @@ inline PatternSet short_patterns(std::size_t count) {
     }
     give_looks(set);
     return set;
+}
+
+// Rooms may ask in the background from now on; for the map, once something changes or asks for it.
+inline void begin_jobs(App& app) {
+    app.ui.wake = [] {};
+    app.shown_map.maps_asked = app.work.revision;
 }
 
 struct Place {
@@ -134,10 +139,10 @@ struct Program {
         settle();
     }
 
-    // Starts the jobs, and waits for the exact map.
+    // Lets jobs begin, and waits for the exact map.
     void compute_map() {
-        make_jobs(app);
-        request_maps(app.work, app.shown_map, app.rendered);
+        begin_jobs(app);
+        request_maps(app.ui, app.work, app.shown_map, app.rendered);
         wait_for_exact_map();
         // The first map may come out of a ring: its points are on their way for a moment.
         constexpr double kEaseS = 0.2;
@@ -154,9 +159,9 @@ struct Program {
         }
     }
 
-    // Draws frames until the stages on screen are those of the present patterns; starts the jobs.
+    // Draws frames until the stages on screen are those of the present patterns; lets jobs begin.
     void wait_for_stages() {
-        if (!app.shown_map.full_job.has_begun()) make_jobs(app);
+        if (!has_jobs(app.ui)) begin_jobs(app);
         [[maybe_unused]] const auto until = end_of_patience();  // checks may be off
         const auto arrived = [this] {
             const Physiology& physiology = app.physiology;
@@ -215,7 +220,7 @@ struct Program {
     }
 };
 
-// With its jobs, and the stages of the current pattern on screen.
+// With jobs, and the stages of the current pattern on screen.
 struct ProgramWithStages : Program {
     explicit ProgramWithStages(const PatternSet& set) : Program(set) { wait_for_stages(); }
 };

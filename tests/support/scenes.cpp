@@ -657,7 +657,7 @@ void SceneWindow::show(const Scene& scene) {
     app.work.document.open(document_);
     if (is_another) {
         ++app.work.revision;
-        request_maps(app.work, app.shown_map, app.rendered);
+        request_maps(app.ui, app.work, app.shown_map, app.rendered);
     }
     window.move({-100.0F, -100.0F});
     wait_for_exact_map();

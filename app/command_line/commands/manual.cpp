@@ -141,14 +141,14 @@ std::size_t place_in(const PatternSet& set, std::string_view name) {
 // The subset is picked as in a window, whose frames take what was answered until nothing is busy.
 void pick_subset(ViewSnapshot& still) {
     auto& [app, scrolled] = still;
-    make_subset_jobs(app.ui, app.picking);
+    app.ui.wake = [] {};
     for (int quiet = 0; quiet < 2; ++quiet) {
-        follow_subset(app.work, app.layout, app.shown_map, app.picking);
+        follow_subset(app.ui, app.work, app.layout, app.shown_map, app.picking);
         if (!is_subset_busy(app.picking)) continue;
         quiet = -1;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    stop_subset_jobs(app.picking);
+    app.ui.wake = {};
 }
 
 Expected<ManualPicture> drawn_view(const ManualView& wanted) {

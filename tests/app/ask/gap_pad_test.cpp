@@ -21,7 +21,7 @@ namespace {
 struct Asked : Program {
     explicit Asked(const PatternSet& set) : Program(set) {
         app.ui.motion = false;
-        make_jobs(app);
+        begin_jobs(app);
     }
 
     void until_found() {

@@ -176,11 +176,11 @@ TEST_CASE("measuring a response: what is doubtful of the table is said beside it
     CHECK_FALSE(program.shows("calibrate:remark 0"));
     ResponseAnswer doubted = *program.app.calibrating.job.latest();
     doubted.result.remarks = {"between 50 and 71 Hz strengths may be wrong by 2.0 dB"};
-    program.app.calibrating.job.end();
-    program.app.calibrating.job.begin(
-        JobPolicy::finish, [doubted](const ResponseQuestion&, std::stop_token,
-                                     std::atomic<float>&) { return std::optional(doubted); });
-    program.app.calibrating.job.ask(doubted.question);
+    program.app.calibrating.job = Query<ResponseQuestion, ResponseAnswer>();
+    program.app.calibrating.job.ask(
+        doubted.question, [doubted](const ResponseQuestion&, std::stop_token, std::atomic<float>&) {
+            return std::optional(doubted);
+        });
     while (!program.shows("calibrate:remark 0")) program.frame();
     CHECK(program.at("calibrate:remark 0").value == doubted.result.remarks.front());
 }

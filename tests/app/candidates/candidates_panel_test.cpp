@@ -3,7 +3,6 @@
 #include "app/candidates/candidate_rows.h"
 #include "app/document/editing.h"
 #include "app/subset/subset_follow.h"
-#include "app/window/jobs.h"
 #include "model/set/vibration_search.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

@@ -11,7 +11,6 @@
 #include "app/map/pair.h"
 #include "app/measured/import_follow.h"
 #include "app/tables/table_look.h"
-#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/compare_bench.h"
 #include "tests/support/program.h"

@@ -25,7 +25,6 @@
 #include "app/session/autosave.h"
 #include "app/subset/separation_follow.h"
 #include "app/window/commands.h"
-#include "app/window/jobs.h"
 
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
@@ -66,8 +65,8 @@ class Person {
     Person() : program_(short_patterns(4)) {
         App& app = program_.app;
         app.work.session = open_session(folder_.path / "state");
-        make_jobs(app);
-        request_maps(app.work, app.shown_map, app.rendered);
+        begin_jobs(app);
+        request_maps(app.ui, app.work, app.shown_map, app.rendered);
         save_as(app.ui, app.work, folder_.path / "walk.tactspace.json");
         files_.push_back(app.work.document.path);
         program_.settle();
@@ -388,7 +387,7 @@ class Person {
 
     void check_matrix(const PatternSet& file) {
         if (file.vibrations.size() < 2) return;
-        request_maps(work(), program_.app.shown_map, program_.app.rendered);
+        request_maps(program_.app.ui, work(), program_.app.shown_map, program_.app.rendered);
         wait_for_map();
         const auto own = predict(model_waveforms(file), file.model);
         law(program_.app.shown_map.transition.shown->prediction.pm.condensed == own->pm.condensed,

@@ -55,7 +55,8 @@ TEST_CASE("cache: a long pattern is rendered beside the window, and shown as it 
     vibration.name = "long";
     vibration.source = pattern;
     const Waveform before = cached_waveform(cache, vibration);
-    make_render_job(cache, {});
+    const auto wake = [] {};
+    follow_render_job(cache, wake);
     Pattern louder = pattern;
     louder.amplitude_g = 2.0;
     vibration.source = louder;
@@ -63,7 +64,7 @@ TEST_CASE("cache: a long pattern is rendered beside the window, and shown as it 
     CHECK_FALSE(cache.behind);  // no frames for nothing
     const auto becomes = [&](const Waveform& after) {
         for (int k = 0; k < 4000 && *waveform_in_time(cache, vibration) != after; ++k) {
-            follow_render_job(cache);
+            follow_render_job(cache, wake);
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         return *waveform_in_time(cache, vibration) == after;

@@ -36,17 +36,24 @@ PatternSet five_with_odd_names() {
     return set;
 }
 
+std::optional<LiveLoss> wait_until_stopped(const LossRequest&, const std::stop_token& stop,
+                                           std::atomic<float>&) {
+    while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return std::nullopt;
+}
+
 struct EffectDialog {
     TemporaryFolder folder;
     Program program;
 
-    explicit EffectDialog(const PatternSet& set = five_with_odd_names(), bool with_job = true)
+    explicit EffectDialog(const PatternSet& set = five_with_odd_names(),
+                          bool takes_for_ever = false)
         : program(set) {
         program.app.ui.motion = false;
         EditedDocument& document = program.app.work.document;
         document.open({document.set, folder.path / "test.tactspace.json", document.saved});
         program.compute_map();
-        if (!with_job) effects().job.end();
+        if (takes_for_ever) effects().job.begin(wait_until_stopped);
         run_command(program, "Export vibrations...");
     }
 
@@ -148,7 +155,7 @@ TEST_CASE("export vibrations: an answer to an earlier choice looks stale and can
 }
 
 TEST_CASE("export vibrations: stopped, the files are written without the page, and that is said") {
-    EffectDialog dialog(five_with_odd_names(), false);  // as if it took for ever
+    EffectDialog dialog(five_with_odd_names(), true);
     stop_predicting(dialog.effects());
     dialog.program.settle();
     REQUIRE(dialog.program.shows("button:predict loss"));
@@ -159,7 +166,7 @@ TEST_CASE("export vibrations: stopped, the files are written without the page, a
     CHECK(file_count(out) == 5);
     CHECK_FALSE(fs::exists(out / kExportReport));
     CHECK(dialog.program.app.ui.status.text.ends_with("; what that costs was not predicted"));
-    make_effect_job(dialog.program.app.ui, dialog.effects());
+    dialog.effects().job = Query<LossRequest, LiveLoss>();
     run_command(dialog.program, "Export vibrations...");
     dialog.wait_for_loss();
 }
@@ -277,14 +284,13 @@ TEST_CASE(
 TEST_CASE("export vibrations: the map by which effects were read, where somebody chose it") {
     PatternSet set = five_with_odd_names();
     for (Vibration& one : set.vibrations) one.effect = {"haptic", "console-pcm"};
-    EffectDialog dialog(set, false);
+    EffectDialog dialog(set, true);
     dialog.choose_format("haptic");
     CHECK(dialog.program.at("export:actuator").value == "console-pcm");
     CHECK(dialog.effects().request.target.map.name == "console-pcm");
     dialog.program.click("export:actuator");
     dialog.program.click("export actuator:quest");
     CHECK(dialog.effects().request.target.map.name == "quest");
-    make_effect_job(dialog.program.app.ui, dialog.effects());
 }
 
 TEST_CASE("export report: the same loss is the same page, and names what was lost") {

@@ -23,12 +23,16 @@ struct Answer {
 
 using Square = Query<int, Answer>;
 
-struct Asked {
-    Square query;
-    std::atomic<int> runs = 0;
+std::optional<Answer> negative(int number, const std::stop_token&, std::atomic<float>&) {
+    return Answer{number, -number * number};
+}
 
-    void begin() {
-        query.begin(JobPolicy::supersede, [this](int number, std::stop_token, std::atomic<float>&) {
+struct Asked {
+    std::atomic<int> runs = 0;
+    Square query;
+
+    void want(std::optional<int> request) {
+        query.want(request, [this](int number, std::stop_token, std::atomic<float>&) {
             ++runs;
             return std::optional(Answer{number, number * number});
         });
@@ -44,14 +48,13 @@ struct Asked {
 
 }  // namespace
 
-TEST_CASE("query: before it begins nothing is asked, and that is no fault") {
-    Square query;
-    query.want(3);
-    query.ask(4);
+TEST_CASE("query: before the first question there is no work, and that is no fault") {
+    Asked asked;
+    Square& query = asked.query;
+    asked.want(std::nullopt);
     query.cancel();
     query.leave();
     query.forget();
-    CHECK_FALSE(query.has_begun());
     CHECK_FALSE(query.busy());
     CHECK_FALSE(query.asked());
     CHECK(query.latest() == nullptr);
@@ -61,15 +64,14 @@ TEST_CASE("query: before it begins nothing is asked, and that is no fault") {
 
 TEST_CASE("query: what is wanted in every frame is asked once") {
     Asked asked;
-    asked.begin();
-    for (int frame = 0; frame < 5; ++frame) asked.query.want(3);
+    for (int frame = 0; frame < 5; ++frame) asked.want(3);
     asked.rest();
-    for (int frame = 0; frame < 5; ++frame) asked.query.want(3);
+    for (int frame = 0; frame < 5; ++frame) asked.want(3);
     asked.rest();
     CHECK(asked.runs == 1);
     REQUIRE(asked.query.current());
     CHECK(asked.query.current()->square == 9);
-    asked.query.want(4);
+    asked.want(4);
     if (const auto current = asked.query.current()) CHECK(current->square == 16);
     asked.rest();
     CHECK(asked.query.current()->square == 16);
@@ -78,23 +80,21 @@ TEST_CASE("query: what is wanted in every frame is asked once") {
 
 TEST_CASE("query: an answer to what nobody asks any more is no current one") {
     Asked asked;
-    asked.begin();
-    asked.query.want(3);
+    asked.want(3);
     asked.rest();
-    asked.query.want(std::nullopt);
+    asked.want(std::nullopt);
     CHECK_FALSE(asked.query.asked());
     CHECK(asked.query.current() == nullptr);
     CHECK(asked.query.latest()->square == 9);
-    asked.query.want(3);
+    asked.want(3);
     asked.rest();
     CHECK(asked.runs == 2);
 }
 
 TEST_CASE("query: what was cancelled is asked again only when something else was wanted") {
-    Asked asked;
     std::atomic<bool> goes_on = false;
+    Asked asked;
     asked.query.begin(
-        JobPolicy::supersede,
         [&](int number, const std::stop_token& stop, std::atomic<float>&) -> std::optional<Answer> {
             ++asked.runs;
             while (!goes_on && !stop.stop_requested()) {
@@ -103,15 +103,15 @@ TEST_CASE("query: what was cancelled is asked again only when something else was
             if (stop.stop_requested()) return std::nullopt;
             return Answer{number, number * number};
         });
-    asked.query.want(3);
+    asked.want(3);
     asked.query.cancel();
     asked.rest();
     const int runs = asked.runs;
-    asked.query.want(3);
+    asked.want(3);
     CHECK_FALSE(asked.query.busy());
     CHECK(asked.runs == runs);
     goes_on = true;
-    asked.query.want(4);
+    asked.want(4);
     asked.rest();
     CHECK(asked.query.current()->square == 16);
 }
@@ -119,23 +119,44 @@ TEST_CASE("query: what was cancelled is asked again only when something else was
 TEST_CASE(
     "query: a copy has no work; a query that another is assigned to keeps its work and forgets") {
     Asked asked;
-    asked.begin();
-    asked.query.want(3);
+    asked.want(3);
     asked.rest();
     const Square copy = asked.query;
-    CHECK_FALSE(copy.has_begun());
+    CHECK_FALSE(copy.asked());
     CHECK(copy.latest() == nullptr);
     const Square fresh;
     asked.query = fresh;
-    CHECK(asked.query.has_begun());
     CHECK_FALSE(asked.query.asked());
     CHECK(asked.query.latest() == nullptr);
-    asked.query.want(3);
+    asked.query.ask(3, negative);
     asked.rest();
     CHECK(asked.query.current()->square == 9);
-    asked.query.end();
-    CHECK_FALSE(asked.query.has_begun());
-    CHECK_FALSE(asked.query.asked());
+    asked.query = Square();  // moved from: the work ends
+    asked.query.ask(3, negative);
+    asked.rest();
+    CHECK(asked.query.current()->square == -9);
+}
+
+TEST_CASE("query: its destructor stops the work, whatever waits behind it") {
+    std::atomic<bool> is_begun = false;
+    std::atomic<bool> was_stopped = false;
+    std::atomic<int> runs = 0;
+    const auto until_stopped = [&](int, const std::stop_token& stop,
+                                   std::atomic<float>&) -> std::optional<Answer> {
+        ++runs;
+        is_begun = true;
+        while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        was_stopped = true;
+        return std::nullopt;
+    };
+    {
+        Square query;
+        query.ask(1, until_stopped, {}, JobPolicy::finish);
+        while (!is_begun) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        query.ask(2, until_stopped);
+    }
+    CHECK(was_stopped);
+    CHECK(runs == 1);
 }
 
 }  // namespace query_test

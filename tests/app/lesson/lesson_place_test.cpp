@@ -21,7 +21,7 @@ constexpr const char* kBeats = "lessons/beats.tactlesson.json";
 struct Placing : Class {
     Placing() {
         app.ui.motion = false;
-        request_maps(app.work, app.shown_map, app.rendered);
+        request_maps(app.ui, app.work, app.shown_map, app.rendered);
         begin(kBeats);
         wait_for_numbers();
         go_to_question(QuestionKind::place);

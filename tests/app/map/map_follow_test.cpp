@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "app/map/map_rows.h"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace map_follow_test {
@@ -47,7 +46,7 @@ TEST_CASE("map: until the first one the patterns stand in a ring, and drift to t
 
 TEST_CASE("map: its numbers are those of a run on the set alone, whatever was shown before") {
     Program program(short_patterns(7));
-    make_jobs(program.app);
+    begin_jobs(program.app);
     for (const double hz : {10.0, 70.0, 30.0}) {
         set_modulation(program, hz);
         program.wait_for_exact_map();
@@ -96,8 +95,8 @@ TEST_CASE("map: points ease from where they were to where they are") {
 TEST_CASE("map: where the exact one has to be asked for, a preview is shown, said to be one") {
     Program program(short_patterns(kMostLivePatterns + 1));
     App& app = program.app;
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
+    begin_jobs(app);
+    request_maps(app.ui, app.work, app.shown_map, app.rendered);
     const auto until = end_of_patience();
     while (map_state(app.work, app.shown_map) != MapState::preview) {
         REQUIRE(std::chrono::steady_clock::now() < until);
@@ -143,8 +142,8 @@ TEST_CASE("map: a clip that takes most of the time is named, and taken out by on
     program.app.work.document_number = ++program.app.work.documents;
     program.settle();
     if (!program.shows("link:take out")) {
-        make_jobs(program.app);
-        request_maps(program.app.work, program.app.shown_map, program.app.rendered);
+        begin_jobs(program.app);
+        request_maps(program.app.ui, program.app.work, program.app.shown_map, program.app.rendered);
         const auto until = end_of_patience();
         while (!program.shows("link:take out")) {
             REQUIRE(std::chrono::steady_clock::now() < until);
@@ -160,8 +159,8 @@ TEST_CASE("map: a clip that takes most of the time is named, and taken out by on
 
 TEST_CASE("map: a set that is too large even for a preview waits for a word") {
     Program program(short_patterns(2001));
-    make_jobs(program.app);
-    request_maps(program.app.work, program.app.shown_map, program.app.rendered);
+    begin_jobs(program.app);
+    request_maps(program.app.ui, program.app.work, program.app.shown_map, program.app.rendered);
     CHECK_FALSE(program.app.shown_map.full_job.busy());
     CHECK(map_state(program.app.work, program.app.shown_map) == MapState::too_large);
     program.settle();

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "model/map/explained_share.h"
 #include "tests/support/program.h"

@@ -6,7 +6,6 @@
 
 #include "app/document/files.h"
 #include "app/map/map_follow.h"
-#include "app/window/jobs.h"
 #include "model/io/tables/checkpoint.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -163,7 +162,7 @@ TEST_CASE("refining: a map that was under way when the program ended continues b
     const auto path = folder.path / "many.tactspace.json";
     const auto open_again = [&](Program& program) {
         App& app = program.app;
-        make_jobs(app);
+        begin_jobs(app);
         app.ui.waiting.push_back([&app, &set, &path] {
             show_document(app.ui, app.work, {set, path, set}, "Opened many.");
         });

@@ -1,6 +1,5 @@
 // The Matrix tab in the program's real frames.
 #include "app/document/editing.h"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace matrix_panel_test {

@@ -13,7 +13,6 @@
 #include "app/opening/opening.h"
 #include "app/study/study_follow.h"
 #include "app/window/dialogs.h"
-#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
 #include "tests/support/program.h"
@@ -106,13 +105,12 @@ TEST_CASE("import: of work that fails the sentence is told, and the next one beg
     import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
     take_recordings(app.ui, app.work, app.importing);
     take_recordings(app.ui, app.work, app.importing);
-    app.importing.import_takes.job.end();
-    app.importing.import_takes.job.begin(JobPolicy::finish,
-                                         [](const ImportRequest&, std::stop_token,
-                                            std::atomic<float>&) -> std::optional<ImportAnswer> {
-                                             throw std::runtime_error("the disk is gone");
-                                         });
-    app.importing.import_takes.job.ask(app.importing.import_takes.waiting.front());
+    app.importing.import_takes.job = Query<ImportRequest, ImportAnswer>();
+    app.importing.import_takes.job.ask(app.importing.import_takes.waiting.front(),
+                                       [](const ImportRequest&, std::stop_token,
+                                          std::atomic<float>&) -> std::optional<ImportAnswer> {
+                                           throw std::runtime_error("the disk is gone");
+                                       });
     wait_for_it(program, [&] { return !is_taking(app.importing); });
     CHECK(contains(app.ui.status.text, "Not imported: the work failed: the disk is gone"));
     CHECK(count(program) == 4);
@@ -142,7 +140,7 @@ TEST_CASE("import: saved, the waveforms lie beside the set and the set reads aga
 TEST_CASE("import: the map is of the side that is shown, and its pairs are found by name") {
     Program program(with_synthetic_twins(short_patterns(4), {}));
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     show_side(app.work, Side::measured);
     program.wait_for_exact_map();
     CHECK(names_of(*app.shown_map.transition.shown->request.set) ==

@@ -5,7 +5,6 @@
 
 #include "app/model_bench/kept_models.h"
 #include "app/model_bench/training_follow.h"
-#include "app/window/jobs.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_ratings.h"
@@ -51,7 +50,7 @@ struct TrainingBench {
 
     explicit TrainingBench(const PatternSet& set = planted_set(6, "planted")) : program(set) {
         app.work.session.folder = folder.path / "state";
-        make_jobs(app);
+        begin_jobs(app);
         app.layout.bench = BenchTab::model;
         app.model_bench.panel.view = ModelView::training;
         app.layout.maximised = Pane::matrix;  // all of it in view

@@ -11,7 +11,6 @@
 #include "app/opening/opening.h"
 #include "app/window/commands.h"
 #include "app/window/dialogs.h"
-#include "app/window/jobs.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
@@ -32,23 +31,20 @@ struct SlowDisk {
     App& app = program.app;
 
     SlowDisk() {
-        app.opening.job.end();
-        app.opening.job.begin(
-            JobPolicy::supersede,
-            [is_read = is_read](const OpeningRequest& request, const std::stop_token& stop,
-                                std::atomic<float>& progress) -> std::optional<OpeningAnswer> {
-                progress = 0.4F;
-                while (!*is_read && !stop.stop_requested()) {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                }
-                if (stop.stop_requested()) return {};
-                LoadOptions options;
-                options.partly = request.partly;
-                return OpeningAnswer{
-                    request,
-                    std::make_shared<Expected<Loaded>>(load_sets(request.paths, options)),
-                    {}};
-            });
+        begin_jobs(app);
+        app.opening.job.begin([is_read = is_read](
+                                  const OpeningRequest& request, const std::stop_token& stop,
+                                  std::atomic<float>& progress) -> std::optional<OpeningAnswer> {
+            progress = 0.4F;
+            while (!*is_read && !stop.stop_requested()) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            if (stop.stop_requested()) return {};
+            LoadOptions options;
+            options.partly = request.partly;
+            return OpeningAnswer{
+                request, std::make_shared<Expected<Loaded>>(load_sets(request.paths, options)), {}};
+        });
     }
 
     std::filesystem::path set_of(std::size_t count) {
@@ -172,7 +168,7 @@ TEST_CASE("opening: patterns are added to the set that they were read for, and t
 TEST_CASE("opening: of several files the bad ones are left out, and named on request") {
     Program program(short_patterns(2));
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     const TemporaryFolder folder;
     REQUIRE(write_set_file(folder.path / "good.tactspace.json", short_patterns(4)));
     folder.write("bad.ahap", "{");
@@ -195,7 +191,7 @@ TEST_CASE("opening: of several files the bad ones are left out, and named on req
 TEST_CASE("opening: a file that cannot be read changes nothing") {
     Program program(short_patterns(2));
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     const TemporaryFolder folder;
     folder.write("bad.ahap", "{");
     const PatternSet before = app.work.document.set;

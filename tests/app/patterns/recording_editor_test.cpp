@@ -9,7 +9,6 @@
 
 #include "app/document/files.h"
 #include "app/map/map_follow.h"
-#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
@@ -116,7 +115,7 @@ TEST_CASE("recording: what was cut has a file of its own when it is saved, and t
 
 TEST_CASE("recording: made parametric it stands beside its pattern, and PM between them is told") {
     Recorded program;
-    make_map_jobs(program.app.ui, program.app.work, program.app.shown_map);
+    begin_jobs(program.app);
     document_changed(program.app.work);
     program.wait_for("traced");
     CHECK(program.at("traced").value.find("points of amplitude") != std::string::npos);
@@ -180,7 +179,7 @@ TEST_CASE("recording: in the arrangement for design its stages are the editor's 
     Recorded program;
     program.resize({1600.0F, 1000.0F}, 1.0F);
     program.app.layout = first_layout(Arrangement::design);
-    make_jobs(program.app);
+    begin_jobs(program.app);
     program.wait_for("stages:unfold");
     for (const std::size_t place : {0U, 2U}) {
         select_only(program.app.work, place);

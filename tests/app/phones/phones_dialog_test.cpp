@@ -160,8 +160,8 @@ TEST_CASE("phones: rated together, the answers are a study of the window" *
 TEST_CASE("phones: twenty trials on one of them are kept with the set, in one step" *
           doctest::test_suite("long")) {
     Served served;
-    make_jobs(served.program.app);
-    request_maps(served.program.app.work, served.program.app.shown_map,
+    begin_jobs(served.program.app);
+    request_maps(served.program.app.ui, served.program.app.work, served.program.app.shown_map,
                  served.program.app.rendered);
     Phone kim = served.joined("Kim");
     Phone lee = served.joined("Lee", false);

@@ -7,7 +7,6 @@
 
 #include "app/document/editing.h"
 #include "app/subset/subset_follow.h"
-#include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 

@@ -3,7 +3,6 @@
 
 #include "app/document/editing.h"
 #include "app/generate/generating.h"
-#include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 

@@ -5,7 +5,6 @@
 
 #include "app/play/calibrating.h"
 #include "app/play/ear_preview.h"
-#include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
 
 namespace play_devices_test {

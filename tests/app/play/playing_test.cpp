@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include "app/play/emergency_stop.h"
-#include "app/window/jobs.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

@@ -12,7 +12,6 @@
 #include "app/calibrate/measuring_response.h"
 #include "app/generate/generating.h"
 #include "app/study/study_follow.h"
-#include "app/window/jobs.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -31,12 +30,11 @@ constexpr const char* kSaid = "the work failed: the lights went out";
 // In place of a job: one that fails whatever it is asked.
 template <class Request, class Answer>
 void fail(Query<Request, Answer>& job) {
-    job.end();
-    job.begin(JobPolicy::supersede,
-              [](const Request&, std::stop_token, std::atomic<float>&) -> std::optional<Answer> {
-                  throw std::runtime_error("the lights went out");
-              });
-    job.ask(Request{});
+    job = Query<Request, Answer>();
+    job.ask(Request{},
+            [](const Request&, std::stop_token, std::atomic<float>&) -> std::optional<Answer> {
+                throw std::runtime_error("the lights went out");
+            });
     while (job.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
@@ -61,7 +59,7 @@ struct Failing : Program {
 TEST_CASE("failure: without its map the space, the matrix and the Shepard diagram say why") {
     Failing program;
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     CHECK_FALSE(program.shows("failed:space"));
     fail(app.shown_map.full_job);
     CHECK(program.says("space"));
@@ -77,8 +75,7 @@ TEST_CASE("failure: it goes with the first answer") {
     program.compute_map();
     fail(app.shown_map.full_job);
     CHECK(program.says("space"));
-    app.shown_map.full_job.end();
-    make_map_jobs(app.ui, app.work, app.shown_map);
+    app.shown_map.full_job = Query<LiveMapRequest, LiveMap>();
     std::get<Pattern>(app.work.document.edit().vibrations[0].source).amplitude_g *= 0.5;
     document_changed(app.work);
     program.wait_for_exact_map();
@@ -87,17 +84,15 @@ TEST_CASE("failure: it goes with the first answer") {
 }
 
 TEST_CASE("failure: a job that failed is asked again with the next change") {
+    std::atomic<int> asked = 0;
     Failing program;
     App& app = program.app;
-    make_jobs(app);
-    std::atomic<int> asked = 0;
-    app.shown_map.full_job.end();
-    app.shown_map.full_job.begin(JobPolicy::finish,
-                                 [&asked](const LiveMapRequest&, std::stop_token,
+    begin_jobs(app);
+    app.shown_map.full_job.begin([&asked](const LiveMapRequest&, std::stop_token,
                                           std::atomic<float>&) -> std::optional<LiveMap> {
-                                     ++asked;
-                                     throw std::runtime_error("the lights went out");
-                                 });
+        ++asked;
+        throw std::runtime_error("the lights went out");
+    });
     for (int k = 1; k <= 2; ++k) {
         document_changed(app.work);
         while (asked < k || app.shown_map.full_job.busy()) program.frame();

@@ -4,7 +4,6 @@
 
 #include "app/compare/live_comparison.h"
 #include "app/rendering/rendering_state.h"
-#include "app/window/jobs.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -101,7 +100,7 @@ TEST_CASE("rendered set: weaker than full, it says at which level") {
 TEST_CASE("device tab: at the level of the bar it reports what is played, and follows the bar") {
     Program program(short_patterns(2));
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     document_changed(app.work);
     program.wait_for_exact_map();
     program.click("tab:Device");
@@ -130,7 +129,7 @@ TEST_CASE("device tab: at the level of the bar it reports what is played, and fo
 TEST_CASE("device tab: the report stands there, and the switch makes the map that of the device") {
     Program program(short_patterns(4));
     App& app = program.app;
-    make_jobs(app);
+    begin_jobs(app);
     document_changed(app.work);
     program.wait_for_exact_map();
     const Dissimilarity meant = app.shown_map.transition.shown->prediction.nc;

@@ -5,7 +5,6 @@
 #include "app/document/editing.h"
 #include "app/study/study_asked.h"
 #include "app/study/study_follow.h"
-#include "app/window/jobs.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

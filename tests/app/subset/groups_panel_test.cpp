@@ -7,7 +7,6 @@
 #include "app/subset/groups_follow.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
-#include "app/window/jobs.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 

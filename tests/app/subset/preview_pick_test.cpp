@@ -17,7 +17,7 @@ namespace {
 struct Previewed : Program {
     explicit Previewed(std::size_t patterns = 6) : Program(short_patterns(patterns)) {
         app.ui.motion = false;
-        make_jobs(app);
+        begin_jobs(app);
         app.layout.bench = BenchTab::subset;
         app.picking.count = 3;
     }

@@ -192,7 +192,7 @@ TEST_CASE("same answers: how sure a subset is, and groups, are of what the devic
     Asked asked(dualshock());
     const Pick& pick = asked.picked_in_window(Metric::pm);
     SubsetState& picking = asked.app.picking;
-    picking.stability_job.ask({picking.pick, kDraws});
+    ask_for_stability(asked.app.ui, picking, kDraws);
     asked.wait([&] { return !is_subset_busy(picking) && shown_stability(picking) != nullptr; });
     const Stability& window = *shown_stability(picking);
     const Json terminal = asked.told(
@@ -265,7 +265,7 @@ TEST_CASE("same answers: what parts a pair, and steps between two" * doctest::te
     REQUIRE(pair != pairs.pairs.end());
     const std::string a = asked.names()[pair->a];
     const std::string b = asked.names()[pair->b];
-    ask_for_separation(asked.app.work, asked.app.shown_map, picking, pair->a);
+    ask_for_separation(asked.app.ui, asked.app.work, asked.app.shown_map, picking, pair->a);
     asked.wait([&] { return picking.separations && !is_subset_busy(picking); });
     Json window = Json::array();
     for (const Separation& one : picking.separations->all) {

@@ -9,7 +9,6 @@
 #include "app/subset/subset_export.h"
 #include "app/subset/subset_follow.h"
 #include "app/subset/subset_marks.h"
-#include "app/window/jobs.h"
 #include "model/export/loss_words.h"
 #include "model/subset/set_subset.h"
 #include "tests/support/patience.h"
@@ -294,7 +293,7 @@ TEST_CASE("subset panel: the weakest pair can be played from where it is named")
 TEST_CASE("subset panel: models are drawn on request, and the map has an ellipse for each point") {
     SubsetBench bench;
     bench.program.click("subset:How sure");
-    bench.app.picking.stability_job.ask({bench.app.picking.pick, 4});
+    ask_for_stability(bench.app.ui, bench.app.picking, 4);
     bench.wait([&] { return shown_stability(bench.app.picking) != nullptr; });
     const Stability& stability = *shown_stability(bench.app.picking);
     CHECK(stability.draws == 4);
@@ -309,7 +308,7 @@ TEST_CASE("subset panel: ellipses are gone with an edit, and are there again onc
     SubsetBench bench;
     App& app = bench.app;
     bench.program.click("subset:How sure");
-    app.picking.stability_job.ask({app.picking.pick, 4});
+    ask_for_stability(app.ui, app.picking, 4);
     bench.wait([&] { return shown_stability(app.picking) != nullptr; });
     const auto moves = shown_stability(app.picking)->moves;
     edit_patterns(app.work, [](Pattern& pattern) { pattern.carriers[0].frequency_hz = 333.0; });

@@ -125,7 +125,7 @@ void work_on(Program& program) {
         return app.picking.curve && !is_subset_busy(app.picking) && !app.picking.pick->fault.size();
     });
     app.picking.alternative = 0;
-    app.picking.stability_job.ask({app.picking.pick, 2});
+    ask_for_stability(app.ui, app.picking, 2);
     wait_until(program, [&] { return !app.picking.stabilities.empty(); });
     show_compare(program, CompareView::table);
     wait_for_comparison(program);
@@ -152,7 +152,7 @@ Shown after(bool has_worked, const PatternSet& set,
             const std::function<void(Program&)>& wait_for_it) {
     Program program(short_patterns(9));
     program.app.ui.motion = false;
-    make_jobs(program.app);
+    begin_jobs(program.app);
     if (has_worked) work_on(program);
     open(program, set);
     wait_for_it(program);
@@ -240,8 +240,8 @@ TEST_CASE("another document: the whole of a short pattern in view is the whole o
 TEST_CASE("another document: a map under way outlives a lesson, and is not asked for twice") {
     Program program(weaker_patterns(60.0));
     App& app = program.app;
-    make_jobs(app);
-    request_maps(app.work, app.shown_map, app.rendered);
+    begin_jobs(app);
+    request_maps(app.ui, app.work, app.shown_map, app.rendered);
     wait_until(program, [&] { return program.shows("link:compute exact"); });
     program.click("link:compute exact");
     wait_until(program, [&] { return app.shown_map.full_job.busy(); });

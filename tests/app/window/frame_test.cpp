@@ -1,6 +1,5 @@
 #include "app/window/frame.h"
 
-#include "app/window/jobs.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/support/program.h"
 

@@ -1,7 +1,6 @@
 #include <array>
 
 #include "app/window/app.h"
-#include "app/window/jobs.h"
 #include "tests/support/program.h"
 
 namespace legible_test {

@@ -164,7 +164,7 @@ TEST_CASE("rows: a pattern that no receptor answers to is marked, until it is ed
     CHECK_FALSE(program.shows("editor:not felt"));
     program.click("row:p2");
     CHECK(program.shows("editor:not felt"));
-    program.app.shown_map.full_job.end();  // no map of the edit is asked for
+    program.app.ui.wake = {};  // no map of the edit is asked for
     edit_patterns(program.app.work, [](Pattern& p) { p.amplitude_g = 3.0; });
     program.settle();
     CHECK_FALSE(program.shows("not felt:p2"));

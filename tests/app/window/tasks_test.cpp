@@ -32,7 +32,7 @@ struct Counted : Program {
     int actions = 0;
 
     explicit Counted(std::size_t patterns) : Program(short_patterns(patterns)) {
-        patterns < 2 ? make_jobs(app) : compute_map();
+        patterns < 2 ? begin_jobs(app) : compute_map();
     }
     explicit Counted(const PatternSet& set) : Program(set) { compute_map(); }
 
@@ -205,7 +205,7 @@ static PatternSet candidates_243() {
 TEST_CASE("tasks: of 243 candidates those not felt left out, and ten picked" *
           doctest::test_suite("long")) {
     Counted program(candidates_243());
-    make_jobs(program.app);
+    begin_jobs(program.app);
     program.clicks("workspace:Select");
     program.clicks("candidates:exclude unfelt");
     program.fills_left("subset:count", "10");
