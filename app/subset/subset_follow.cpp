@@ -66,19 +66,28 @@ bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
     return true;
 }
 
-using PickPartly = Query<PickRequest, Pick>::Partly;
-
-std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop,
-                                std::atomic<float>& progress,
-                                const PickPartly& give, PickTurns& turns) {
-    Pick pick{request, nullptr, {}, {}};
-    Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, pick.mark);
-    if (stop.stop_requested()) return std::nullopt;
+// False: it cannot be found, and the pick says why.
+bool find_dissimilarity(Pick& pick, std::stop_token stop) {
+    if (pick.dissimilarity) return true;
+    auto matrix = asked_dissimilarity(pick.request, std::move(stop), pick.mark);
     if (!matrix) {
         pick.fault = matrix.error().message;
-        return pick;
+        return false;
     }
     pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
+    return true;
+}
+
+using PickPartly = Query<PickTask, Pick>::Partly;
+
+std::optional<Pick> pick_subset(const PickTask& task, std::stop_token stop,
+                                std::atomic<float>& progress, const PickPartly& give,
+                                PickTurns& turns) {
+    const PickRequest& request = task.question;
+    Pick pick{request, task.apart, {}, {}, task.mark};
+    const bool is_known = find_dissimilarity(pick, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    if (!is_known) return pick;
     SubsetOptions options;
     options.time_limit_s = pick_limit_s(request, turns);
     options.alternatives = kAlternatives;
@@ -109,23 +118,21 @@ std::optional<Pick> pick_subset(const PickRequest& request, std::stop_token stop
 
 // Work that remembers its turns.
 auto picker() {
-    return [turns = PickTurns()](const PickRequest& request, std::stop_token stop,
+    return [turns = PickTurns()](const PickTask& task, std::stop_token stop,
                                  std::atomic<float>& progress, const PickPartly& give) mutable {
-        return pick_subset(request, std::move(stop), progress, give, turns);
+        return pick_subset(task, std::move(stop), progress, give, turns);
     };
 }
 
-std::optional<PickCurve> follow_curve(const PickRequest& request, std::stop_token stop,
-                                      std::atomic<float>& progress) {
-    NumberMark mark;
-    const Expected<Dissimilarity> matrix = asked_dissimilarity(request, stop, mark);
-    if (!matrix) return std::nullopt;
+std::optional<PickCurve> find_curve(const PickTask& task, std::stop_token stop,
+                                    std::atomic<float>& progress) {
     SubsetOptions options;
     options.time_limit_s = work_takes_turns() ? kLongestTurnS : kCurveLimitS;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
-    PickCurve curve{request, weakest_by_count(*matrix, request.problem, kMostOfCurve, options),
-                    mark};
+    PickCurve curve{task.question,
+                    weakest_by_count(*task.apart, task.question.problem, kMostOfCurve, options),
+                    task.mark};
     if (stop.stop_requested()) return std::nullopt;
     return curve;
 }
@@ -170,6 +177,34 @@ PickRequest curve_request(PickRequest request) {
     request.problem.count = 2;
     request.problem.objective = SubsetObjective::max_min;
     return request;
+}
+
+// What the pick on hand was found by holds for another count or objective, too.
+PickTask task_of(const SubsetState& picking, PickRequest question) {
+    const Pick* pick = picking.pick.get();
+    const bool is_known = pick != nullptr && pick->request.map == question.map &&
+                          pick->request.by_ratings == question.by_ratings &&
+                          pick->request.metric == question.metric;
+    if (!is_known) return {std::move(question)};
+    return {std::move(question), pick->dissimilarity, pick->mark};
+}
+
+void follow_pick(const Ui& ui, PickRequest request, SubsetState& picking) {
+    if (request == picking.asked) return;
+    picking.asked = request;
+    picking.cancelled = false;
+    picking.alternative.reset();
+    picking.pick_job.ask(task_of(picking, std::move(request)), picker(), ui.wake);
+}
+
+// The curve begins as soon as the pick has the matrix for it.
+void follow_curve(const Ui& ui, PickRequest request, SubsetState& picking) {
+    picking.curve_asked = curve_request(std::move(request));
+    const auto& asked = picking.curve_job.asked();
+    if (picking.cancelled || (asked && asked->question == picking.curve_asked)) return;
+    PickTask task = task_of(picking, picking.curve_asked);
+    if (!task.apart) return picking.curve_job.leave();
+    picking.curve_job.ask(std::move(task), find_curve, ui.wake);
 }
 
 template <class Request, class Answer>
@@ -217,17 +252,9 @@ void follow_subset(const Ui& ui, const Workspace& work, const Layout& layout,
                            !picking.export_to.empty() || !picking.report_to.empty();
     if (!is_wanted || !has_pairs) return;
     follow_groups(ui, shown_map, layout, picking);
-    PickRequest request = request_of(work, shown_map, picking);
-    if (request == picking.asked) return;
-    picking.asked = request;
-    picking.cancelled = false;
-    picking.alternative.reset();
-    picking.pick_job.ask(request, picker(), ui.wake);
-    if (state == MapState::preview) return;
-    request = curve_request(std::move(request));
-    if (request == picking.curve_asked) return;
-    picking.curve_asked = request;
-    picking.curve_job.ask(std::move(request), follow_curve, ui.wake);
+    const PickRequest request = request_of(work, shown_map, picking);
+    follow_pick(ui, request, picking);
+    if (state == MapState::exact) follow_curve(ui, request, picking);
 }
 
 const Pick* shown_pick(const ShownMap& shown_map, const SubsetState& picking) {

@@ -35,6 +35,13 @@ struct PickRequest {
     bool operator==(const PickRequest&) const = default;
 };
 
+// The question, and how far apart the patterns are by what it asks for, if a pick has found that.
+struct PickTask {
+    PickRequest question;
+    std::shared_ptr<const Dissimilarity> apart{};
+    NumberMark mark{};  // as in Pick
+};
+
 struct Pick {
     PickRequest request;
     std::shared_ptr<const Dissimilarity> dissimilarity;
@@ -161,8 +168,8 @@ struct SubsetState {
     std::filesystem::path report_to;
 
     // The answers may be of an earlier document.
-    Query<PickRequest, Pick> pick_job;
-    Query<PickRequest, PickCurve> curve_job;
+    Query<PickTask, Pick> pick_job;
+    Query<PickTask, PickCurve> curve_job;
     Query<SeparationRequest, FoundSeparations> separation_job;
     Query<StabilityRequest, FoundStability> stability_job;
     Query<GroupsRequest, FoundGroups> groups_job;

@@ -11,6 +11,7 @@
 #include "app/subset/subset_marks.h"
 #include "model/export/loss_words.h"
 #include "model/subset/set_subset.h"
+#include "model/tasks/set_pairs.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -62,6 +63,25 @@ struct SubsetBench {
 };
 
 }  // namespace
+
+TEST_CASE("subset panel: another count and the curve go by the matrix of the first pick") {
+    SubsetBench bench;
+    SubsetState& picking = bench.app.picking;
+    picking.metric = Metric::rmse;
+    bench.wait_for_pick();
+    const auto matrix = picking.pick->dissimilarity;
+    CHECK(*matrix == set_pairs(bench.app.work.document.set, {Metric::rmse, false})->apart);
+    CHECK(picking.curve_job.asked()->apart == matrix);
+    picking.count = 5;
+    picking.objective = SubsetObjective::max_sum;
+    bench.wait_for_pick();
+    CHECK(picking.pick->request.problem.count == 5);
+    CHECK(picking.pick->dissimilarity == matrix);
+    picking.metric = Metric::spqi;
+    bench.wait_for_pick();
+    CHECK(picking.pick->dissimilarity != matrix);
+    CHECK(picking.curve_job.asked()->apart == picking.pick->dissimilarity);
+}
 
 TEST_CASE("subset panel: it shows the model's answer, and a lock changes it as one step") {
     SubsetBench bench;
