@@ -18,7 +18,21 @@ double prewarped(double frequency_hz, double rate_hz) {
     return 2.0 * rate_hz * portable::tan(std::numbers::pi * frequency_hz / rate_hz);
 }
 
-Complex bilinear(Complex s, double rate_hz) { return (2.0 * rate_hz + s) / (2.0 * rate_hz - s); }
+// Smith 1962. Each library of C++ divides complex numbers in its own way, with other last bits.
+Complex quotient(Complex a, Complex b) {
+    if (std::abs(b.real()) < std::abs(b.imag())) {
+        const double ratio = b.real() / b.imag();
+        const double sum = b.real() * ratio + b.imag();
+        return {(a.real() * ratio + a.imag()) / sum, (a.imag() * ratio - a.real()) / sum};
+    }
+    const double ratio = b.imag() / b.real();
+    const double sum = b.imag() * ratio + b.real();
+    return {(a.imag() * ratio + a.real()) / sum, (a.imag() - a.real() * ratio) / sum};
+}
+
+Complex bilinear(Complex s, double rate_hz) {
+    return quotient(2.0 * rate_hz + s, 2.0 * rate_hz - s);
+}
 
 // Poles of the unit low-pass in the upper half plane, and the real one (-1) of an odd order last:
 // the others are their conjugates.
@@ -34,8 +48,8 @@ std::vector<Complex> prototype_poles(int order) {
 
 Complex response(const Section& section, Complex z_inverse) {
     const Complex z2 = z_inverse * z_inverse;
-    return (section.b0 + section.b1 * z_inverse + section.b2 * z2) /
-           (1.0 + section.a1 * z_inverse + section.a2 * z2);
+    return quotient(section.b0 + section.b1 * z_inverse + section.b2 * z2,
+                    1.0 + section.a1 * z_inverse + section.a2 * z2);
 }
 
 Complex z_inverse_at(double frequency_hz, double rate_hz) {
