@@ -67,17 +67,14 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     ImGui::EndPopup();
 }
 
-// A narrow window has room for the words until there is a level beside them.
-float device_width(const Ui& ui, const PlayState& play, bool wide) {
-    if (!wide && is_narrow(ui.theme) && !is_device_chosen(play))
-        return 2.0F * kNarrowDeviceWidthPx * ui.theme.scale;
+float device_width(const Ui& ui, bool wide) {
     return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * ui.theme.scale;
 }
 
 void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) {
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{device_width(ui, play, wide), ImGui::GetFrameHeight()};
+    const ImVec2 size{device_width(ui, wide), ImGui::GetFrameHeight()};
     if (ImGui::Button("##device", size)) ImGui::OpenPopup("device menu");
     const std::string text = device_text(play);
     note_item(ui.rects, "device", text);
@@ -158,7 +155,7 @@ void draw_clip_light(Ui& ui, PlayState& play) {
 }  // namespace
 
 float sound_controls_width(const Ui& ui, const PlayState& play, SoundParts parts) {
-    float width = device_width(ui, play, parts.wide);
+    float width = device_width(ui, parts.wide);
     if (!is_device_chosen(play)) return width;
     width += kLevelWidthPx * ui.theme.scale + ui.theme.gap_px;
     if (parts.meter) {
