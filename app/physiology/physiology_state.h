@@ -65,6 +65,7 @@ struct PhysiologyState {
 struct Physiology {
     Query<LiveStagesRequest, LiveStages> stages_job;
     std::shared_ptr<const LiveStages> stages;  // of the current vibration, or of one before it
+    bool put_off = false;                      // newer ones, to the next frame
     Query<LiveStagesRequest, LiveStages> pinned_job;
     std::shared_ptr<const LiveStages> pinned_stages;
     PhysiologyState view;

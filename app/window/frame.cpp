@@ -454,9 +454,9 @@ bool wants_another_frame(const App& app) {
     const bool hover_rests = app.ui.time_s - app.ui.hover_since_s < 0.5;
     const bool tilts = app.ui.time_s - app.physiology.view.tilt_since_s < 0.3;
     return app.timeline.playhead.playing || is_sounding(app.play) || app.play.meter > 0.0 ||
-           app.work.cache.behind || is_study_playing(app.studying) || is_exporting(app) || tilts ||
-           is_moving(app.ui, app.shown_map) || hover_rests || app.ui.fonts_outdated ||
-           app.work.selection.hovered != app.work.selection.hovered_last ||
+           app.work.cache.behind || app.physiology.put_off || is_study_playing(app.studying) ||
+           is_exporting(app) || tilts || is_moving(app.ui, app.shown_map) || hover_rests ||
+           app.ui.fonts_outdated || app.work.selection.hovered != app.work.selection.hovered_last ||
            app.work.selection.hovered_pair != app.work.selection.hovered_pair_last ||
            app.timeline.crosshair_s != app.timeline.crosshair_last_s;
 }

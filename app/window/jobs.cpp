@@ -242,8 +242,12 @@ void follow_another_document(App& app) {
 }
 
 void collect_results(App& app) {
+    const auto map = app.shown_map.transition.shown;
     take_maps(app.ui, app.shown_map);
-    take_stages(app.physiology);
+    // A frame that draws a new map leaves new stages to the next one.
+    bool& put_off = app.physiology.put_off;
+    put_off = app.shown_map.transition.shown != map && !put_off;
+    if (!put_off) take_stages(app.physiology);
     follow_lesson(app.ui, app.lesson);
     follow_course(app.ui, app.work.session, app.lesson, app.course);
     take_manual(app.ui, app.manual);
