@@ -32,6 +32,7 @@ constexpr std::array kGrains{PreviewGrain{10, 4},   PreviewGrain{40, 10},  Previ
 constexpr int kQuickFlips = 2;
 constexpr std::size_t kMostPreviewed = 2000;
 constexpr double kMostPreviewCells = 4e10;  // 3 s of two cores with AVX2
+constexpr double kCellsOfPair = 7e3;        // what a pair costs besides its cells
 constexpr double kMostCodedSamples = 5e7;   // 1 s of two cores
 constexpr float kPredictionShare = 0.9F;    // of the progress bar; the rest is the map
 
@@ -187,13 +188,14 @@ double expected_map_s(std::size_t patterns, double longest_s) {
 std::optional<PreviewGrain> preview_grain(const PatternSet& set) {
     if (set.vibrations.size() > kMostPreviewed) return std::nullopt;
     const double cells = cells_of(set, own_durations_s(set));
+    const double beside = kCellsOfPair * static_cast<double>(pair_count(set.vibrations.size()));
     // Approximate codes take a second or two as well.
     const double most = is_much_to_code(set.vibrations.size(), longest_samples(set))
                             ? 0.5 * kMostPreviewCells
                             : kMostPreviewCells;
     const auto fine_enough = std::ranges::find_if(kGrains, [&](const PreviewGrain& grain) {
         const auto factor = static_cast<double>(grain.decimation);
-        return cells / (factor * factor) <= most;
+        return cells / (factor * factor) + beside <= most;
     });
     return fine_enough == kGrains.end() ? kGrains.back() : *fine_enough;
 }
