@@ -21,6 +21,9 @@ using Codes = std::span<const std::shared_ptr<const PatternCode>>;
 
 constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
 
+// Fewer pairs than this are ranked sooner than another thread begins.
+constexpr std::size_t kFewPairs = 10'000;
+
 // Without the zeros at its end: whoever gave it may have added them.
 std::span<const double> own_samples(const Waveform& waveform) {
     const std::span<const double> all = waveform.samples_g;
@@ -254,8 +257,11 @@ Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
     result.codes = std::move(codes);
     result.nc = std::move(nc);
     result.oc = std::move(oc);
-    result.nc_rank = average_ranks(result.nc.condensed);
-    result.oc_rank = average_ranks(result.oc.condensed);
+    const int threads = result.nc.condensed.size() < kFewPairs ? 1 : 0;
+    parallel_for(2, threads, {}, [&result](std::size_t part) {
+        if (part == 0) result.nc_rank = average_ranks(result.nc.condensed);
+        if (part == 1) result.oc_rank = average_ranks(result.oc.condensed);
+    });
     result.pm = {result.nc.size, std::vector<double>(result.nc_rank.size())};
     for (std::size_t k = 0; k < result.pm.condensed.size(); ++k) {
         result.pm.condensed[k] =
