@@ -38,14 +38,18 @@ constexpr double kVanished = 1e-12;
 // negative: squares then neither overflow nor turn the order. Unknown pairs get the mean.
 std::vector<double> tame(std::span<const double> values, const PairOrder& order) {
     double least = 0.0;
-    for (const std::size_t p : order.ascending) least = std::min(least, values[p]);
     double most = 0.0;  // of halves, whose difference cannot overflow
-    for (const std::size_t p : order.ascending) most = std::max(most, values[p] / 2 - least / 2);
-    std::vector<double> result(values.size(), 0.0);
-    if (most == 0.0) return result;
+    std::vector<double> result(values.begin(), values.end());
+    const double known = order.ascending.empty() ? 0.0 : values[order.ascending.front()];
+    for (const std::size_t p : order.unknown) result[p] = known;  // changes neither of the two
+    for (const double value : result) least = std::min(least, value);
+    for (const double value : result) most = std::max(most, value / 2 - least / 2);
+    if (most == 0.0) return std::vector<double>(values.size(), 0.0);
+    // In order of memory: of millions, the order of size takes several times as long.
+    for (double& value : result) value = (value / 2 - least / 2) / most;
+    if (order.unknown.empty()) return result;
     double mean = 0.0;
     for (const std::size_t p : order.ascending) {
-        result[p] = (values[p] / 2 - least / 2) / most;
         mean += result[p] / static_cast<double>(order.ascending.size());
     }
     for (const std::size_t p : order.unknown) result[p] = mean;
