@@ -1,6 +1,11 @@
 #include "app/window/frame.h"
 
+#include <chrono>
+
+#include "app/document/editing.h"
+#include "app/map/map_follow.h"
 #include "app/workspaces/workspaces.h"
+#include "tests/support/patience.h"
 #include "tests/support/program.h"
 
 namespace frame_test {
@@ -356,6 +361,40 @@ TEST_CASE("window: the bar stays where it is, whatever is named, zoomed or compu
         program.app.timeline.range = {};
         program.app.shown_map.cancelled = false;
         program.settle();
+    }
+}
+
+TEST_CASE(
+    "window: a frame draws one of a new map, new stages and new thumbnails, none waits long") {
+    Program program(short_patterns(12));
+    App& app = program.app;
+    program.compute_map();
+    program.wait_for_stages();
+    for (int edit = 1; edit <= 5; ++edit) {
+        for (Vibration& vibration : app.work.document.edit().vibrations) {
+            std::get<Pattern>(vibration.source).modulation.frequency_hz = 10.0 * edit;
+        }
+        document_changed(app.work);
+        const auto is_done = [&] {
+            return map_state(app.work, app.shown_map) == MapState::exact &&
+                   app.physiology.stages == app.physiology.stages_job.current() &&
+                   !app.work.cache.behind;
+        };
+        const auto until = end_of_patience();
+        do {
+            REQUIRE(std::chrono::steady_clock::now() < until);
+            const auto map = app.shown_map.transition.shown;
+            const auto stages = app.physiology.stages;
+            const bool stages_waited = app.physiology.put_off;
+            const bool thumbnails_waited = app.work.cache.put_off;
+            program.frame();
+            const bool has_map = app.shown_map.transition.shown != map;
+            const bool has_stages = app.physiology.stages != stages;
+            CHECK(!(has_map && has_stages && !stages_waited));
+            CHECK(!(stages_waited && app.physiology.put_off));
+            CHECK(app.work.cache.put_off == (has_stages && !thumbnails_waited));
+            CHECK((!app.work.cache.put_off || app.work.cache.samples_left == 0));
+        } while (!is_done());
     }
 }
 
