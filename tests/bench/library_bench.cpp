@@ -232,6 +232,7 @@ void on_display(benchmark::State& state, std::size_t patterns, const View& view,
         state.SetLabel("not measured: no display");
         return;
     }
+    close_window();  // the headless one, whose context would be gone afterwards
     App app = make_app();
     PatternSet set = mixed_set(patterns);
     give_looks(set);
@@ -276,7 +277,6 @@ void frame_on_display(benchmark::State& state, std::size_t patterns, const View&
 
 // With what a benchmark has besides, such as the map it shows.
 void memory_of_window(benchmark::State& state, std::size_t patterns) {
-    close_window();
     double most_mib = 0.0;
     on_display(state, patterns, views().front(), [&](const auto& computed_s) {
         if (computed_s.size() % 10 == 1) most_mib = std::max(most_mib, resident_mib());
