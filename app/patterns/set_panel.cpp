@@ -148,6 +148,8 @@ std::string strength_text(Workspace& work, const Vibration& vibration) {
     if (const auto* twin = std::get_if<Measurement>(&vibration.source)) {
         return twin->synthetic ? "synthetic" : "measured";
     }
+    // Until it is rendered for the first time, nobody knows.
+    if (!work.cache.entries.contains(vibration.name)) return {};
     return significant_digits(peak_in_time(work.cache, vibration), 2) + " g";
 }
 

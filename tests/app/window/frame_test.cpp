@@ -398,4 +398,17 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("window: a strength that is not known yet is not told as 0 g") {
+    Program program(short_patterns(12));
+    begin_jobs(program.app);
+    program.app.work.cache.entries.clear();
+    program.frame();
+    for (const auto& [name, place] : program.places) {
+        if (name.starts_with("strength:")) CHECK(place.value != "0 g");
+    }
+    program.settle();
+    CHECK(program.at("strength:p12").value.ends_with(" g"));
+    CHECK(program.at("strength:p12").value != "0 g");
+}
+
 }  // namespace frame_test
