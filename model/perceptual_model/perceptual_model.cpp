@@ -250,14 +250,17 @@ Dissimilarity oc_matrix(Codes codes, const PerceptualModelParams& params,
     return matrix;
 }
 
-Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
-                         const PerceptualModelParams& params, Dissimilarity nc, Dissimilarity oc) {
+namespace {
+
+Prediction ranked(std::vector<std::shared_ptr<const PatternCode>> codes,
+                  const PerceptualModelParams& params, Dissimilarity nc, Dissimilarity oc,
+                  int threads) {
     Prediction result;
     result.params = params;
     result.codes = std::move(codes);
     result.nc = std::move(nc);
     result.oc = std::move(oc);
-    const int threads = result.nc.condensed.size() < kFewPairs ? 1 : 0;
+    if (result.nc.condensed.size() < kFewPairs) threads = 1;
     parallel_for(2, threads, {}, [&result](std::size_t part) {
         if (part == 0) result.nc_rank = average_ranks(result.nc.condensed);
         if (part == 1) result.oc_rank = average_ranks(result.oc.condensed);
@@ -270,13 +273,21 @@ Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
     return result;
 }
 
+}  // namespace
+
+Prediction prediction_of(std::vector<std::shared_ptr<const PatternCode>> codes,
+                         const PerceptualModelParams& params, Dissimilarity nc, Dissimilarity oc) {
+    return ranked(std::move(codes), params, std::move(nc), std::move(oc), 1);
+}
+
 std::optional<Prediction> predict(std::vector<std::shared_ptr<const PatternCode>> codes,
                                   const PerceptualModelParams& params,
                                   const PredictOptions& options) {
     Dissimilarity nc = nc_matrix(codes, params, options);
     Dissimilarity oc = oc_matrix(codes, params, options);
     if (options.stop.stop_requested()) return std::nullopt;
-    Prediction result = prediction_of(std::move(codes), params, std::move(nc), std::move(oc));
+    Prediction result =
+        ranked(std::move(codes), params, std::move(nc), std::move(oc), options.threads);
     result.envelope_decimation = options.envelope_decimation;
     return result;
 }
