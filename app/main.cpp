@@ -1,6 +1,6 @@
 #include "app/command_line/command_line.h"
 #include "app/command_line/endings.h"
-#include "app/window/frame.h"
+#include "app/window/window.h"
 
 int main(int argc, char** argv) {
     tact::prepare_endings();

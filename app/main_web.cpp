@@ -4,7 +4,7 @@
 #include <iostream>
 #include <vector>
 
-#include "app/window/frame.h"
+#include "app/window/window.h"
 
 int main(int argc, char** argv) {
     const std::vector<std::filesystem::path> named(argv + 1, argv + argc);

@@ -1,11 +1,11 @@
-#include "app/ask/gap_follow.h"
+#include "app/ask/ask.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/ask/proposals_work.h"
 #include "app/document/editing.h"
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 #include "devices/calibration/rendering.h"
 #include "model/ask/gap_candidates.h"
 #include "model/pattern/same_vibration.h"

@@ -1,12 +1,12 @@
-#include "app/ask/pad_dialog.h"
+#include "app/ask/ask.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/ui/dialog.h"
+#include "app/document/workspace.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/set/named_place.h"
 #include "model/text/numbers.h"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <stop_token>
 
-#include "app/ask/proposals_state.h"
+#include "app/ask/ask.h"
 #include "app/document/workspace.h"
-#include "app/map/map_state.h"
+#include "app/map/map.h"
 #include "model/ask/moved_point.h"
 
 namespace tact {

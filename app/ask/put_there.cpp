@@ -1,11 +1,11 @@
-#include "app/ask/put_there.h"
+#include "app/ask/ask.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/ask/proposals_work.h"
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 

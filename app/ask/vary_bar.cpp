@@ -1,12 +1,8 @@
-#include "app/ask/vary_bar.h"
+#include "app/ask/ask.h"
 
 #include <algorithm>
 
-#include "app/ask/gap_follow.h"
-#include "app/ask/proposals_follow.h"
-#include "app/ask/put_there.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

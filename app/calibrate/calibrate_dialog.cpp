@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/calibrate/calibrate_dialog.h"
-#include "app/calibrate/calibrate_state.h"
-#include "app/calibrate/measuring_response.h"
-#include "app/play/playing.h"
-#include "app/progress/failure.h"
-#include "app/ui/dialog.h"
+#include "app/calibrate/calibrate.h"
+#include "app/play/play.h"
+#include "app/progress/progress.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/charts/response_view.h"

@@ -1,14 +1,13 @@
-#include "app/calibrate/measuring_response.h"
+#include "app/calibrate/calibrate.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/play/calibrating.h"
-#include "app/play/playing.h"
-#include "app/session/folders.h"
-#include "app/ui/file_question.h"
+#include "app/play/play.h"
+#include "app/session/session.h"
+#include "app/ui/ui.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/io/recordings/wave_file.h"

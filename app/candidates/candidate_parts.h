@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/candidates/candidates_panel.h"
+#include "app/candidates/candidates.h"
 #include "viz/drawing/geometry.h"
 
 namespace tact {

@@ -1,4 +1,4 @@
-#include "app/candidates/candidate_rows.h"
+#include "app/candidates/candidates.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/text/numbers.h"

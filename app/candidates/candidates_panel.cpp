@@ -1,4 +1,4 @@
-#include "app/candidates/candidates_panel.h"
+#include "app/candidates/candidates.h"
 
 #include <imgui.h>
 // After imgui.h.
@@ -10,9 +10,8 @@
 #include <string>
 
 #include "app/candidates/candidate_parts.h"
-#include "app/candidates/candidate_rows.h"
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/ui/widgets.h"
 #include "model/design_space/candidates.h"
 #include "model/dissimilarity/dissimilarity.h"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/lesson/lesson_question.h"
-#include "app/phones/phones_follow.h"
-#include "app/study/study_follow.h"
+#include "app/lesson/lesson.h"
+#include "app/phones/phones.h"
+#include "app/study/study.h"
 #include "model/set/set_study.h"
 #include "model/text/utc_time.h"
 #include "model/told_apart/told_apart_words.h"

@@ -3,14 +3,13 @@
 #pragma once
 
 #include "app/document/workspace.h"
-#include "app/lesson/lesson_state.h"
-#include "app/map/map_state.h"
-#include "app/phones/phones_dialog.h"
-#include "app/phones/phones_state.h"
-#include "app/play/play_state.h"
-#include "app/study/study_state.h"
-#include "app/ui/layout.h"
+#include "app/lesson/lesson.h"
+#include "app/map/map.h"
+#include "app/phones/phones.h"
+#include "app/play/play.h"
+#include "app/study/study.h"
 #include "app/ui/ui.h"
+#include "app/ui/widgets.h"
 
 namespace tact {
 

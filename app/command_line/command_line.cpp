@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "app/command_line/endings.h"
-#include "app/command_line/interrupt.h"
 #include "app/command_line/options.h"
 #include "model/common/thrown.h"
 

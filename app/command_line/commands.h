@@ -112,7 +112,7 @@ struct SnapshotCommand {
     std::string view = "window";   // also physiology, wave, spectrum, firing, tables, matrix, space
     std::string pattern;           // but for tables, matrix, space; empty: the first
     std::string with;              // for window and physiology: compared with this one ...
-    std::string stage;             // ... at this stage, large; a key of app/physiology/stages.h
+    std::string stage;             // ... at this stage, large; a key of app/physiology/physiology.h
     std::optional<double> at_s;    // ... with the playhead there
     bool tilted = false;           // ... and the receptors
     bool textbook = false;         // measured facts over the stages

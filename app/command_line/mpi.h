@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "model/common/expected.h"
 #include "model/perceptual_model/tiles.h"
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,13 +14,15 @@
 #include <streambuf>
 
 #include "app/command_line/endings.h"
-#include "app/rendering/rendered_set.h"
+#include "app/rendering/rendering.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/export/exported_set.h"
+#include "model/export/loss_words.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/io/set/model_file.h"
+#include "model/io/tables/matrix_file.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
@@ -313,6 +316,78 @@ std::function<void(double)> progress_line_with(const std::string& what,
             stderr, terminal ? "\r%s: %.0f %%, %s left%s\033[K" : "%s: %.0f %%, %s left%s\n",
             what.c_str(), 100.0 * share, duration_text(std::ceil(left_s)).c_str(), end.c_str());
     };
+}
+
+std::string aligned(const std::vector<TextRow>& exact) {
+    std::vector<TextRow> rows;
+    for (const TextRow& row : exact) rows.push_back(shown_texts(row));
+    std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
+    for (const TextRow& row : rows) {
+        assert(row.size() == widths.size() && "as many cells in every row");
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    }
+    std::string text;
+    for (const TextRow& row : rows) {
+        std::string line;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const std::string blanks(widths[k] - row[k].size(), ' ');
+            line += k == 0 ? row[k] + blanks : "  " + blanks + row[k];
+        }
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+std::string range_text(double low, double high, int digits) {
+    if (std::isnan(low) || std::isnan(high)) return "-";
+    return fixed_digits(low, digits) + " to " + fixed_digits(high, digits);
+}
+
+std::string csv_line(const TextRow& row) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) line += (k == 0 ? "" : ",") + csv_field(row[k]);
+    return line + "\n";
+}
+
+std::string csv_number(double value) {
+    return std::isnan(value) ? std::string() : shortest_digits(value);
+}
+
+namespace {
+
+std::string patterns_text(const ExportLoss& loss) {
+    std::vector<TextRow> rows{{"pattern", "RMS error, g", "PSNR, dB", "PM from what was meant"}};
+    for (const PatternLoss& one : loss.patterns) {
+        if (one.recording) continue;
+        rows.push_back({one.name, loss_number(one.rms_error_g), psnr_text(one), moved_text(one)});
+    }
+    return aligned(rows);
+}
+
+std::string set_text(const ExportLoss& loss) {
+    std::vector<TextRow> rows{{"PM", "as it was meant", "as it comes back"}};
+    for (const BeforeAfter& row : before_after_rows(loss)) {
+        rows.push_back({row.what, row.before, row.after});
+    }
+    if (rows.size() == 1) return {};
+    return "\n" + aligned(rows) + kAfterScale + "\n";
+}
+
+std::string pairs_text(const ExportLoss& loss) {
+    if (loss.most_moved.empty()) return {};
+    std::vector<TextRow> rows{{"pairs that moved most", "PM before", "after"}};
+    for (const PairChange& one : loss.most_moved) {
+        rows.push_back(
+            {pair_text(loss, one.a, one.b), loss_number(one.before), loss_number(one.after)});
+    }
+    return "\n" + aligned(rows);
+}
+
+}  // namespace
+
+std::string text_of(const ExportLoss& loss) {
+    return "\n" + summary_of(loss) + "\n\n" + patterns_text(loss) + set_text(loss) +
+           pairs_text(loss) + "\n" + shown_text(subset_verdict(loss)) + "\n";
 }
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-// Where results, remarks and progress of a subcommand go.
+// What a command prints: text, JSON, CSV, with what is to be said of its numbers.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,16 @@
 
 #include "app/command_line/commands.h"
 #include "app/pictures/pictures.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "devices/calibration/rendering.h"
+#include "model/export/export_loss.h"
 #include "model/set/named_place.h"
 #include "model/set/pattern_set.h"
 #include "model/subset/subset.h"
 
 namespace tact {
+
+// Where results, remarks and progress of a subcommand go.
 
 // The sets of a command as one, or the side of it asked for: as it was meant, and as it comes back
 // from the files, and is played by the device, that the options name; the same where they name
@@ -70,5 +73,29 @@ std::function<void(double)> progress_line_with(const std::string& what,
 
 // The same for a search of a subset: with what was found so far, and what no subset exceeds.
 void tell_search(SubsetOptions& options, const std::string& what, SubsetObjective objective);
+
+// Tables for people at a terminal, and for programs.
+
+using TextRow = std::vector<std::string>;
+
+// Rows of equally many cells: the first column flush left, the others flush right, two blanks
+// between. No blanks at the ends of lines.
+std::string aligned(const std::vector<TextRow>& rows);
+
+// "-0.11 to 0.78"; "-" for NaN.
+std::string range_text(double low, double high, int digits);
+
+// A line of CSV with its end, quoted where it has to be.
+std::string csv_line(const TextRow& row);
+
+// The shortest digits that read back as the same; nothing for NaN, which R and pandas read as
+// missing.
+std::string csv_number(double value);
+
+// What an export costs, as a table for people: the numbers of model/export/loss_json.h.
+
+// Tables of the patterns, of the set and of the pairs that moved most, and the verdict on the
+// subset.
+std::string text_of(const ExportLoss& loss);
 
 }  // namespace tact

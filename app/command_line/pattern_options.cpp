@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/physiology/stages.h"
-#include "app/pictures/frame_sequence.h"
+#include "app/physiology/physiology.h"
+#include "app/pictures/pictures.h"
 #include "model/export/exported_files.h"
 #include "model/io/effects/actuator_map.h"
 #include "model/io/effects_out/write_effect.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command_line/commands.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/people/foreign_answers.h"
 #include "model/io/tables/coordinates_file.h"

@@ -1,15 +1,12 @@
-#include "app/compare/compare_follow.h"
+#include "app/compare/compare.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-#include "app/compare/check_findings.h"
-#include "app/compare/compare_panels.h"
-#include "app/compare/people_text.h"
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/ui/file_question.h"
+#include "app/map/map.h"
+#include "app/ui/ui.h"
 #include "model/map/procrustes.h"
 #include "model/set/set_ratings.h"
 

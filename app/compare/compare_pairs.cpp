@@ -1,15 +1,10 @@
-// Rating against prediction, pair by pair, and the pairs with the largest difference. Declared in
-// app/compare/compare_panels.h.
+// Rating against prediction, pair by pair, and the pairs with the largest difference.
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
-#include "app/compare/metric_choice.h"
-#include "app/compare/people_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/document/rating_files.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/textbook/noticed.h"

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
-#include "app/compare/people_text.h"
-#include "app/compare/reading_text.h"
-#include "app/document/rating_files.h"
-#include "app/document/shown_side.h"
-#include "app/measured/import_follow.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
+#include "app/compare/compare.h"
+#include "app/document/editing.h"
+#include "app/document/workspace.h"
+#include "app/measured/measured.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/charts/scatter_view.h"

@@ -3,10 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/compare/compare_panels.h"
-#include "app/compare/metric_choice.h"
-#include "app/compare/people_text.h"
-#include "app/compare/reading_text.h"
+#include "app/compare/compare.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

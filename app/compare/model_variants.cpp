@@ -1,11 +1,9 @@
-#include "app/compare/model_variants.h"
+#include "app/compare/compare.h"
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
 
-#include "app/compare/check_findings.h"
-#include "app/compare/check_morse.h"
 #include "assets/assets.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/io/set/set_file.h"

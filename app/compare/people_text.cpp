@@ -1,10 +1,13 @@
-#include "app/compare/people_text.h"
+#include "app/compare/compare.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "model/text/numbers.h"
+#include "model/text/shown_text.h"
+#include "viz/drawing/marks.h"
 
 namespace tact {
 
@@ -81,6 +84,24 @@ std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark
            " the best metric there could be has a mean " + of_people("rho", mark) + " of " +
            bound(ceilings.with_others) + " to " + bound(ceilings.with_all) +
            ": of each with the mean of the others, and with that of all.";
+}
+
+void reading_text(ImU32 colour, const std::string& text) {
+    constexpr float kWidestEm = 52.0F;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float width = std::max(1.0F, std::min(room, kWidestEm * ImGui::GetFontSize()));
+    std::string lines;
+    std::istringstream paragraphs(shown_lines(text));
+    for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+        if (paragraph.empty()) lines += "\n";
+        for (const std::string& line : wrapped(ImGui::GetFont(), paragraph, width)) {
+            lines += line + "\n";
+        }
+    }
+    if (!lines.empty()) lines.pop_back();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(lines.c_str());
+    ImGui::PopStyleColor();
 }
 
 }  // namespace tact

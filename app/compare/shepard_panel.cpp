@@ -3,14 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
-#include "app/compare/metric_choice.h"
-#include "app/compare/people_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/map/pair.h"
-#include "app/progress/failure.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/map/smacof.h"
 #include "model/text/numbers.h"

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/vibration_cache.h"
-#include "app/map/map_follow.h"
-#include "app/map/pair.h"
-#include "app/physiology/live_stages.h"
-#include "app/progress/failure.h"
-#include "app/timeline/time_rows.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/physiology/physiology.h"
+#include "app/progress/progress.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/textbook/noticed.h"

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/course/course_state.h"
-#include "app/lesson/lesson_question.h"
-#include "app/session/folders.h"
+#include "app/course/course.h"
+#include "app/lesson/lesson.h"
+#include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"

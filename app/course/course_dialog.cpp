@@ -1,12 +1,11 @@
-#include "app/course/course_dialog.h"
+#include "app/course/course.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <string>
 
-#include "app/ui/dialog.h"
-#include "app/ui/file_question.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/pattern_looks.h"
-#include "app/document/renaming.h"
-#include "app/document/shown_side.h"
+#include "app/document/workspace.h"
 #include "model/set/layers.h"
 #include "model/set/vibration_search.h"
 #include "model/text/unique_names.h"

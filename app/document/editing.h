@@ -1,15 +1,21 @@
-// Changes to the document. Each leaves the maps following it; each gesture is one undo step.
+// What is done to the open document: edits, files, names.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "app/document/workspace.h"
 #include "app/ui/ui.h"
+#include "app/ui/widgets.h"
+#include "model/io/people/ratings_file.h"
 
 namespace tact {
+
+// Changes to the document. Each leaves the maps following it; each gesture is one undo step.
 
 // The vibration in the editor; null in an empty set.
 const Vibration* current_vibration(const Workspace& work);
@@ -125,5 +131,137 @@ inline constexpr const char* kHoldHelp = "Hold for 0.25 s: it plays until you le
 
 // Notes that this frame's press is on the pattern. A drag is no press: it moves what it began on.
 void note_pressed(Workspace& work, const Vibration& vibration);
+
+// The sets that come with the program, as its menu lists them.
+
+struct ExampleSet {
+    const char* path;  // below assets/
+    const char* name;  // that the set has itself
+};
+
+inline constexpr std::array<ExampleSet, 13> kExampleSets{{
+    {"sets/pm_2023_twelve.tactspace.json", "PM 2023, twelve patterns"},
+    {"library/library.tactspace.json", "Library, forty patterns (our own, not from a study)"},
+    {"library/notes_accents_layers.tactspace.json",
+     "Notes, accents and layers (our own, not from a study)"},
+    {"sets/rhythms_tactspace.tactspace.json", "tactspace rhythms (our own, not from a study)"},
+    {"sets/park_choi_2011_am_4hz.tactspace.json",
+     "Park & Choi 2011, eight AM patterns (4 Hz: paper\u2019s caption)"},
+    {"sets/park_choi_2011_am_5hz.tactspace.json",
+     "Park & Choi 2011, eight AM patterns (5 Hz: authors\u2019 files)"},
+    {"sets/morse_rothkopf_1957.tactspace.json",
+     "Morse, 36 signals (Rothkopf 1957: rated by ear, not by touch)"},
+    {"sets/template_abou_chahine_2022.tactspace.json",
+     "Abou Chahine 2022, 14 rhythms (template, unconfirmed)"},
+    {"sets/template_hwang_2017_exp1_low_high.tactspace.json",
+     "Hwang 2017, Exp. I low-high, 7 vibrations (template, unconfirmed)"},
+    {"sets/template_hwang_2017_exp1_low_mid.tactspace.json",
+     "Hwang 2017, Exp. I low-mid, 7 vibrations (template, unconfirmed)"},
+    {"sets/template_hwang_2017_exp1_mid_high.tactspace.json",
+     "Hwang 2017, Exp. I mid-high, 7 vibrations (template, unconfirmed)"},
+    {"sets/template_hwang_2017_exp2.tactspace.json",
+     "Hwang 2017, Exp. II, 15 vibrations (template, unconfirmed)"},
+    {"sets/template_hwang_choi_2010.tactspace.json",
+     "Hwang & Choi 2010, 14 vibrations (template, unconfirmed)"},
+}};
+
+// Opening and saving the document, and what survives closing the program.
+
+// "PM 2023, twelve patterns •": the set's name, marked while unsaved.
+std::string document_title(const Workspace& work);
+std::string document_name(const Workspace& work);  // the same without the mark
+
+void new_document(Ui& ui, Workspace& work);
+void open_example(Ui& ui, Workspace& work);  // the paper's twelve
+void open_example_set(Ui& ui, Workspace& work, const ExampleSet& example);
+void open_dialog(Ui& ui, const Workspace& work);
+void add_dialog(Ui& ui, const Workspace& work);
+void save_dialog(Ui& ui, const Workspace& work);
+void save(Ui& ui, Workspace& work);
+
+// Physiology tables from a file, as a change of the document; an error changes nothing.
+void load_tables_dialog(Ui& ui, const Workspace& work);
+void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path);
+
+// Asks first where another program has changed the document's file.
+void save_as(Ui& ui, Workspace& work, const std::filesystem::path& path);
+
+// Puts another document in the place of the open one, whose unsaved changes are kept aside.
+bool show_document(Ui& ui, Workspace& work, Document document,
+                   std::string text);  // false: the open one stays
+
+// Writes the autosave when it is due.
+// Printing and writing a large set takes longer than a frame may: it runs in the background, on the
+// set of this moment, one after the other.
+void autosave_if_due(Ui& ui, Workspace& work);
+bool is_autosaving(const Workspace& work);
+
+// Actuator maps by which the open document's effects were read, and reading them by others.
+//
+// Input     files as they were opened or added; read again, they have to be what they were
+// Output    a step that undo takes back; what was edited since, or is locked, stays and is counted
+// Left out  maps from files, which the command line's --actuator takes; effects of a set that was
+//           saved: its files are not known any more.
+
+// Effects of one format in the document.
+struct MapInUse {
+    std::string format;     // a key of model/io/effects/read_effects.h
+    std::string actuators;  // "quest"; "core-haptics, quest" where there are several
+    std::size_t patterns = 0;
+    bool has_files = false;  // that can be read again
+};
+
+// Where any effect is, by format.
+std::vector<MapInUse> maps_in_use(const Workspace& work);
+
+// What was just read of these files, which are no set file, before anything of it is given another
+// name or look.
+void note_effect_files(Workspace& work, const std::vector<std::filesystem::path>& paths,
+                       const std::vector<Vibration>& read);
+
+// All effects of a format by a bundled map.
+void read_by_map(Ui& ui, Workspace& work, const std::string& format, const std::string& actuator);
+
+// What people said of the set, from files.
+
+void load_ratings_dialog(Ui& ui, const Workspace& work);
+
+// The study of those patterns of the set that the loaded ratings are of.
+Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& loaded);
+
+// What was read of a file into the document, as one step; an error changes nothing.
+void take_ratings(Ui& ui, Workspace& work, Layout& layout, const std::filesystem::path& path,
+                  const LoadedRatings& loaded);
+
+// Names are keys: who holds a pattern by its name has to hear of a new one.
+
+// In the set: its twins, its ratings, its trials, and the choice of those that take part in
+// studies.
+void rename_in(PatternSet& set, std::size_t index, const std::string& name);
+
+// In what is selected and copied; other rooms find it among the changes.
+void follow_rename(Workspace& work, const Renaming& renaming);
+
+// The same for whatever has another name in `after` than in `before`, as by an undo.
+void follow_renames(Workspace& work, const PatternSet& before, const PatternSet& after);
+
+// No document is replaced, no file written over and no window closed while the only copy of what
+// somebody made is in memory, or in the file about to be written.
+
+// Unsaved changes of the open document go to a file of their own, which heads the recent ones.
+// Empty: no changes. An Error: they could not be kept, and the document has to stay.
+Expected<std::filesystem::path> keep_unsaved(Workspace& work);
+
+// The sentence that says so.
+void refuse_to_replace(Ui& ui, const std::string& reason);
+
+// A sentence, though what it comes from may lack its stop.
+std::string with_stop(std::string text);
+
+// The file as it is now holds what was never seen here.
+bool is_changed_outside(const Document& document, const std::filesystem::path& file);
+
+// Until the autosave under way is on the disk: what is written or moved next comes after it.
+void wait_for_autosave(const Workspace& work);
 
 }  // namespace tact

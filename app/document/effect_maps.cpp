@@ -1,11 +1,10 @@
-#include "app/document/effect_maps.h"
+#include "app/document/editing.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "app/document/editing.h"
-#include "app/document/shown_side.h"
+#include "app/document/workspace.h"
 #include "model/io/effects/read_effects.h"
 #include "model/io/set/load.h"
 

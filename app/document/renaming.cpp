@@ -1,4 +1,4 @@
-#include "app/document/renaming.h"
+#include "app/document/editing.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/document/vibration_cache.h"
+#include "app/document/workspace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-// The dialog of effect_export.h.
+// The dialog before a pattern becomes another program's effect.
 
 #include <algorithm>
 #include <array>
 
-#include "app/export/effect_export.h"
-#include "app/export/loss_pane.h"
-#include "app/ui/dialog.h"
+#include "app/export/export.h"
+#include "app/export/parts.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 
 namespace tact {

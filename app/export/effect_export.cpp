@@ -1,10 +1,9 @@
-#include "app/export/effect_export.h"
+#include "app/export/export.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/export/export_report.h"
-#include "app/ui/file_question.h"
+#include "app/ui/ui.h"
 #include "model/export/effect_files.h"
 #include "model/subset/set_subset.h"
 #include "model/text/file_stem.h"

@@ -7,10 +7,9 @@
 #include <string>
 
 #include "app/document/editing.h"
-#include "app/export/export_progress.h"
-#include "app/export/exports.h"
-#include "app/ui/dialog.h"
-#include "app/ui/number_field.h"
+#include "app/export/export.h"
+#include "app/export/parts.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 

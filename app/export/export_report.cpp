@@ -1,10 +1,9 @@
-#include "app/export/export_report.h"
+#include "app/export/export.h"
 
 #include <algorithm>
 
-#include "app/rendering/labels.h"
-#include "app/report/html.h"
-#include "app/report/html_map.h"
+#include "app/rendering/rendering.h"
+#include "app/report/report.h"
 #include "model/export/loss_words.h"
 
 namespace tact {

@@ -1,12 +1,11 @@
-#include "app/export/loss_pane.h"
+#include "app/export/parts.h"
 
 #include <algorithm>
 
-#include "app/document/pattern_looks.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
-#include "app/rendering/labels.h"
-#include "app/ui/dialog.h"
+#include "app/document/workspace.h"
+#include "app/progress/progress.h"
+#include "app/rendering/rendering.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/export/loss_words.h"
 #include "model/text/shown_text.h"

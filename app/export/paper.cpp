@@ -1,14 +1,13 @@
-#include "app/export/paper.h"
+#include "app/export/export.h"
 
 #include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
-#include "app/export/export_progress.h"
-#include "app/session/child_process.h"
-#include "app/session/folders.h"
-#include "app/ui/file_question.h"
+#include "app/export/parts.h"
+#include "app/session/session.h"
+#include "app/ui/ui.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"

@@ -2,9 +2,8 @@
 
 #include <optional>
 
-#include "app/export/paper.h"
-#include "app/ui/dialog.h"
-#include "app/ui/file_question.h"
+#include "app/export/export.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/set/parameter_paths.h"

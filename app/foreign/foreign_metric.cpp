@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/child_process.h"
+#include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"

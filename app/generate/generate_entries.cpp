@@ -1,4 +1,4 @@
-#include "app/generate/generate_entries.h"
+#include "app/generate/parts.h"
 
 #include <imgui.h>
 // After imgui.h.
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

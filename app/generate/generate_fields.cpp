@@ -1,11 +1,10 @@
-#include "app/generate/generate_fields.h"
+#include "app/generate/parts.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "app/generate/generate_entries.h"
-#include "app/patterns/rhythm_list.h"
+#include "app/patterns/patterns.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"

@@ -1,9 +1,9 @@
-#include "app/generate/generating.h"
+#include "app/generate/generate.h"
 
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 #include "model/text/numbers.h"
 
 namespace tact {

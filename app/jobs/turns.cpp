@@ -1,4 +1,4 @@
-#include "app/jobs/turns.h"
+#include "app/jobs/jobs.h"
 
 #include <algorithm>
 #include <chrono>

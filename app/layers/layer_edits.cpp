@@ -1,4 +1,4 @@
-#include "app/layers/layer_edits.h"
+#include "app/layers/layers.h"
 
 #include <string>
 #include <utility>

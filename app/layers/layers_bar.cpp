@@ -1,4 +1,4 @@
-#include "app/layers/layers_bar.h"
+#include "app/layers/layers.h"
 
 #include <imgui_stdlib.h>
 
@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/layers/layer_edits.h"
+#include "app/document/workspace.h"
 #include "app/ui/widgets.h"
 #include "model/set/layers.h"
 #include "viz/drawing/colour.h"

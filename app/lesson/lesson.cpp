@@ -6,12 +6,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/unsaved.h"
-#include "app/lesson/lesson_keeping.h"
-#include "app/session/autosave.h"
+#include "app/document/workspace.h"
 #include "app/session/session.h"
-#include "app/ui/question.h"
+#include "app/ui/ui.h"
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_languages.h"
@@ -317,6 +314,34 @@ void follow_renaming(LessonState& state, const Renaming& renaming) {
     if (const auto renamed_lesson = of(state.lesson); renamed_lesson != state.lesson) {
         show_lesson(state, renamed_lesson);
     }
+}
+
+// The numbers of a lesson, computed in the background: quick ones first, then those of pairs.
+
+namespace {
+
+std::optional<LessonAnswered> answer_lesson(const LessonAsked& asked, std::stop_token stop,
+                                            std::atomic<float>& progress) {
+    LessonAnswered answered{asked.lesson, asked.with_pairs,
+                            lesson_answers(*asked.lesson, stop, asked.with_pairs)};
+    progress = 1.0F;
+    if (stop.stop_requested()) return std::nullopt;
+    return answered;
+}
+
+}  // namespace
+
+void follow_lesson(const Ui& ui, LessonState& state) {
+    if (auto answered = state.job.latest()) state.answered = std::move(answered);
+    if (!has_jobs(ui) || !state.shown) return;
+    const bool has_quick = state.answered && state.answered->of == state.shown;
+    state.job.want(LessonAsked{state.shown, has_quick}, answer_lesson, ui.wake);
+}
+
+// Numbers of a lesson that is being edited stay until the new ones are ready.
+const LessonAnswers* answers_of(const LessonState& state) {
+    if (!state.answered || (state.answered->of != state.shown && !state.editing)) return nullptr;
+    return &state.answered->answers;
 }
 
 }  // namespace tact

@@ -1,4 +1,4 @@
-#include "app/lesson/lesson_card.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/lesson/lesson_keeping.h"
-#include "app/lesson/lesson_place.h"
-#include "app/lesson/lesson_question.h"
-#include "app/lesson/step_editor.h"
+#include "app/lesson/parts.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

@@ -1,4 +1,4 @@
-#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,9 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/unsaved.h"
-#include "app/lesson/lesson_keeping.h"
-#include "app/lesson/lesson_sheet.h"
+#include "app/document/workspace.h"
 #include "app/session/session.h"
-#include "app/ui/file_question.h"
-#include "app/ui/question.h"
+#include "app/ui/ui.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_lacks.h"
 #include "model/lesson/lesson_languages.h"

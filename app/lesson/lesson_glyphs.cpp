@@ -1,5 +1,4 @@
-// Glyphs that a lesson needs, and the outline around the item that its step points at. Declared in
-// app/lesson/lesson_card.h.
+// Glyphs that a lesson needs, and the outline around the item that its step points at.
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,7 +6,6 @@
 #include <utility>
 
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_card.h"
 #include "viz/drawing/fonts.h"
 
 namespace tact {

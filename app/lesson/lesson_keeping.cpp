@@ -1,14 +1,13 @@
-#include "app/lesson/lesson_keeping.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "app/document/pattern_looks.h"
-#include "app/document/unsaved.h"
-#include "app/jobs/begun_beside.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/ui/question.h"
+#include "app/document/editing.h"
+#include "app/document/workspace.h"
+#include "app/jobs/jobs.h"
+#include "app/ui/ui.h"
 #include "model/common/thrown.h"
 #include "model/io/lesson/lesson_file.h"
 

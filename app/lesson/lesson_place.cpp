@@ -1,8 +1,7 @@
-#include "app/lesson/lesson_place.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 
-#include "app/lesson/lesson_question.h"
 #include "model/text/numbers.h"
 
 namespace tact {

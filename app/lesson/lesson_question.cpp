@@ -1,10 +1,8 @@
-#include "app/lesson/lesson_question.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 #include <string>
 
-#include "app/lesson/lesson_card.h"
-#include "app/lesson/lesson_place.h"
 #include "app/ui/widgets.h"
 #include "model/lesson/lesson_lacks.h"
 #include "viz/drawing/colour.h"

@@ -1,10 +1,9 @@
-#include "app/lesson/lesson_sheet.h"
+#include "app/lesson/lesson.h"
 
 #include <algorithm>
 #include <array>
 
-#include "app/report/html.h"
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/set/layers.h"
 #include "model/text/file_stem.h"

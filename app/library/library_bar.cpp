@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/library/library_follow.h"
+#include "app/library/library.h"
 #include "app/library/library_parts.h"
-#include "app/progress/progress_line.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/io/effects_out/write_effect.h"
 #include "model/text/numbers.h"

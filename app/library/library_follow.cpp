@@ -1,4 +1,4 @@
-#include "app/library/library_follow.h"
+#include "app/library/library.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/ui/file_question.h"
+#include "app/ui/ui.h"
 #include "model/library/library_folder.h"
 #include "model/text/natural_order.h"
 #include "model/text/numbers.h"

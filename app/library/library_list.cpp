@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/library/library_follow.h"
+#include "app/library/library.h"
 #include "app/library/library_parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"

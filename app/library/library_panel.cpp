@@ -1,11 +1,9 @@
-#include "app/library/library_panel.h"
+#include "app/library/library.h"
 
 #include <imgui.h>
 
-#include "app/library/library_follow.h"
 #include "app/library/library_parts.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/workspace.h"
-#include "app/library/library_state.h"
+#include "app/library/library.h"
 #include "app/ui/ui.h"
 
 namespace tact {

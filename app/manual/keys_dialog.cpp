@@ -1,4 +1,4 @@
-#include "app/manual/keys_dialog.h"
+#include "app/manual/manual.h"
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -7,8 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "app/manual/open_manual.h"
-#include "app/ui/dialog.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/utf8.h"
 #include "viz/drawing/imgui_versions.h"

@@ -1,11 +1,11 @@
-#include "app/manual/manual_tables.h"
+#include "app/manual/manual.h"
 
 #include <array>
 #include <limits>
 
-#include "app/document/example_sets.h"
-#include "app/physiology/stages.h"
-#include "app/report/html.h"
+#include "app/document/editing.h"
+#include "app/physiology/physiology.h"
+#include "app/report/report.h"
 #include "devices/rumble/actuator_kind.h"
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"

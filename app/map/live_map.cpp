@@ -1,4 +1,4 @@
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/jobs/turns.h"
-#include "app/map/map_refining.h"
-#include "app/rendering/labels.h"
+#include "app/jobs/jobs.h"
+#include "app/map/parts.h"
+#include "app/rendering/rendering.h"
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/tables/matrix_file.h"

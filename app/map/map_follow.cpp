@@ -1,14 +1,12 @@
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "app/document/shown_side.h"
-#include "app/map/map_refining.h"
-#include "app/map/map_turn.h"
-#include "app/map/unshifted_map.h"
+#include "app/document/workspace.h"
+#include "app/map/parts.h"
 #include "model/set/likeness.h"
 
 namespace tact {

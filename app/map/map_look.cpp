@@ -1,11 +1,10 @@
-#include "app/map/map_look.h"
+#include "app/map/map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "app/document/editing.h"
-#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/map/explained_share.h"
 #include "model/map/group_tree.h"

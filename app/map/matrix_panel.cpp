@@ -5,10 +5,8 @@
 #include <numeric>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/map/map_rows.h"
-#include "app/map/matrix_panel.h"
-#include "app/progress/failure.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"

@@ -1,5 +1,5 @@
-#include "app/map/space_panel.h"
-#include "app/map/map_refining.h"
+#include "app/map/map.h"
+#include "app/map/parts.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,8 @@
 #include <optional>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/shown_side.h"
-#include "app/map/map_follow.h"
-#include "app/map/unshifted_map.h"
-#include "app/progress/failure.h"
-#include "app/progress/time_left.h"
+#include "app/document/workspace.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/set/set_told_apart.h"
 #include "model/subset/confusable.h"

@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/measured/import_follow.h"
-#include "app/measured/overlay.h"
-#include "app/measured/recording_fields.h"
-#include "app/progress/failure.h"
-#include "app/ui/dialog.h"
+#include "app/measured/measured.h"
+#include "app/progress/progress.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

@@ -1,11 +1,11 @@
-#include "app/measured/import_follow.h"
+#include "app/measured/measured.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/progress/failure.h"
-#include "app/ui/file_question.h"
+#include "app/progress/progress.h"
+#include "app/ui/ui.h"
 #include "model/io/set/measured_files.h"
 #include "model/text/atomic_file.h"
 #include "model/text/natural_order.h"

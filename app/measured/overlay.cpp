@@ -1,4 +1,4 @@
-#include "app/measured/overlay.h"
+#include "app/measured/measured.h"
 
 #include <imgui.h>
 

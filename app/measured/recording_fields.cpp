@@ -1,4 +1,4 @@
-#include "app/measured/recording_fields.h"
+#include "app/measured/measured.h"
 
 #include <imgui.h>
 
@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

@@ -5,9 +5,8 @@
 #include <functional>
 
 #include "app/document/editing.h"
-#include "app/model_bench/felt_step_fields.h"
-#include "app/model_bench/model_panel.h"
-#include "app/model_bench/model_rows.h"
+#include "app/model_bench/model_bench.h"
+#include "app/model_bench/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/typed_number.h"

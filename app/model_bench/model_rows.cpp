@@ -1,4 +1,4 @@
-#include "app/model_bench/model_rows.h"
+#include "app/model_bench/parts.h"
 
 #include "model/perceptual_model/model_numbers.h"
 

@@ -1,12 +1,11 @@
-#include "app/model_bench/training_follow.h"
+#include "app/model_bench/model_bench.h"
 
 #include <algorithm>
 
-#include "app/compare/people_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/model_bench/kept_models.h"
 #include "app/session/program_version.h"
-#include "app/ui/file_question.h"
+#include "app/ui/ui.h"
 #include "model/io/set/load.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"

@@ -4,14 +4,11 @@
 #include <array>
 #include <cstdio>
 
-#include "app/compare/compare_follow.h"
-#include "app/document/rating_files.h"
-#include "app/model_bench/model_panel.h"
-#include "app/model_bench/training_follow.h"
-#include "app/model_bench/training_views.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
-#include "app/progress/time_left.h"
+#include "app/compare/compare.h"
+#include "app/document/editing.h"
+#include "app/model_bench/model_bench.h"
+#include "app/model_bench/parts.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/common/parallel.h"
 #include "model/text/numbers.h"

@@ -1,15 +1,12 @@
-// What training has found: the parameters, how sharply the data tell them, and for which people
-// they hold.
+#include "app/model_bench/model_bench.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "app/compare/people_text.h"
-#include "app/model_bench/trained_text.h"
-#include "app/model_bench/training_follow.h"
-#include "app/model_bench/training_views.h"
+#include "app/compare/compare.h"
+#include "app/model_bench/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
@@ -18,6 +15,9 @@
 #include "viz/drawing/marks.h"
 
 namespace tact {
+
+// What training has found: the parameters, how sharply the data tell them, and for which people
+// they hold.
 
 namespace {
 
@@ -269,6 +269,39 @@ void draw_training_result(Ui& ui, Workspace& work, ModelBench& model_bench,
     const Rect veil{{from.x, numbers.y},
                     {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y}};
     draw_stale(*ImGui::GetWindowDrawList(), ui.theme, veil, 0.0);
+}
+
+namespace {
+
+constexpr std::size_t kLayerParameters = 2;
+constexpr std::size_t kMixParameters = 2;  // the last ones
+
+}  // namespace
+
+std::string weight_text(double weight, double step) {
+    int digits = 1;
+    for (double ten = 10.0; digits < 3; ++digits, ten *= 10.0) {
+        if (std::abs(step * ten - std::round(step * ten)) < 1e-9) break;
+    }
+    return fixed_digits(weight, digits);
+}
+
+std::vector<std::string> parameter_texts(const PerceptualModelParams& model, double step) {
+    std::vector<std::string> texts;
+    for (const double value : trained_values(model)) {
+        texts.push_back(texts.size() < kLayerParameters ? fixed_digits(value, 0)
+                                                        : weight_text(value, step));
+    }
+    return texts;
+}
+
+std::vector<std::string> parameter_texts(const TrainingGrid& grid, const GridPoint& point) {
+    PerceptualModelParams none;
+    none.channel_weight = {};
+    none.nc_weight = none.oc_weight = 0.0;
+    auto texts = parameter_texts(nearest_model(grid, point, none), 1.0 / grid.units);
+    if (point.channel == kAny) std::fill(texts.begin(), texts.end() - kMixParameters, "any");
+    return texts;
 }
 
 }  // namespace tact

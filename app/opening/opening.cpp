@@ -4,11 +4,8 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/effect_maps.h"
-#include "app/document/files.h"
-#include "app/document/shown_side.h"
-#include "app/progress/progress_line.h"
-#include "app/session/document_file.h"
+#include "app/document/workspace.h"
+#include "app/progress/progress.h"
 #include "app/session/session.h"
 #include "model/common/thrown.h"
 #include "model/io/recordings/recording.h"

@@ -1,3 +1,46 @@
+// Files are read in the background, and put into the document.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document/workspace.h"
+#include "app/jobs/jobs.h"
+#include "app/ui/ui.h"
+#include "model/common/expected.h"
+#include "model/io/set/loaded.h"
+
+namespace tact {
+
+// What is being read for the document, in the background, and what could not be read.
+
+struct OpeningRequest {
+    std::vector<std::filesystem::path> paths;
+    bool adds = false;           // to the open set; default: in its place
+    bool partly = false;         // of several paths, those that cannot be read are left out
+    std::uint64_t document = 0;  // the number of the open one when it was asked for
+    std::uint64_t number = 0;    // tells it from those before it
+    double since_s = 0.0;        // on the clock of frames
+};
+
+struct OpeningAnswer {
+    OpeningRequest request;
+    // Whoever puts it into the document takes it away: recordings of a set may have a GB.
+    std::shared_ptr<Expected<Loaded>> loaded;
+    std::optional<std::uint64_t> file_mark;  // of a set file, before it was read
+};
+
+struct Opening {
+    Query<OpeningRequest, OpeningAnswer> job;
+    std::optional<OpeningRequest> asked;  // which is being read, or waits to be shown
+    std::uint64_t requests = 0;           // that were numbered so far
+    std::vector<std::string> left_out;    // of what was opened last, each "FILE: what was expected"
+};
+
 // Opening files, and adding them to the set, in the background: a frame never waits for a file.
 //
 // Input     paths of sets, folders, recordings and effects, as model/io/set/load.h takes them
@@ -6,17 +49,6 @@
 //           while something is read is refused. What was read waits while a question, a dialog or
 //           a hand is on the document, and is added to no other set than it was asked for.
 // Left out  a job, as before the window is there: then files are read in place.
-#pragma once
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "app/document/workspace.h"
-#include "app/opening/opening_state.h"
-#include "app/ui/ui.h"
-
-namespace tact {
 
 // As one set, in the place of the open one. Unsaved changes of that one are kept in a file of their
 // own; where they cannot be, it stays.

@@ -1,6 +1,6 @@
 // The window as a canvas that fills a page. A browser calls for each frame, and takes it back if
 // nothing is due; run_window() returns at once, and the window is there until the page is gone.
-// Where the page has no threads, jobs get their turns between two frames (app/jobs/turns.h).
+// Where the page has no threads, jobs get their turns between two frames (app/jobs/jobs.h).
 #include <backends/imgui_impl_opengl3.h>
 #include <emscripten.h>
 #include <emscripten/html5.h>
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/jobs/turns.h"
+#include "app/jobs/jobs.h"
 #include "app/page/page_events.h"
 #include "app/screen/kept_frame.h"
 #include "app/screen/window.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/document/editing.h"
-#include "app/patterns/pattern_fields.h"
+#include "app/patterns/parts.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -10,11 +10,9 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/map/pair.h"
-#include "app/patterns/editor_panel.h"
-#include "app/patterns/pattern_fields.h"
-#include "app/patterns/recording_editor.h"
+#include "app/map/map.h"
+#include "app/patterns/parts.h"
+#include "app/patterns/patterns.h"
 #include "app/ui/widgets.h"
 #include "app/wave_strip/wave_strip.h"
 #include "model/text/numbers.h"

@@ -1,10 +1,10 @@
-#include "app/patterns/effect_maps_dialog.h"
+#include "app/patterns/patterns.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/document/effect_maps.h"
-#include "app/ui/dialog.h"
+#include "app/document/editing.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/io/effects/read_effects.h"
 #include "model/text/numbers.h"

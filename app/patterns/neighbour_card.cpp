@@ -1,11 +1,10 @@
-#include "app/patterns/neighbour_card.h"
+#include "app/patterns/patterns.h"
 
 #include <algorithm>
 #include <string>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/map/pair.h"
+#include "app/map/map.h"
 #include "app/ui/widgets.h"
 #include "model/subset/confusable.h"
 #include "model/text/numbers.h"

@@ -1,4 +1,4 @@
-// One number of several patterns at a time. Declared in app/patterns/pattern_fields.h.
+// One number of several patterns at a time.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/patterns/pattern_fields.h"
+#include "app/patterns/parts.h"
 #include "model/text/numbers.h"
 #include "model/text/typed_number.h"
 

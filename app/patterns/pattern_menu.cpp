@@ -1,4 +1,4 @@
-#include "app/patterns/pattern_menu.h"
+#include "app/patterns/patterns.h"
 
 #include <imgui_internal.h>
 
@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/pictures/copying.h"
+#include "app/document/workspace.h"
+#include "app/pictures/pictures.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

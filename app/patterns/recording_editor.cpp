@@ -1,13 +1,13 @@
-#include "app/patterns/recording_editor.h"
+#include "app/patterns/parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/ui/widgets.h"
-#include "app/wave_strip/strip_picture.h"
+#include "app/wave_strip/wave_strip.h"
 #include "model/common/portable.h"
 #include "model/signal/cut_and_fade.h"
 #include "model/text/numbers.h"

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/patterns/pattern_fields.h"
-#include "app/patterns/rhythm_list.h"
-#include "app/patterns/tapping.h"
+#include "app/patterns/parts.h"
+#include "app/patterns/patterns.h"
 #include "model/pattern/rhythm_edit.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

@@ -1,11 +1,10 @@
-#include "app/patterns/rhythm_list.h"
+#include "app/patterns/patterns.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "app/ui/dialog.h"
-#include "app/ui/number_field.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/pattern/rhythm_lists.h"
 #include "model/perceptual_model/rhythm_envelope.h"

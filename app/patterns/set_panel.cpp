@@ -10,10 +10,8 @@
 #include <optional>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/patterns/effect_maps_dialog.h"
-#include "app/patterns/pattern_menu.h"
-#include "app/patterns/set_panel.h"
+#include "app/document/workspace.h"
+#include "app/patterns/patterns.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

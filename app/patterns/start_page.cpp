@@ -1,4 +1,4 @@
-#include "app/patterns/start_page.h"
+#include "app/patterns/patterns.h"
 
 #include <imgui.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/ui/widgets.h"
 #include "assets/assets.h"
 #include "model/io/set/set_file.h"

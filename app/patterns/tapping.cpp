@@ -1,13 +1,10 @@
-#include "app/patterns/tapping.h"
+#include "app/patterns/patterns.h"
 
 #include <algorithm>
 #include <string>
 
 #include "app/document/editing.h"
-#include "app/patterns/rhythm_choice.h"
-#include "app/patterns/rhythm_list.h"
-#include "app/ui/dialog.h"
-#include "app/ui/number_field.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/imgui_versions.h"

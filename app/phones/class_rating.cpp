@@ -1,4 +1,4 @@
-#include "app/phones/class_rating.h"
+#include "app/phones/phones.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/phones/device_trials.h"
+#include "app/phones/phones.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "app/phones/phone_cards.h"
+#include "app/phones/phones.h"
 
 #include <algorithm>
 #include <cmath>

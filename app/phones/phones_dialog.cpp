@@ -1,12 +1,11 @@
-#include "app/phones/phones_dialog.h"
+#include "app/phones/phones.h"
 
 #include <algorithm>
 #include <array>
 
 #include "app/document/editing.h"
-#include "app/phones/phones_follow.h"
-#include "app/play/playing.h"
-#include "app/ui/dialog.h"
+#include "app/play/play.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "devices/phone/phone_device.h"
 #include "model/text/numbers.h"

@@ -1,12 +1,11 @@
-#include "app/phones/phones_follow.h"
+#include "app/phones/phones.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/phones/phone_page.h"
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "devices/phone/phone_device.h"
 #include "model/text/numbers.h"
 

@@ -1,4 +1,4 @@
-#include "app/physiology/stage_csv.h"
+#include "app/physiology/physiology.h"
 
 #include <array>
 #include <charconv>

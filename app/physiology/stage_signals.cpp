@@ -1,4 +1,4 @@
-#include "app/physiology/stage_signals.h"
+#include "app/physiology/physiology.h"
 
 #include <algorithm>
 

@@ -1,13 +1,20 @@
-#include "app/pictures/copying.h"
+#include "app/pictures/pictures.h"
 
 #include <imgui.h>
+#include <signal.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/document/shown_side.h"
+#include "app/document/workspace.h"
+#include "app/pictures/parts.h"
 #include "model/io/set/set_file.h"
 
 namespace tact {
@@ -52,6 +59,51 @@ void paste(Ui& ui, Workspace& work) {
     insert_after_current(work, pasted);
     commit_step(ui, work, pasted.size() == 1 ? "Paste " + what : "Paste patterns");
     say(ui, "Pasted " + what);
+}
+
+Expected<Done> copy_to_clipboard(const Image& image) {
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    const bool has_wayland = wayland && is_installed("wl-copy");
+    if (!has_wayland && !is_installed("xclip")) {
+        return Error{std::string("A picture goes to the clipboard by ") +
+                     (wayland ? "wl-copy: install wl-clipboard" : "xclip: install xclip")};
+    }
+    const Expected<std::string> png = png_bytes(image);
+    if (!png) return png.error();
+    std::FILE* to = popen(has_wayland ? "exec wl-copy --type image/png"
+                                      : "exec xclip -selection clipboard -t image/png -i",
+                          "w");
+    if (to == nullptr) return Error{"the clipboard's program could not be started"};
+    const bool written = write_unharmed(to, png->data(), png->size());
+    if (pclose(to) == 0 && written) return Done{};
+    return Error{"the clipboard's program failed"};
+}
+
+bool is_installed(const std::string& program) {
+    const char* folders = std::getenv("PATH");
+    std::string left = folders == nullptr ? "" : folders;
+    while (!left.empty()) {
+        const std::size_t end = left.find(':');
+        std::error_code none;
+        if (std::filesystem::exists(std::filesystem::path(left.substr(0, end)) / program, none)) {
+            return true;
+        }
+        left = end == std::string::npos ? "" : left.substr(end + 1);
+    }
+    return false;
+}
+
+bool write_unharmed(std::FILE* to, const void* bytes, std::size_t count) {
+    sigset_t pipe;
+    sigset_t before;
+    sigemptyset(&pipe);
+    sigaddset(&pipe, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe, &before);
+    const bool good = std::fwrite(bytes, 1, count, to) == count && std::fflush(to) == 0;
+    const timespec now{};
+    if (!good) sigtimedwait(&pipe, nullptr, &now);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return good;
 }
 
 }  // namespace tact

@@ -1,12 +1,12 @@
-#include "app/pictures/physiology_pictures.h"
+#include "app/pictures/pictures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
-#include "app/pictures/picture_parts.h"
-#include "app/rendering/labels.h"
+#include "app/pictures/parts.h"
+#include "app/rendering/rendering.h"
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/text/numbers.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/document/pattern_looks.h"
-#include "app/pictures/picture_parts.h"
-#include "app/rendering/labels.h"
+#include "app/document/workspace.h"
+#include "app/pictures/parts.h"
+#include "app/rendering/rendering.h"
 #include "model/signal/spectrum.h"
 #include "model/text/numbers.h"
 #include "viz/charts/matrix_view.h"

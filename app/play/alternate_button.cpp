@@ -1,11 +1,10 @@
-#include "app/play/alternate_button.h"
+#include "app/play/parts.h"
 
 #include <array>
 #include <string>
 
-#include "app/document/pattern_looks.h"
-#include "app/play/listening.h"
-#include "app/play/playing.h"
+#include "app/document/workspace.h"
+#include "app/play/play.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

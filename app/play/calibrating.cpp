@@ -1,13 +1,12 @@
-#include "app/play/calibrating.h"
+#include "app/play/play.h"
 
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/play/ear_preview.h"
-#include "app/play/playing.h"
-#include "app/session/folders.h"
-#include "app/ui/file_question.h"
+#include "app/map/map.h"
+#include "app/play/parts.h"
+#include "app/session/session.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/protection.h"

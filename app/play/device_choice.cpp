@@ -1,11 +1,10 @@
-// The device that plays, and its settings: chosen, remembered, searched for. Declared in
-// app/play/playing.h.
+// The device that plays, and its settings: chosen, remembered, searched for.
 
 #include <algorithm>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "devices/device_list.h"
 #include "devices/phone/phone_device.h"
 

@@ -1,9 +1,7 @@
 // The dialog of devices: a list, the chosen one, and its settings.
 
-#include "app/play/calibrating.h"
-#include "app/play/play_panels.h"
-#include "app/play/playing.h"
-#include "app/ui/dialog.h"
+#include "app/play/play.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "devices/device_list.h"
 #include "model/text/numbers.h"

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/play/calibrating.h"
-#include "app/play/play_panels.h"
-#include "app/progress/failure.h"
-#include "app/timeline/time_rows.h"
+#include "app/map/map.h"
+#include "app/play/play.h"
+#include "app/progress/progress.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

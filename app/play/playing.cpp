@@ -1,14 +1,12 @@
-#include "app/play/playing.h"
+#include "app/play/play.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/map/pair.h"
-#include "app/play/calibrating.h"
-#include "app/play/ear_preview.h"
-#include "app/play/sounding.h"
+#include "app/map/map.h"
+#include "app/play/parts.h"
 #include "devices/audio/audio_host.h"
 #include "devices/device/ledger.h"
 #include "devices/device_list.h"

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/play/play_panels.h"
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "app/ui/widgets.h"
 #include "devices/device/playback.h"
 #include "viz/drawing/colour.h"

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/play/alternate_button.h"
-#include "app/play/play_panels.h"
-#include "app/play/playing.h"
-#include "app/progress/time_left.h"
+#include "app/map/map.h"
+#include "app/play/parts.h"
+#include "app/play/play.h"
+#include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

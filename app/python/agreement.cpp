@@ -5,11 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/python/beside_python.h"
-#include "app/python/dicts.h"
-#include "app/python/documents.h"
-#include "app/python/functions.h"
-#include "app/python/values.h"
+#include "app/python/parts.h"
 #include "model/io/people/agreement_json.h"
 #include "model/io/people/table2.h"
 

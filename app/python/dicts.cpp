@@ -1,11 +1,9 @@
-#include "app/python/dicts.h"
+#include "app/python/parts.h"
 
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
 
-#include "app/python/documents.h"
-#include "app/python/values.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
 #include "model/set/layers.h"

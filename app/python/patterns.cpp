@@ -1,11 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/python/beside_python.h"
-#include "app/python/dicts.h"
-#include "app/python/documents.h"
-#include "app/python/functions.h"
-#include "app/python/values.h"
+#include "app/python/parts.h"
 #include "model/algebra/source_edits.h"
 #include "model/io/set/set_json.h"
 

@@ -4,11 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/python/beside_python.h"
-#include "app/python/dicts.h"
-#include "app/python/documents.h"
-#include "app/python/functions.h"
-#include "app/python/values.h"
+#include "app/python/parts.h"
 #include "model/io/set/model_file.h"
 #include "model/planning/study_plan.h"
 #include "model/training/training.h"

@@ -1,4 +1,4 @@
-#include "app/python/scalars.h"
+#include "app/python/parts.h"
 
 #include <cerrno>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "app/python/set_dict.h"
+#include "app/python/parts.h"
 
 #include <pybind11/stl.h>
 
@@ -6,9 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "app/python/dicts.h"
-#include "app/python/documents.h"
-#include "app/python/values.h"
 #include "model/io/set/set_json.h"
 #include "model/set/layers.h"
 #include "model/set/named_place.h"

@@ -1,7 +1,7 @@
 // What the Python package tactspace (__init__.py) is made of: the same numbers as the program's,
 // for notebooks, and for R through reticulate.
 //
-// Input     arrays and dicts (app/python/values.h)
+// Input     arrays and dicts (app/python/parts.h)
 // Output    help.h says what of each function; __init__.pyi has the types
 // Left out  what a screen or a device is needed for; studies and candidates, which the command line
 //           has.
@@ -12,13 +12,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/python/beside_python.h"
-#include "app/python/dicts.h"
-#include "app/python/functions.h"
 #include "app/python/help.h"
-#include "app/python/help_people.h"
-#include "app/python/help_sets.h"
-#include "app/python/values.h"
+#include "app/python/parts.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/neural_coding.h"

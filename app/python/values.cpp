@@ -1,4 +1,4 @@
-#include "app/python/values.h"
+#include "app/python/parts.h"
 
 #include <pybind11/stl.h>
 #include <cstdint>

@@ -1,6 +1,7 @@
-#include "app/report/html.h"
+#include "app/report/report.h"
 
 #include <cassert>
+#include <variant>
 
 #include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
@@ -166,6 +167,33 @@ std::string html_of(const HtmlPage& page) {
     html += "</header>\n<main>\n" + page.body + "</main>\n";
     if (!page.foot.empty()) html += "<footer>\n" + page.foot + "</footer>\n";
     return html + "</body>\n</html>\n";
+}
+
+namespace {
+
+constexpr int kMapWidth = 760;
+constexpr int kMapHeight = 480;
+
+std::string map_svg(const HtmlMap& map, bool dark) {
+    PictureSize size;
+    size.width = kMapWidth;
+    size.height = kMapHeight;
+    size.dark = dark;
+    size.format = PictureFormat::svg;
+    size.titled = false;
+    size.svg_ids = map.id + (dark ? "-dark-" : "-light-");
+    return std::get<Svg>(space_picture(map.set, map.dissimilarity, map.space, size, map.marks))
+        .text;
+}
+
+}  // namespace
+
+std::string html_of(const HtmlMap& map) {
+    return html_of(HtmlFigure{.id = map.id,
+                              .alt = map.alt,
+                              .caption = map.caption,
+                              .light = map_svg(map, false),
+                              .dark = map_svg(map, true)});
 }
 
 }  // namespace tact

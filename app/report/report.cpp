@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/map/space_panel.h"
-#include "app/rendering/rendered_set.h"
-#include "app/report/html.h"
-#include "app/report/html_map.h"
-#include "app/report/report_parts.h"
+#include "app/map/map.h"
+#include "app/rendering/rendering.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -6,9 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/rendering/rendered_set.h"
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
+#include "app/rendering/rendering.h"
+#include "app/report/report.h"
 #include "model/io/set/model_file.h"
 #include "model/set/layers.h"
 #include "model/text/numbers.h"

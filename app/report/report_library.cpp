@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colormap.h"
 #include "viz/picture/picture.h"

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
+#include "app/report/report.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"

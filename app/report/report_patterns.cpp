@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/set/layers.h"
 #include "model/text/numbers.h"

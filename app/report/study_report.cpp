@@ -1,14 +1,9 @@
-#include "app/report/study_report.h"
+#include "app/report/report.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/html.h"
-#include "app/report/html_map.h"
-#include "app/report/preregistration_page.h"
-#include "app/report/report_parts.h"
-#include "app/report/study_metrics_html.h"
-#include "app/report/weights_html.h"
+#include "app/report/parts.h"
 #include "model/text/numbers.h"
 
 namespace tact {

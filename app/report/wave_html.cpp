@@ -1,4 +1,4 @@
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "app/report/html.h"
 #include "model/signal/resample.h"
 #include "viz/drawing/wave_body.h"
 

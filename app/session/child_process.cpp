@@ -1,4 +1,4 @@
-#include "app/session/child_process.h"
+#include "app/session/session.h"
 
 #include <fcntl.h>
 #include <spawn.h>

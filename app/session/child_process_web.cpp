@@ -1,5 +1,5 @@
 // A page starts no programs.
-#include "app/session/child_process.h"
+#include "app/session/session.h"
 
 namespace tact {
 

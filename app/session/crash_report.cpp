@@ -1,4 +1,4 @@
-#include "app/session/crash_report.h"
+#include "app/session/session.h"
 
 #include <execinfo.h>
 #include <fcntl.h>
@@ -13,7 +13,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/session/folders.h"
 #include "app/session/program_version.h"
 #include "devices/device/crash_signals.h"
 

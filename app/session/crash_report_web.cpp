@@ -1,5 +1,5 @@
 // A page that fails is told of by its browser, and has no next start that could find a report.
-#include "app/session/crash_report.h"
+#include "app/session/session.h"
 
 namespace tact {
 

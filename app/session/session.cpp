@@ -1,21 +1,20 @@
 #include "app/session/session.h"
 
 #include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/session/autosave.h"
-#include "app/session/crash_report.h"
-#include "app/session/document_file.h"
-#include "app/session/folders.h"
-#include "app/session/lesson_draft.h"
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <ctime>
+
 #include "model/io/folders/path_json.h"
+#include "model/system/calendar.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 
 namespace tact {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -279,6 +278,36 @@ fs::path measured_folder(const Session& session) {
     if (session.folder.empty()) return {};
     std::error_code none;
     return fs::weakly_canonical(session.folder / "measured", none);
+}
+
+void keep_private(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
+    const auto tighten = [](const fs::path& path) {
+        std::error_code none;
+        fs::permissions(path, kOthers, fs::perm_options::remove, none);
+    };
+    tighten(folder);
+    std::error_code fault;
+    for (fs::recursive_directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        std::error_code none;
+        if (!entry->is_symlink(none)) tighten(entry->path());
+    }
+}
+
+std::filesystem::path unused_file(const std::filesystem::path& folder, const std::string& prefix,
+                                  const std::string& ending) {
+    const std::time_t now = std::time(nullptr);
+    const std::tm local = local_parts(now).value_or(std::tm{});
+    std::array<char, 32> stamp{};
+    std::strftime(stamp.data(), stamp.size(), "%Y%m%d-%H%M%S", &local);
+    const std::string name = prefix + stamp.data();
+    std::filesystem::path file = folder / (name + ending);
+    for (int n = 2; is_there(file); ++n) {
+        file = folder / (name + "-" + std::to_string(n) + ending);
+    }
+    return file;
 }
 
 }  // namespace tact

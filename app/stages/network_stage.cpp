@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/stages/receptor_readout.h"
-#include "app/stages/stage_pictures.h"
+#include "app/stages/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

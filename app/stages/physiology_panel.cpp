@@ -6,16 +6,10 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/progress/failure.h"
-#include "app/stages/physiology_panel.h"
-#include "app/stages/stage_label.h"
-#include "app/stages/stage_overview.h"
-#include "app/stages/stage_pair.h"
-#include "app/stages/stage_pictures.h"
-#include "app/stages/stage_strip.h"
-#include "app/stages/stage_views.h"
-#include "app/stages/textbook_overlay.h"
+#include "app/document/workspace.h"
+#include "app/progress/progress.h"
+#include "app/stages/parts.h"
+#include "app/stages/stages.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

@@ -1,17 +1,23 @@
-// The receptors of each type in the skin, from above or tilted.
+#include "app/stages/parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "app/stages/receptor_readout.h"
-#include "app/stages/stage_pictures.h"
+#include "app/document/editing.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
+#include "viz/charts/spectrum_view.h"
+#include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
+#include "viz/skin/raster_view.h"
 #include "viz/skin/receptor_legend.h"
 #include "viz/skin/receptor_view.h"
 
 namespace tact {
+
+// The receptors of each type in the skin, from above or tilted.
 
 namespace {
 
@@ -201,6 +207,132 @@ void draw_receptor_key(Ui& ui, const Physiology& physiology, const ShownStages& 
     const double largest_hz = map_scale(physiology, *shown.live).largest_hz;
     draw_receptor_legend(*ImGui::GetWindowDrawList(), ui.theme, line, largest_hz);
     note_rect(ui.rects, "receptor key", line.min, line.max, significant(largest_hz));
+}
+
+std::string id_of(const ShownStages& shown, const std::string& name) {
+    return shown.pinned ? name + " pinned" : name;
+}
+
+std::size_t step_at(const Timeline& timeline, const ShownStages& shown) {
+    const std::size_t steps = shown.live->neural.code.central_count[0].size();
+    const double step = std::floor(timeline.playhead.at_s / kStepS + 1e-6);
+    if (steps == 0) return 0;
+    return std::min(static_cast<std::size_t>(std::max(0.0, step)), steps - 1);
+}
+
+int total_spikes(const std::vector<int>& train) {
+    int sum = 0;
+    for (const int count : train) sum += count;
+    return sum;
+}
+
+void draw_receptor_readout(Ui& ui, const Timeline& timeline, const ShownStages& shown,
+                           const ReceptorPlace& place, const Rect& bounds, ImVec2 at) {
+    const std::size_t c = index_of(place.type);
+    const ChannelStages& channel = shown.live->neural.channel[c];
+    const GridReceptor& receptor = channel.grid.receptors[place.index];
+    const std::vector<int>& train = channel.spike_count[place.index];
+    const double fall =
+        receptor.distance_mm <= kHotZoneMm ? 1.0 : std::pow(kHotZoneMm / receptor.distance_mm, 2.0);
+    std::array<std::string, 5> lines;
+    lines[0] = std::string(traits(place.type).name) + ", " + significant(receptor.distance_mm) +
+               " mm from the probe";
+    const bool leaks = shown.live->firing[c] == Firing::leaks;
+    lines[1] = (leaks ? "filter leak: " : "fires ") + std::to_string(total_spikes(train)) +
+               " times in " + tick_text(duration_s(shown.live->waveform)) + " s";
+    lines[2] = std::to_string(train[step_at(timeline, shown)]) + " in these 5 ms";
+    lines[3] = "rate by Eq. 2: " + significant(receptor.rate_hz) + " imp/s";
+    lines[4] = "wave at " + significant(100.0 * fall) + " % of the probe's";
+    draw_readout(*ImGui::GetForegroundDrawList(), ui.theme, bounds, at, lines);
+    const std::string exact =
+        std::string(traits(place.type).afferent) + " " + std::to_string(place.index) + " " +
+        shortest_digits(receptor.distance_mm) + " " + shortest_digits(receptor.rate_hz) + " " +
+        std::to_string(total_spikes(train));
+    note_rect(ui.rects, "under the mouse:receptor", bounds.min, bounds.max, exact);
+}
+
+// Spikes of all receptors over time.
+
+void draw_spike_stage(Ui& ui, const Workspace& work, Timeline& timeline, Physiology& physiology,
+                      const ShownStages& shown, const Rect& area, const StageSize& size) {
+    const LiveStages& live = *shown.live;
+    std::array<RasterChannel, kReceptorCount> channels;
+    for (const Receptor type : kReceptors) {
+        const std::size_t c = index_of(type);
+        channels[c] = {type, live.neural.channel[c].spike_count, live.by_distance[c],
+                       live.only_leaks[c]};
+        if (size.large) channels[c].note = firing_note(live, type);
+        channels[c].pale_steps = live.silent_steps[c];
+    }
+    const auto spot = [](const std::optional<ReceptorPlace>& place) -> std::optional<RasterSpot> {
+        if (!place) return std::nullopt;
+        return RasterSpot{index_of(place->type), place->index};
+    };
+    RasterScene scene;
+    scene.channels = channels;
+    const TimeRange range = shown_range(timeline, shown_duration_s(work));
+    scene.start_s = range.start_s;
+    scene.end_s = range.end_s;
+    // In the large stage, names stand with their peaks at the left; in the small one, beside the
+    // lanes at the right.
+    if (!size.large) scene.names_px = 0.0F;
+    scene.time_axis = size.time_axis;
+    scene.rates = size.large;
+    scene.selected = spot(physiology.view.selected);
+    scene.pointed = spot(physiology.view.hovered_last);
+    scene.playhead_s = timeline.playhead.at_s;
+    scene.crosshair_s = timeline.crosshair_last_s;
+    scene.stale = shown.stale;
+    const std::string id = id_of(shown, "raster");
+    const RasterAction action = draw_raster(id.c_str(), ui.theme, area, scene);
+    if (!size.large && size.lanes_px > 0.0F) {
+        const RasterLayout layout = raster_layout(ui.theme, area, scene);
+        for (std::size_t c = 0; c < layout.bands.size(); ++c) {
+            const Rect& rows = layout.bands[c].rows;
+            const float half_gap = 0.375F * ui.theme.gap_px;
+            draw_lane_name(ui,
+                           {{area.max.x, rows.min.y - half_gap},
+                            {area.max.x + size.lanes_px, rows.max.y + half_gap}},
+                           channels[c].receptor);
+        }
+    }
+    note_rect(ui.rects, "plot:" + id, area.min, area.max);
+    take_time_gesture(work, timeline, area, {action.hovered_s, action.scrubbed_s});
+    const auto place = [](const RasterSpot& s) {
+        return ReceptorPlace{kReceptors[s.channel], s.receptor};
+    };
+    if (action.clicked) physiology.view.selected = place(*action.clicked);
+    if (!action.hovered) return;
+    physiology.view.hovered = place(*action.hovered);
+    draw_receptor_readout(ui, timeline, shown, *physiology.view.hovered,
+                          {{0.0F, 0.0F}, ImGui::GetIO().DisplaySize}, ImGui::GetIO().MousePos);
+}
+
+// Components over thresholds; in the large spectrum the thresholds can be moved.
+
+void draw_spectrum_stage(Ui& ui, Physiology& physiology, const ShownStages& shown, const Rect& area,
+                         bool large) {
+    SpectrumScene scene;
+    scene.components = shown.live->neural.components;
+    scene.thresholds = &shown.live->request.model.coding.tables.threshold;
+    scene.ghosts = &default_tables().threshold;
+    scene.colour = ui.theme.text;
+    scene.stale = shown.stale;
+    scene.curves_move = large && !shown.pinned && !ui.as_picture;
+    const MeasuredSpectrum measured = measured_spectrum(physiology);
+    scene.felt_db = measured.felt_db;
+    scene.bands = measured.bands;
+    const char* id = shown.pinned ? "spectrum pinned" : "spectrum";
+    const SpectrumAction action = draw_spectrum(id, ui.theme, area, scene);
+    note_rect(ui.rects, std::string("plot:") + id, area.min, area.max);
+    if (action.taken) {
+        physiology.view.threshold_move = {*action.taken, action.moved_db, action.released};
+    }
+    if (!action.hovered) return;
+    const Component& component = scene.components[*action.hovered];
+    const std::string text =
+        shortest_digits(component.frequency_hz) + " " + shortest_digits(component.skin_um);
+    note_rect(ui.rects, std::string("under the mouse:") + id, area.min, area.max, text);
 }
 
 }  // namespace tact

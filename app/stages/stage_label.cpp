@@ -1,6 +1,11 @@
-#include "app/stages/stage_label.h"
+#include "app/stages/stages.h"
 
+#include <algorithm>
+
+#include "app/physiology/physiology.h"
+#include "app/stages/parts.h"
 #include "app/ui/widgets.h"
+#include "model/textbook/textbook.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 
@@ -62,6 +67,78 @@ void draw_reach(Ui& ui, const Rect& label, Stage stage, const std::string& text)
               ui.theme.dim_text, text);
     note_rect(ui.rects, std::string("reach:") + text_of(stage).key, {label.min.x, top}, label.max,
               text);
+}
+
+// Explanation of a stage: in the body, in the model, and the facts that the model leaves out.
+
+namespace {
+
+void draw_paragraph(const Ui& ui, const char* heading, const char* text) {
+    ImGui::PushFont(ui.theme.fonts.small);
+    dim_text(ui, heading);
+    ImGui::PopFont();
+    ImGui::TextUnformatted(text);
+    ImGui::Dummy({1.0F, 0.25F * ui.theme.gap_px});
+}
+
+// Measured facts, each with its source.
+void draw_measured_facts(const Ui& ui, const std::string& key) {
+    std::string facts;
+    for (const TextbookFact& fact : textbook()) {
+        if (fact.sure == Sure::from_memory) continue;
+        if (std::ranges::find(fact.stages, key) == fact.stages.end()) continue;
+        facts += (facts.empty() ? "" : "\n") + sentence_of(fact);
+    }
+    if (!facts.empty()) draw_paragraph(ui, "Measured", facts.c_str());
+}
+
+void draw_way(Ui& ui, Physiology& physiology, Stage stage) {
+    const std::size_t at = index_of(stage);
+    ImGui::BeginDisabled(at == 0);
+    if (ImGui::Button("Previous stage")) physiology.view.explained = kStages[at - 1];
+    ImGui::EndDisabled();
+    flow_on(button_width("Next stage"), ui.theme.gap_px);
+    ImGui::BeginDisabled(at + 1 == kStages.size());
+    if (ImGui::Button("Next stage")) physiology.view.explained = kStages[at + 1];
+    note_item(ui.rects, "explain:next");
+    ImGui::EndDisabled();
+    flow_on(button_width("Close"), ui.theme.gap_px);
+    if (ImGui::Button("Close")) physiology.view.explained.reset();
+    note_item(ui.rects, "explain:close");
+}
+
+}  // namespace
+
+void draw_explain_window(Ui& ui, Physiology& physiology, const Rect& beside) {
+    if (!physiology.view.explained) return;
+    const Stage stage = *physiology.view.explained;
+    const StageText& text = text_of(stage);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float width = std::min(400.0F * ui.theme.scale, screen.x - 2.0F * ui.theme.gap_px);
+    const float left = std::min(beside.max.x + ui.theme.gap_px, screen.x - width - ui.theme.gap_px);
+    const float top = beside.min.y + ui.theme.gap_px;
+    ImGui::SetNextWindowPos({left, top}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y - top - ui.theme.gap_px});
+    bool open = true;
+    const std::string title = std::string(text.name) + "###explain";
+    if (ImGui::Begin(title.c_str(), &open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
+        ImGui::PushTextWrapPos(width - ui.theme.padding_px - ImGui::GetStyle().ScrollbarSize);
+        draw_paragraph(ui, "In the body", text.in_body);
+        draw_paragraph(ui, "In the model", text.in_model);
+        draw_paragraph(ui, "Equation and section", text.equation);
+        draw_paragraph(ui, "Left out", text.left_out);
+        draw_paragraph(ui, "Ours, not the paper's", text.ours);
+        draw_paragraph(ui, "Sources", text.source);
+        if (physiology.view.textbook) draw_measured_facts(ui, text.key);
+        ImGui::PopTextWrapPos();
+        draw_way(ui, physiology, stage);
+        const ImVec2 min = ImGui::GetWindowPos();
+        note_rect(ui.rects, "explanation", min, min + ImGui::GetWindowSize(), text.key);
+    }
+    ImGui::End();
+    if (!open) physiology.view.explained.reset();
 }
 
 }  // namespace tact

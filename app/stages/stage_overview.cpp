@@ -1,4 +1,4 @@
-#include "app/stages/stage_overview.h"
+#include "app/stages/parts.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,6 @@
 #include <optional>
 
 #include "app/document/editing.h"
-#include "app/stages/stage_label.h"
-#include "app/stages/stage_pair.h"
-#include "app/stages/stage_remarks.h"
-#include "app/stages/textbook_overlay.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

@@ -1,12 +1,11 @@
-#include "app/stages/stage_pair.h"
+#include "app/stages/parts.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <string>
 
-#include "app/physiology/stage_signals.h"
-#include "app/stages/stage_remarks.h"
-#include "app/timeline/time_rows.h"
+#include "app/physiology/physiology.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"

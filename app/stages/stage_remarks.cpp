@@ -1,4 +1,4 @@
-#include "app/stages/stage_remarks.h"
+#include "app/stages/parts.h"
 
 #include <algorithm>
 #include <cmath>

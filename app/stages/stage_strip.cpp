@@ -1,9 +1,8 @@
-#include "app/stages/stage_strip.h"
+#include "app/stages/parts.h"
 
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/stages/stage_views.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 

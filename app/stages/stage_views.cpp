@@ -1,15 +1,13 @@
-#include "app/stages/stage_views.h"
+#include "app/stages/parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/physiology/stage_signals.h"
-#include "app/stages/stage_pictures.h"
-#include "app/stages/stage_remarks.h"
-#include "app/timeline/time_rows.h"
+#include "app/document/workspace.h"
+#include "app/physiology/physiology.h"
+#include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

@@ -1,4 +1,4 @@
-#include "app/stages/textbook_overlay.h"
+#include "app/stages/parts.h"
 
 #include <algorithm>
 #include <cfloat>

@@ -7,12 +7,11 @@
 #include <span>
 #include <string>
 
-#include "app/compare/people_text.h"
-#include "app/document/pattern_looks.h"
-#include "app/map/map_follow.h"
-#include "app/progress/failure.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_panels.h"
+#include "app/compare/compare.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
+#include "app/study/study.h"
 #include "app/ui/widgets.h"
 #include "model/map/alienation.h"
 #include "model/map/procrustes.h"

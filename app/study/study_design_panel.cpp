@@ -10,12 +10,10 @@
 #include <set>
 #include <string_view>
 
-#include "app/compare/reading_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/study/study_asked.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_masking.h"
-#include "app/study/study_panels.h"
+#include "app/study/parts.h"
+#include "app/study/study.h"
 #include "app/ui/widgets.h"
 #include "model/set/set_study.h"
 #include "model/text/numbers.h"

@@ -1,4 +1,4 @@
-#include "app/study/study_follow.h"
+#include "app/study/study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,11 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/play/calibrating.h"
-#include "app/session/folders.h"
+#include "app/play/play.h"
 #include "app/session/program_version.h"
-#include "app/study/study_actuator.h"
-#include "app/study/study_answers.h"
-#include "app/study/study_asked.h"
-#include "app/study/study_masking.h"
-#include "app/ui/file_question.h"
+#include "app/session/session.h"
+#include "app/study/parts.h"
+#include "app/ui/ui.h"
 #include "devices/device/memory_device.h"
 #include "devices/phone/phone_device.h"
 #include "model/io/people/study_csv.h"

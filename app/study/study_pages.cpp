@@ -1,11 +1,11 @@
-#include "app/study/study_pages.h"
+#include "app/study/study.h"
 
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/study/study_actuator.h"
+#include "app/study/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

@@ -1,9 +1,8 @@
-// What pages of a study are made of: large buttons, words in the middle. Declared in
-// app/study/study_pages.h.
+// What pages of a study are made of: large buttons, words in the middle.
 
 #include <algorithm>
 
-#include "app/study/study_pages.h"
+#include "app/study/study.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

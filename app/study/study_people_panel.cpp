@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "app/compare/people_text.h"
-#include "app/compare/reading_text.h"
-#include "app/progress/failure.h"
-#include "app/study/study_asked.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_panels.h"
+#include "app/compare/compare.h"
+#include "app/progress/progress.h"
+#include "app/study/parts.h"
+#include "app/study/study.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

@@ -1,4 +1,4 @@
-#include "app/study/study_runner.h"
+#include "app/study/study.h"
 
 #include <algorithm>
 #include <cmath>

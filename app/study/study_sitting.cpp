@@ -3,13 +3,10 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/play/calibrating.h"
-#include "app/play/playing.h"
-#include "app/session/folders.h"
-#include "app/study/study_actuator.h"
-#include "app/study/study_asked.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_masking.h"
+#include "app/play/play.h"
+#include "app/session/session.h"
+#include "app/study/parts.h"
+#include "app/study/study.h"
 #include "model/io/people/study_lines.h"
 #include "model/set/set_study.h"
 #include "model/text/utc_time.h"

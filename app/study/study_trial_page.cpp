@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/study/study_pages.h"
+#include "app/study/study.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

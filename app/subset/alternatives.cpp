@@ -1,10 +1,9 @@
-#include "app/subset/alternatives.h"
+#include "app/subset/parts.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_views.h"
+#include "app/subset/subset.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -1,4 +1,4 @@
-#include "app/subset/groups_follow.h"
+#include "app/subset/parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/compare/reading_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
-#include "app/subset/groups_follow.h"
-#include "app/subset/subset_views.h"
-#include "app/ui/number_field.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
+#include "app/subset/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/charts/dendrogram_view.h"

@@ -1,11 +1,11 @@
-#include "app/subset/picked_list.h"
+#include "app/subset/subset.h"
 
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/play/playing.h"
-#include "app/subset/subset_follow.h"
+#include "app/document/workspace.h"
+#include "app/play/play.h"
+#include "app/subset/parts.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
@@ -95,6 +95,50 @@ void play_picked(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& sh
     if (!place) return say(ui, name + " is no longer in the set.");
     play_once(ui, work, timeline, play, *place);
     if (is_sounding(play)) say(ui, "Plays " + std::to_string(number) + ", " + name + ".");
+}
+
+MapMarks subset_marks(const Theme& theme, const Layout& layout, const ShownMap& shown_map,
+                      SubsetState& picking) {
+    MapMarks marks;
+    if (layout.bench != BenchTab::subset || !shown_map.transition.shown) return marks;
+    if (picking.view == SubsetView::groups) {
+        if (shown_groups(shown_map, picking) == nullptr) return marks;
+        const CutGroups& cut = cut_groups(picking);
+        for (const std::size_t group : cut.group_of) {
+            marks.looks.push_back(group_look(theme, cut, group));
+        }
+        return marks;
+    }
+    const bool confusable = picking.view == SubsetView::confusable;
+    const Subset* subset = shown_subset(shown_map, picking);
+    if (subset && (!confusable || picking.too_close == TooClose::picked)) {
+        marks.chosen = subset->members;
+    } else if (const auto opened = opened_rows(shown_map, picking); opened && confusable) {
+        marks.chosen = {opened->first, opened->second};
+    }
+    if (confusable) {
+        for (const ConfusablePair& pair : too_close_pairs(shown_map, picking).pairs) {
+            marks.links.push_back({pair.a, pair.b});
+        }
+    }
+    const Stability* stability = shown_stability(picking);
+    if (picking.view == SubsetView::stability && stability &&
+        picking.pick->request.map == shown_map.transition.shown) {
+        marks.spread = stability->moves;
+    }
+    return marks;
+}
+
+std::set<std::string> too_close_names(const Layout& layout, const SubsetState& picking) {
+    if (layout.bench != BenchTab::subset || picking.view != SubsetView::confusable) return {};
+    if (!picking.pairs.of) return {};
+    const auto& all = picking.pairs.of->request.set->vibrations;
+    std::set<std::string> names;
+    for (const ConfusablePair& pair : picking.pairs.pairs) {
+        names.insert(all[pair.a].name);
+        names.insert(all[pair.b].name);
+    }
+    return names;
 }
 
 }  // namespace tact

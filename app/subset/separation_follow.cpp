@@ -1,10 +1,9 @@
-#include "app/subset/separation_follow.h"
+#include "app/subset/subset.h"
 
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
-#include "app/subset/subset_follow.h"
+#include "app/map/map.h"
 #include "devices/calibration/rendering.h"
 #include "model/common/quantile.h"
 #include "model/set/set_ratings.h"

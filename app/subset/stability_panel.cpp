@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "app/compare/reading_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_views.h"
+#include "app/progress/progress.h"
+#include "app/subset/parts.h"
+#include "app/subset/subset.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

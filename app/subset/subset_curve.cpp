@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/subset/subset_state.h"
-#include "app/subset/subset_views.h"
+#include "app/subset/parts.h"
+#include "app/subset/subset.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

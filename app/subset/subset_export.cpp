@@ -1,20 +1,18 @@
-#include "app/subset/subset_export.h"
+#include "app/subset/subset.h"
 
 #include <array>
 #include <cctype>
 #include <utility>
 
-#include "app/compare/people_text.h"
-#include "app/map/map_follow.h"
+#include "app/compare/compare.h"
+#include "app/map/map.h"
 #include "app/pictures/pictures.h"
-#include "app/progress/failure.h"
-#include "app/rendering/labels.h"
+#include "app/progress/progress.h"
+#include "app/rendering/rendering.h"
 #include "app/report/report.h"
-#include "app/session/folders.h"
 #include "app/session/program_version.h"
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_state.h"
-#include "app/ui/file_question.h"
+#include "app/session/session.h"
+#include "app/ui/ui.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
 #include "model/set/felt_versions.h"

@@ -1,10 +1,10 @@
-#include "app/subset/subset_follow.h"
+#include "app/subset/subset.h"
 
 #include <algorithm>
 
-#include "app/jobs/turns.h"
-#include "app/map/map_follow.h"
-#include "app/subset/groups_follow.h"
+#include "app/jobs/jobs.h"
+#include "app/map/map.h"
+#include "app/subset/parts.h"
 #include "model/set/set_ratings.h"
 #include "model/subset/set_subset.h"
 #include "model/tasks/set_pairs.h"

@@ -4,16 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/people_text.h"
-#include "app/compare/reading_text.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/map/pair.h"
-#include "app/progress/failure.h"
-#include "app/progress/progress_line.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_views.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
+#include "app/subset/parts.h"
+#include "app/subset/subset.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/progress/failure.h"
-#include "app/tables/table_look.h"
-#include "app/ui/dialog.h"
+#include "app/progress/progress.h"
+#include "app/tables/tables.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"

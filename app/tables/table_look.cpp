@@ -1,13 +1,13 @@
-#include "app/tables/table_look.h"
+#include "app/tables/tables.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "app/document/rating_files.h"
-#include "app/progress/failure.h"
+#include "app/document/editing.h"
+#include "app/progress/progress.h"
 #include "app/tables/table_words.h"
-#include "app/ui/file_question.h"
+#include "app/ui/ui.h"
 #include "model/signal/waveform.h"
 #include "model/table/columns.h"
 #include "model/text/atomic_file.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/session/session.h"
-#include "app/tables/table_state.h"
+#include "app/tables/tables.h"
 
 namespace tact {
 

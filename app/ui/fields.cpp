@@ -1,4 +1,4 @@
-// Rows of a number: its label, slider and typed entry. Declared in app/ui/widgets.h.
+// Rows of a number: its label, slider and typed entry.
 
 #include <imgui_internal.h>
 
@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/imgui_versions.h"

@@ -1,4 +1,4 @@
-#include "app/ui/file_chooser.h"
+#include "app/ui/ui.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/chooser_answer.h"
-#include "app/ui/dialog.h"
-#include "app/ui/file_question.h"
 #include "app/ui/widgets.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"

@@ -1,4 +1,4 @@
-#include "app/ui/number_field.h"
+#include "app/ui/widgets.h"
 
 #include <imgui.h>
 // After imgui.h.

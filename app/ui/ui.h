@@ -1,6 +1,9 @@
-// Shared by all panes that draw: looks, clock, keyboard, status line, and popups.
+// The interface of a frame: theme, places of widgets, keys, dialogs and questions.
 #pragma once
 
+#include <imgui.h>
+
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -9,12 +12,184 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/file_chooser.h"
-#include "app/ui/question.h"
-#include "app/ui/widget_rects.h"
+#include "viz/drawing/geometry.h"
 #include "viz/drawing/theme.h"
 
+struct ImGuiWindow;
+
 namespace tact {
+
+// The content of a folder, for a person to choose from.
+//
+// Output    folders and files by name, with the time of their last change; or an error as a
+//           sentence
+// Left out  hidden files, sizes.
+
+struct FolderEntry {
+    std::string name;
+    bool is_folder = false;
+    std::string changed{};  // "2026-11-23 18:40", local time; empty: not known
+
+    bool operator==(const FolderEntry&) const = default;
+};
+
+struct FolderListing {
+    std::filesystem::path folder;
+    std::vector<FolderEntry> entries;  // folders first, then in natural order: 2 before 10
+    std::string fault;                 // the reason why there are no rows, a sentence
+};
+
+// Leaves out hidden files, and files without one of the extensions (".wav"; empty: all files).
+FolderListing list_folder(const std::filesystem::path& folder,
+                          const std::vector<std::string>& extensions);
+
+// Whether the name has one of the extensions, case ignored; true without extensions.
+bool has_extension(const std::string& name, const std::vector<std::string>& extensions);
+
+// The home folder; the root if the environment does not tell.
+std::filesystem::path home_folder();
+
+// False also for a path that cannot be read.
+bool is_folder(const std::filesystem::path& path);
+
+// A dialog to open or save a file, or to save into a folder, which may be new.
+//
+// Typing always goes into the name field, so that the keyboard is enough: up and down walk through
+// the folder, Enter opens, Backspace in the empty field goes to the parent, Esc leaves; a typed
+// path may be absolute, relative or start with ~. Ctrl+Enter takes the folder itself. Tab goes to
+// the buttons.
+//
+// Input     a folder to start in and the kinds of file wanted
+// Output    the chosen path, once
+// Left out  hidden files, sizes, several files at once, making folders of folders.
+
+struct Ui;
+
+enum class ChooserUse { open, save, save_folder };
+
+struct FileChooser {
+    // The caller's wishes; to be set before show().
+    ChooserUse use = ChooserUse::open;
+    std::string title = "Open";
+    std::vector<std::string> extensions;        // the first is added to a name saved without an
+                                                // extension
+    bool folders_too = false;                   // a folder may be the answer
+    std::vector<std::string> file_names;        // files that go into the folder of save_folder
+    std::vector<std::filesystem::path> recent;  // recently used folders
+
+    // The present state of the dialog.
+    bool is_open = false;
+    bool appears = false;  // opened since the last frame
+    FolderListing listing;
+    std::string name;                   // as typed
+    std::string offered;                // offered by the caller: returns after each change of
+                                        // folder
+    std::optional<std::size_t> cursor;  // row of the listing
+    bool scroll_to_cursor = false;
+    bool focus_name = false;
+    std::string remark;               // error of the last attempt
+    bool makes_folder = false;        // the name is that of a folder to be made here
+    std::filesystem::path replacing;  // exists; waits for confirmation
+};
+
+// Opens the dialog in the next frame. A missing folder is replaced by the home folder.
+void show(FileChooser& chooser, const std::filesystem::path& folder, const std::string& name = "");
+
+// Draws the dialog if it is open. Returns the path in the frame in which it is chosen.
+std::optional<std::filesystem::path> draw_file_chooser(Ui& ui);
+
+// A question over the window: a sentence, and answers; one must be chosen before anything else.
+//
+// The keyboard is enough: arrows and Tab move along the answers, Enter takes the marked one, Esc
+// the last one, which changes nothing.
+//
+// Left out  a queue of questions: a new one replaces the open one as if Esc had been pressed.
+
+struct Ui;
+
+struct Answer {
+    std::string label;            // a verb
+    std::function<void()> run{};  // null: nothing happens
+};
+
+struct Question {
+    std::string title;
+    std::string text;
+    std::vector<Answer> answers;  // the first is safe, and marked; the last changes nothing
+    std::size_t marked = 0;
+};
+
+// Replaces any open dialog.
+void ask(Ui& ui, Question question);
+
+// A message that has no other place; it stays until it is read.
+void tell(Ui& ui, const std::string& title, const std::string& text);
+
+void draw_question(Ui& ui);
+
+// Tab: from control to control, in reading order.
+//
+// ImGui's own Tab knows only text fields, and one window at a time. Here every noted item that can
+// be pressed or typed in is a stop, over all panes, or within the topmost popup. Ctrl+Tab goes to
+// the next pane; after a click into a number, or typing one, Tab goes to the next number. Enter
+// presses the item with the focus; arrows move within a list, whose rows are one stop.
+//
+// Left out  menus (Alt), and sliders that have an entry beside them.
+
+struct Ui;
+
+struct TabStop {
+    ImGuiWindow* window;
+    unsigned id;
+    float left, top, right, bottom;  // on the screen, px
+    bool is_typed_in;
+};
+
+// Requests of this frame's keys, and the stops that they apply to.
+struct TabOrder {
+    std::vector<TabStop> stops;     // of this frame
+    std::vector<unsigned> numbers;  // stops that are entries of numbers
+    int step = 0;                   // 1: forward, -1: back
+    bool by_pane = false;
+    bool is_on_button = false;  // Enter presses that, and nothing else
+    bool has_begun = false;     // Tab continues from the last used stop; false: from the first one
+    unsigned over = 0;          // ImGui's id of the topmost popup; 0: none
+};
+
+// Makes the last ImGui item a stop, if it can be one.
+void note_stop(TabOrder& order);
+
+// Ends a frame: moves the focus, and draws its frame.
+void move_focus(Ui& ui);
+
+// Places of items on the screen: for Tab, for a lesson that points at one, and for tests that click
+// on the real window.
+//
+// Input     TACTSPACE_WIDGET_RECTS, the file that is rewritten after each frame that changed
+// Output    one line per item: name, left, top, right, bottom in pixels, then its value
+
+struct WidgetRects {
+    std::filesystem::path file;  // empty: no file is written
+    TabOrder tab_order;
+    std::string watched;  // the place of each name in this frame
+    std::optional<Rect> watched_at;
+    std::string lines;
+    std::string written;
+};
+
+// The file named by the environment.
+WidgetRects widget_rects_wanted();
+
+void note_rect(WidgetRects& rects, const std::string& name, ImVec2 min, ImVec2 max,
+               const std::string& value = {});
+
+// Notes the rectangle of the last ImGui item.
+void note_item(WidgetRects& rects, const std::string& name, const std::string& value = {});
+
+// Ends a frame: rewrites the file if any place or value changed.
+void write_rects(WidgetRects& rects);
+
+// Shared by all panes that draw: looks, clock, keyboard, status line, and popups.
 
 // Dialogs over the panes.
 enum class Dialog {
@@ -189,5 +364,90 @@ double aging_wake_s(const Ui& ui);
 void set_text_scale(Ui& ui, float scale);
 void step_text_scale(Ui& ui, float factor);
 void set_theme(Ui& ui, bool dark);
+
+// Asking for a file or a folder, with the purpose of the answer.
+
+struct FileQuestion {
+    ChooserPurpose purpose{};
+    ChooserUse use = ChooserUse::open;
+    std::string title{};
+    std::vector<std::string> extensions{};  // ".wav"; empty: all files
+    bool folders_too = false;
+    std::vector<std::string> file_names{};  // files that go into the folder of save_folder
+};
+
+// Opens the dialog in a folder (if missing: the home folder), with a name offered.
+void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
+                  const std::string& name = {});
+
+// Begin and end of every dialog over the window.
+
+// The place of a dialog in the window.
+enum class DialogSide {
+    middle,
+    right  // clear of the map, which the dialog is about
+};
+
+// Begins a dialog over the window. If true, everything up to begin_foot() scrolls when the window
+// is too low for it, and one of the functions below must end the dialog.
+bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F,
+                  DialogSide side = DialogSide::middle);
+
+// Begins the part that always stays visible: buttons, and the values they apply to.
+void begin_foot(const Ui& ui);
+
+// Replaces ImGui::EndPopup(), after begin_foot().
+void end_foot();
+
+// Ends a dialog without an answer, before begin_foot(), because another one replaces it.
+void give_way(Ui& ui);
+
+// The largest height of the scrolling part, for a list in it that scrolls by itself.
+float dialog_room_px();
+
+// Presses the item with the focus of Tab, as Enter does: a button, a link, a choice; text fields
+// take Enter themselves.
+void press_focused(const Ui& ui);
+
+// Style for the begin of a window that should look like a dialog.
+ImFont* push_dialog_head(const Theme& theme);  // the previous font
+void pop_dialog_head(ImFont* before);
+
+// For any popup: a dialog, a menu, a list.
+bool is_popup_open();
+
+// Draws the frames of everything over the panes, at the end of a frame.
+void draw_shadows(const Theme& theme);
+
+// The last line of a dialog, with Close; Esc and Enter do the same.
+void end_dialog(Ui& ui);
+
+// The buttons at the end of a dialog. True if the person chose `action`, also with Enter; either
+// button closes the dialog.
+bool draw_ends(Ui& ui, const char* action, bool enabled);
+
+// The answer of a file chooser to the text in its name field: a path, another folder, or an error.
+//
+// Output    the chosen path; nullopt: the chooser asks, goes to a folder, or states in its remark
+//           what is missing
+// Errors    errors of the file system are remarks, too
+
+// Goes to another folder, with the name that the caller offers.
+void go_to_folder(FileChooser& chooser, const std::filesystem::path& folder);
+
+// Enter with the present name.
+std::optional<std::filesystem::path> accept_name(FileChooser& chooser);
+
+// Chooses the folder itself, if that is allowed.
+std::optional<std::filesystem::path> accept_folder(FileChooser& chooser);
+
+// Makes the named folder here and goes into it.
+void make_folder(FileChooser& chooser);
+
+// The reason why nothing can be opened or saved yet; empty: it can.
+const char* lack_of_name(const FileChooser& chooser);
+
+// "No .wav, .csv here."; empty if there is such a file.
+std::string lack_of_files(const FileChooser& chooser);
 
 }  // namespace tact

@@ -1,19 +1,129 @@
-// Widgets shared by all panels: panes, parameter fields, splitters, hints.
+// Widgets: buttons, rows, fields of numbers, tables.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "app/ui/layout.h"
-#include "app/ui/number_field.h"
 #include "app/ui/ui.h"
 #include "model/pattern/pattern.h"
+#include "model/text/described.h"
+#include "model/text/typed_number.h"
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/icons.h"
 
 namespace tact {
+
+// The panes' shares of the window, and the shown panes.
+
+// Tabs of the lower right pane.
+enum class BenchTab { matrix, candidates, subset, compare, shepard, why, model, device, library };
+
+enum class Pane {
+    patterns,
+    editor,
+    physiology,
+    space,
+    matrix,
+    study_design,  // these three only in the view of studies
+    study_people,
+    study_answers,
+    start  // replaces map, answers and editor while the set is empty
+};
+
+// Arrangements of the window, by purpose.
+enum class Arrangement { design, select, physiology };
+
+// The stages: in the middle column, in one row below the map, or hidden. When folded, the map
+// leads.
+enum class Fold { open, row, closed };
+
+struct Layout {
+    float left = 0.21F;  // shares of the window's width
+    float right = 0.34F;
+    float left_split = 0.45F;  // shares of the column's height above the splitter
+    float right_split = 0.58F;
+    float band = 0.42F;  // share of the window's height for the editor below the map
+    std::optional<Pane> maximised;
+    BenchTab bench = BenchTab::matrix;
+    Arrangement arrangement = Arrangement::design;
+    Fold physiology = Fold::open;
+
+    bool operator==(const Layout&) const = default;
+};
+
+// The entry for every number of the window.
+//
+// A click selects all of it. Enter, Tab and leaving it accept the typed text, Esc does not. Up,
+// down and the wheel step, Shift coarsely, Alt finely, and take effect at once. Text that is not a
+// number is refused with a message, a number out of range is clamped with a message. Unchanged text
+// changes nothing, even if the number has more digits than are shown. A double click on its label
+// restores its default.
+
+inline constexpr double kCoarse = 5.0;  // steps with Shift
+inline constexpr double kFine = 0.1;    // and with Alt
+
+struct NumberEntry {
+    std::string id;      // within its window; the caller gives the name for tests
+    std::string label;   // its name in messages
+    const char* format;  // of printf, with the unit
+    NumberRules rules;
+    float width_px = 0.0F;
+    double step = 0.0;   // 0: one in the second digit
+    bool live = false;   // valid text takes effect while typing; leaving the entry with invalid
+                         // text restores the number
+    bool mixed = false;  // shown while several numbers differ, until one is typed for all
+};
+
+// The way a number changed; others that it stands for change in the same way.
+enum class Along {
+    same,    // all get its value
+    factor,  // each times the factor
+    ratio,   // times the ratio of its value to that at the beginning of the gesture
+    step,    // each by the same difference
+    back     // each to its value at the beginning of the gesture
+};
+
+struct NumberEdit {
+    bool changed = false;  // to another value; if several differ, perhaps to the same
+    bool begun = false;    // the entry has got the keyboard
+    Along along = Along::same;
+    double factor = 1.0;
+};
+
+// The entry is the last ImGui item afterwards.
+NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value);
+
+// True if the number changed.
+bool enter_number(Ui& ui, const NumberEntry& entry, double& value);
+
+// Steps of the wheel over the last item; it scrolls nothing then.
+int wheel_steps(Ui& ui);
+
+// Whether the last item, the label of a number, was double-clicked to restore its default.
+bool is_reset_asked(const Ui& ui);
+
+// Restores the default then. True if the number changed.
+bool reset_by_label(const Ui& ui, double normal, double& value);
+bool reset_by_label(const Ui& ui, int normal, int& value);
+
+// Whether a number was typed in this frame or the last one: Enter and Esc belong to it.
+bool is_number_typed(const Ui& ui);
+
+// Merges the undo step of this frame with the last one, if that was a moment ago and by the same
+// keys.
+void join_steps(Ui& ui, const std::string& field);
+
+// A whole number.
+bool enter_whole(Ui& ui, const NumberEntry& entry, int& value);
+
+// With buttons for one less and one more, within the width.
+bool enter_whole_with_buttons(Ui& ui, const NumberEntry& entry, int& value);
+
+// Widgets shared by all panels: panes, parameter fields, splitters, hints.
 
 // Flag for panes that large text makes too narrow: they scroll sideways, too. Wider panes do not,
 // as ImGui would not wrap text that is as wide as the one before.
@@ -214,5 +324,44 @@ std::string label_of(const std::string& name);
 
 // The rest of the pane below the cursor.
 Rect rest_of_pane();
+
+// A field for a number that is described: its words, slider, range and steps are those of
+// everything that takes the number.
+
+// `id` is its name for tests. Shown are number.times as many as files hold.
+constexpr Field field_of(const Number& number, const char* id) {
+    return {.id = id,
+            .label = number.label,
+            .format = number.format,
+            .slider = number.shown(number.slider),
+            .typed = number.shown(number.range),
+            .step = number.step,
+            .snap = number.snap,
+            .logarithmic = number.logarithmic,
+            .help = number.help};
+}
+
+// The same with where the number is: in shown units.
+template <class Struct>
+struct DescribedField {
+    Field field;
+    double (*get)(const Struct&);
+    void (*set)(Struct&, double);
+};
+
+// `path`: members from the struct down to the number.
+template <const Number& number, class Struct, auto... path>
+constexpr DescribedField<Struct> described_field(const char* id) {
+    return {field_of(number, id),
+            [](const Struct& all) { return number.times * static_cast<double>((all.*....*path)); },
+            [](Struct& all, double shown) {
+                auto& value = (all.*....*path);
+                if constexpr (std::is_same_v<decltype(value), int&>) {
+                    value = static_cast<int>(std::lround(shown / number.times));
+                } else {
+                    value = shown / number.times;
+                }
+            }};
+}
 
 }  // namespace tact

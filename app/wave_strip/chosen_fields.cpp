@@ -1,5 +1,4 @@
-// The numbers of the chosen point, transient or notes, typed and nudged like all others. Declared
-// in app/wave_strip/wave_strip.h.
+// The numbers of the chosen point, transient or notes, typed and nudged like all others.
 
 #include <imgui.h>
 
@@ -12,8 +11,7 @@
 #include <variant>
 
 #include "app/document/editing.h"
-#include "app/ui/described_field.h"
-#include "app/wave_strip/note_choice.h"
+#include "app/ui/widgets.h"
 #include "app/wave_strip/note_grips.h"
 #include "app/wave_strip/wave_strip.h"
 #include "model/pattern/pattern_numbers.h"

@@ -1,6 +1,6 @@
-// Words for the grips. Declared in app/wave_strip/grips.h.
+// Words for the grips.
 
-#include "app/wave_strip/grips.h"
+#include "app/wave_strip/wave_strip.h"
 
 namespace tact {
 

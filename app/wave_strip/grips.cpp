@@ -1,4 +1,4 @@
-#include "app/wave_strip/grips.h"
+#include "app/wave_strip/wave_strip.h"
 
 #include <algorithm>
 #include <cmath>

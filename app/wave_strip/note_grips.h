@@ -5,7 +5,7 @@
 //           can be drawn.
 #pragma once
 
-#include "app/wave_strip/grips.h"
+#include "app/wave_strip/wave_strip.h"
 
 namespace tact {
 

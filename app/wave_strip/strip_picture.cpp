@@ -1,4 +1,4 @@
-#include "app/wave_strip/strip_picture.h"
+#include "app/wave_strip/wave_strip.h"
 
 #include <algorithm>
 #include <array>

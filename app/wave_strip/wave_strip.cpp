@@ -9,11 +9,9 @@
 #include <variant>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/ui/widgets.h"
-#include "app/wave_strip/note_choice.h"
 #include "app/wave_strip/note_grips.h"
-#include "app/wave_strip/strip_picture.h"
 #include "model/set/felt_versions.h"
 #include "model/set/layers.h"
 #include "model/text/numbers.h"

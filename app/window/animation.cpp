@@ -1,16 +1,12 @@
-#include "app/window/animation.h"
+#include "app/window/window.h"
 
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/unsaved.h"
-#include "app/export/exports.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/lesson/lesson_sheet.h"
-#include "app/pictures/clipboard.h"
-#include "app/subset/subset_export.h"
-#include "app/subset/subset_state.h"
-#include "app/window/view_pictures.h"
+#include "app/export/export.h"
+#include "app/lesson/lesson.h"
+#include "app/pictures/pictures.h"
+#include "app/subset/subset.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"

@@ -1,4 +1,4 @@
-#include "app/window/columns.h"
+#include "app/window/window.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_card.h"
-#include "app/stages/physiology_panel.h"
+#include "app/stages/stages.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/colour.h"
 

@@ -1,20 +1,17 @@
-#include "app/window/commands.h"
+#include "app/window/window.h"
 
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/lesson/lesson_card.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/manual/open_manual.h"
-#include "app/measured/import_follow.h"
-#include "app/play/playing.h"
-#include "app/session/crash_report.h"
-#include "app/study/study_follow.h"
-#include "app/subset/picked_list.h"
-#include "app/window/command_actions.h"
+#include "app/lesson/lesson.h"
+#include "app/manual/manual.h"
+#include "app/measured/measured.h"
+#include "app/play/play.h"
+#include "app/session/session.h"
+#include "app/study/study.h"
+#include "app/subset/subset.h"
 
 namespace tact {
 

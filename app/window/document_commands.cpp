@@ -1,31 +1,23 @@
-// The rows of File and Edit. Declared in app/window/commands.h.
+// The rows of File and Edit.
 
 #include <array>
 
-#include "app/ask/gap_follow.h"
-#include "app/ask/pad_dialog.h"
-#include "app/ask/proposals_follow.h"
-#include "app/ask/steps_follow.h"
+#include "app/ask/ask.h"
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/rating_files.h"
-#include "app/export/exports.h"
-#include "app/generate/generating.h"
-#include "app/layers/layer_edits.h"
-#include "app/library/library_follow.h"
-#include "app/measured/import_follow.h"
+#include "app/export/export.h"
+#include "app/generate/generate.h"
+#include "app/layers/layers.h"
+#include "app/library/library.h"
+#include "app/measured/measured.h"
 #include "app/opening/opening.h"
-#include "app/patterns/tapping.h"
-#include "app/pictures/copying.h"
-#include "app/sounds/sounds_follow.h"
-#include "app/subset/subset_export.h"
-#include "app/tables/table_look.h"
-#include "app/transform/transform_follow.h"
-#include "app/wave_strip/note_choice.h"
+#include "app/patterns/patterns.h"
+#include "app/pictures/pictures.h"
+#include "app/sounds/sounds.h"
+#include "app/subset/subset.h"
+#include "app/tables/tables.h"
+#include "app/transform/transform.h"
 #include "app/wave_strip/wave_strip.h"
-#include "app/window/command_actions.h"
-#include "app/window/commands.h"
-#include "app/window/session_layout.h"
+#include "app/window/window.h"
 
 namespace tact {
 

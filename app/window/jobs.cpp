@@ -1,16 +1,16 @@
-#include "app/window/jobs.h"
+#include "app/window/window.h"
 
 #include <utility>
 
-#include "app/compare/compare_follow.h"
-#include "app/course/course_state.h"
+#include "app/compare/compare.h"
+#include "app/course/course.h"
 #include "app/lesson/lesson.h"
-#include "app/library/library_follow.h"
-#include "app/manual/open_manual.h"
-#include "app/map/map_follow.h"
-#include "app/physiology/physiology_follow.h"
-#include "app/play/playing.h"
-#include "app/study/study_follow.h"
+#include "app/library/library.h"
+#include "app/manual/manual.h"
+#include "app/map/map.h"
+#include "app/physiology/physiology.h"
+#include "app/play/play.h"
+#include "app/study/study.h"
 
 namespace tact {
 

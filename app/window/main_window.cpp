@@ -4,24 +4,17 @@
 #include <iostream>
 #include <memory>
 
-#include "app/compare/compare_follow.h"
+#include "app/compare/compare.h"
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/export/exports.h"
-#include "app/lesson/presenting.h"
-#include "app/lesson/speaker_notes.h"
-#include "app/map/map_follow.h"
-#include "app/phones/phones_follow.h"
-#include "app/play/emergency_stop.h"
-#include "app/play/playing.h"
+#include "app/export/export.h"
+#include "app/lesson/lesson.h"
+#include "app/map/map.h"
+#include "app/phones/phones.h"
+#include "app/play/play.h"
 #include "app/screen/window.h"
-#include "app/session/child_process.h"
-#include "app/session/crash_report.h"
-#include "app/study/study_follow.h"
-#include "app/window/animation.h"
-#include "app/window/dialogs.h"
-#include "app/window/frame.h"
-#include "app/window/session_layout.h"
+#include "app/session/session.h"
+#include "app/study/study.h"
+#include "app/window/window.h"
 
 namespace tact {
 

@@ -11,14 +11,11 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/rating_files.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/study/study_follow.h"
-#include "app/ui/folder_listing.h"
+#include "app/lesson/lesson.h"
+#include "app/study/study.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "app/window/command_actions.h"
-#include "app/window/commands.h"
+#include "app/window/window.h"
 #include "model/lesson/lesson_languages.h"
 #include "viz/drawing/icons.h"
 #include "viz/drawing/marks.h"

@@ -1,18 +1,14 @@
-#include "app/window/session_layout.h"
+#include "app/window/window.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/unsaved.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/lesson/lesson_keeping.h"
+#include "app/lesson/lesson.h"
 #include "app/opening/opening.h"
-#include "app/play/playing.h"
-#include "app/session/autosave.h"
-#include "app/study/study_follow.h"
-#include "app/window/command_actions.h"
+#include "app/play/play.h"
+#include "app/session/session.h"
+#include "app/study/study.h"
 #include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/text/atomic_file.h"

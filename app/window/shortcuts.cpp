@@ -6,10 +6,9 @@
 
 #include <algorithm>
 
-#include "app/ui/dialog.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "app/window/commands.h"
-#include "app/window/dialogs.h"
+#include "app/window/window.h"
 #include "model/text/utf8.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"

@@ -1,12 +1,11 @@
-// The rows of View: content of the window, and its size. Declared in app/window/commands.h.
+// The rows of View: content of the window, and its size.
 
 #include <array>
 
-#include "app/document/shown_side.h"
-#include "app/lesson/presenting.h"
-#include "app/study/study_follow.h"
-#include "app/window/command_actions.h"
-#include "app/window/commands.h"
+#include "app/document/workspace.h"
+#include "app/lesson/lesson.h"
+#include "app/study/study.h"
+#include "app/window/window.h"
 
 namespace tact {
 

@@ -1,22 +1,16 @@
-#include "app/window/view_pictures.h"
+#include "app/window/window.h"
 
 #include <algorithm>
 #include <atomic>
 #include <tuple>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/shown_side.h"
-#include "app/map/live_map.h"
-#include "app/map/map_follow.h"
-#include "app/map/matrix_panel.h"
-#include "app/map/space_panel.h"
-#include "app/rendering/labels.h"
-#include "app/stages/physiology_panel.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/rendering/rendering.h"
+#include "app/stages/stages.h"
 #include "app/ui/widgets.h"
 #include "app/window/app.h"
-#include "app/window/columns.h"
-#include "app/window/frame.h"
 #include "app/workspaces/workspaces.h"
 #include "devices/device/memory_device.h"
 #include "model/text/numbers.h"

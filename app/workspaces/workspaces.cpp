@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/ui/dialog.h"
+#include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/imgui_versions.h"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "app/ui/layout.h"
 #include "app/ui/ui.h"
+#include "app/ui/widgets.h"
 
 namespace tact {
 

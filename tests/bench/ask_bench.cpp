@@ -5,8 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/ask/proposals_follow.h"
-#include "app/ask/put_there.h"
+#include "app/ask/ask.h"
 #include "model/io/set/set_file.h"
 #include "tests/bench/owed.h"
 #include "tests/support/program.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 #include "model/common/parallel.h"
 #include "model/dtw/dtw_kernel.h"
 #include "model/io/set/set_file.h"

@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 #include "app/screen/window.h"
-#include "app/subset/subset_state.h"
+#include "app/subset/subset.h"
 #include "app/workspaces/workspaces.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"

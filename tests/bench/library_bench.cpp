@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 #include "app/screen/window.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/bench/owed.h"

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/phones/phones_follow.h"
+#include "app/phones/phones.h"
 #include "model/common/quantile.h"
 #include "tests/bench/owed.h"
 #include "tests/support/many_sockets.h"

@@ -9,8 +9,6 @@
 #include <string>
 
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_question.h"
-#include "app/lesson/presenting.h"
 #include "tests/support/lesson_walk.h"
 #include "tests/support/photograph.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <thread>
 
-#include "app/compare/compare_follow.h"
-#include "app/document/rating_files.h"
-#include "app/map/pair.h"
+#include "app/compare/compare.h"
+#include "app/document/editing.h"
+#include "app/map/map.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

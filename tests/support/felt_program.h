@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "devices/device/memory_device.h"
 #include "devices/device/protection.h"
 #include "tests/support/program.h"

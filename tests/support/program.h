@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "app/document/editing.h"
-#include "app/document/pattern_looks.h"
-#include "app/map/map_follow.h"
-#include "app/window/frame.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/window/window.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/patience.h"
 

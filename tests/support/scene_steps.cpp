@@ -8,10 +8,9 @@
 #include <thread>
 
 #include "app/lesson/lesson.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_panels.h"
-#include "app/subset/subset_follow.h"
-#include "app/window/commands.h"
+#include "app/study/study.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tact {
@@ -71,12 +70,12 @@ void wait_for_lesson(Program& program) {
     program.wait_for_stages();
 }
 
-void begin_tour(Program& program) {
+void open_tour(Program& program) {
     run(program, "Guided tour");
     wait_for_lesson(program);
 }
 
-void present(Program& program) {
+void begin_presenting(Program& program) {
     run(program, "Present");
     make_fonts(program);
     wait_for_lesson(program);

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/study/study_state.h"
+#include "app/study/study.h"
 #include "tests/support/program.h"
 
 namespace tact {
@@ -31,9 +31,9 @@ void remake_fonts(Program& program);
 void wait_for_lesson(Program& program);
 
 // With its numbers.
-void begin_tour(Program& program);
+void open_tour(Program& program);
 
-void present(Program& program);
+void begin_presenting(Program& program);
 void show_bench(Program& program, BenchTab tab);
 void show_subset(Program& program, SubsetView view);
 void show_compare(Program& program, CompareView view);

@@ -9,21 +9,17 @@
 #include <thread>
 #include <utility>
 
-#include "app/ask/proposals_follow.h"
+#include "app/ask/ask.h"
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/library/library_follow.h"
-#include "app/map/map_follow.h"
-#include "app/planning/plan_follow.h"
-#include "app/sounds/sounds_follow.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_panels.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_state.h"
-#include "app/tables/table_look.h"
+#include "app/library/library.h"
+#include "app/map/map.h"
+#include "app/planning/planning.h"
+#include "app/sounds/sounds.h"
+#include "app/study/study.h"
+#include "app/subset/subset.h"
+#include "app/tables/tables.h"
 #include "app/wave_strip/wave_strip.h"
-#include "app/window/commands.h"
+#include "app/window/window.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
@@ -247,9 +243,9 @@ void add_arrangements(std::vector<Scene>& all) {
                        }});
     }
     add_textbook(all);
-    all.push_back({"lesson", begin_tour});
+    all.push_back({"lesson", open_tour});
     all.push_back({"lesson at the foot", [](Program& p) {
-                       begin_tour(p);
+                       open_tour(p);
                        click_if_there(p, "lesson:move");
                    }});
     all.push_back({"lesson, written", [](Program& p) {
@@ -268,10 +264,10 @@ void add_arrangements(std::vector<Scene>& all) {
                        p.settle();
                        wait_for_answers(p);
                    }});
-    all.push_back({"present", present});
+    all.push_back({"present", begin_presenting});
     all.push_back({"present, a lesson", [](Program& p) {
-                       begin_tour(p);
-                       present(p);
+                       open_tour(p);
+                       begin_presenting(p);
                    }});
     all.push_back({"dialog, course", [](Program& p) {
                        run(p, "Course of all lessons");

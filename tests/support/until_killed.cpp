@@ -18,13 +18,10 @@
 #include <utility>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/pattern_looks.h"
-#include "app/document/unsaved.h"
+#include "app/document/workspace.h"
 #include "app/opening/opening.h"
 #include "app/session/session.h"
-#include "app/window/frame.h"
-#include "app/window/session_layout.h"
+#include "app/window/window.h"
 #include "model/io/people/study_file.h"
 #include "model/io/people/study_lines.h"
 

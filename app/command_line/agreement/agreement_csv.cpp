@@ -1,9 +1,9 @@
-#include "app/command_line/agreement/agreement_csv.h"
+#include "app/command_line/agreement/agreement.h"
 
 #include <ostream>
 #include <string>
 
-#include "app/command_line/text_table.h"
+#include "app/command_line/output.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -1,14 +1,13 @@
-#include "app/command_line/agreement/agreement_text.h"
+#include "app/command_line/agreement/agreement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "app/command_line/agreement/methods.h"
-#include "app/command_line/people/people_words.h"
+#include "app/command_line/output.h"
+#include "app/command_line/people/people.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
 #include "model/evaluation/said_once.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

@@ -1,26 +1,23 @@
-// tactspace paper: the tables and figures of Lim & Park 2023 for one's own sets and ratings, in a
-// folder with a page, and the scripts that compute its numbers again.
+#include "app/command_line/agreement/agreement.h"
 
 #include <iostream>
 #include <sstream>
 
-#include "app/command_line/agreement/compared_sets.h"
-#include "app/command_line/agreement/methods.h"
-#include "app/command_line/agreement/paper_figures.h"
-#include "app/command_line/agreement/paper_tables.h"
+#include "app/command_line/agreement/parts.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/manual/manual_tables.h"
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
-#include "app/report/study_metrics_html.h"
-#include "app/session/folders.h"
+#include "app/manual/manual.h"
+#include "app/report/report.h"
 #include "app/session/program_version.h"
+#include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utc_time.h"
 
 namespace tact {
+
+// tactspace paper: the tables and figures of Lim & Park 2023 for one's own sets and ratings, in a
+// folder with a page, and the scripts that compute its numbers again.
 
 namespace {
 
@@ -115,6 +112,58 @@ Expected<Done> run(const PaperCommand& command) {
     if (!written) return written;
     std::cerr << "tactspace: wrote " << (command.out / "paper.html").string() << "\n";
     return Done{};
+}
+
+namespace {
+
+std::vector<SetAgreement> agreements_of(std::span<const ComparedSet> sets) {
+    std::vector<SetAgreement> all;
+    for (const ComparedSet& one : sets) all.push_back(one.agreement);
+    return all;
+}
+
+}  // namespace
+
+std::vector<Table2Set> table2_sets(std::span<const ComparedSet> sets) {
+    std::vector<Table2Set> all;
+    for (const ComparedSet& one : sets) {
+        std::vector<std::string> foreign;
+        for (const ForeignMetric& metric : one.agreement.foreign) foreign.push_back(metric.key);
+        all.push_back(table2_set(one.set, one.agreement.people, one.agreement.table, foreign));
+        all.back().name = one.agreement.name;
+    }
+    return all;
+}
+
+std::string table2_html(std::span<const ComparedSet> sets) {
+    HtmlTable table{{{"metric"}}, {}, "table2"};
+    std::vector<std::string> names;
+    for (const ComparedSet& one : sets) {
+        names.push_back("Set " + std::to_string(names.size() + 1) + ": " + one.agreement.name);
+        const std::string number = std::to_string(names.size());
+        table.columns.push_back({"rho, set " + number, true});
+        table.columns.push_back({"K, set " + number, true});
+    }
+    for (const char* head :
+         {"average |rho|", "average K", "mean rho, signed", "mean K, best maps"}) {
+        table.columns.push_back({head, true});
+    }
+    const std::vector<SetAgreement> all = agreements_of(sets);
+    for (std::size_t m = 0; m < metric_count(all.front()); ++m) {
+        std::vector<std::string> row{html_escaped(key_of(all.front(), m))};
+        for (const SetAgreement& set : all) {
+            const Evaluation& e = set.table.evaluations[m];
+            row.push_back(shown(e.rho, 2));
+            row.push_back(shown(e.k_published, 2));
+        }
+        const MeanAgreement paper = mean_of(all, m, Bookkeeping::paper);
+        const MeanAgreement plain = mean_of(all, m, Bookkeeping::plain);
+        for (const double value : {paper.absolute_rho, paper.k, plain.signed_rho, plain.k}) {
+            row.push_back(shown(value, 2));
+        }
+        table.rows.push_back(row);
+    }
+    return html_of(table) + items(names);
 }
 
 }  // namespace tact

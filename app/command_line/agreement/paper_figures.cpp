@@ -1,16 +1,13 @@
-#include "app/command_line/agreement/paper_figures.h"
+#include "app/command_line/agreement/parts.h"
 
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "app/command_line/output.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/pictures/pictures.h"
-#include "app/report/html.h"
-#include "app/report/report_parts.h"
-#include "app/report/study_metrics_html.h"
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 #include "model/map/procrustes.h"
 #include "model/physiology/neural_coding.h"
 #include "model/set/parameter_paths.h"

@@ -1,16 +1,15 @@
-#include "app/command_line/agreement/study_report_files.h"
+#include "app/command_line/agreement/agreement.h"
 
 #include <algorithm>
 #include <iostream>
 #include <optional>
 #include <utility>
 
-#include "app/command_line/agreement/methods.h"
 #include "app/command_line/output.h"
-#include "app/document/pattern_looks.h"
-#include "app/report/study_report.h"
-#include "app/session/folders.h"
+#include "app/document/workspace.h"
+#include "app/report/report.h"
 #include "app/session/program_version.h"
+#include "app/session/session.h"
 #include "assets/assets.h"
 #include "model/common/fingerprint.h"
 #include "model/evaluation/metric_comparison.h"

@@ -6,7 +6,6 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/calibration/calibration_run.h"
 #include "model/io/recordings/acceleration_file.h"

@@ -6,10 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "app/command_line/agreement/agreement_csv.h"
-#include "app/command_line/agreement/agreement_text.h"
-#include "app/command_line/agreement/compared_sets.h"
-#include "app/command_line/agreement/methods.h"
+#include "app/command_line/agreement/agreement.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"

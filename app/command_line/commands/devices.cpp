@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
-#include "app/command_line/text_table.h"
+#include "app/command_line/endings.h"
+#include "app/command_line/output.h"
 #include "devices/device_list.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"

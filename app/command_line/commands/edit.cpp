@@ -6,8 +6,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"

@@ -9,11 +9,10 @@
 #include <numeric>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
-#include "app/command_line/loss_output.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/export/export_report.h"
-#include "app/rendering/labels.h"
+#include "app/export/export.h"
+#include "app/rendering/rendering.h"
 #include "model/export/exported_files.h"
 #include "model/text/json_fields.h"
 #include "model/text/shown_text.h"

@@ -7,10 +7,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
-#include "app/compare/check_findings.h"
-#include "app/compare/check_morse.h"
-#include "app/compare/model_variants.h"
+#include "app/compare/compare.h"
 #include "model/evaluation/metric_comparison.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"

@@ -5,8 +5,8 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/map/live_map.h"
-#include "app/progress/time_left.h"
+#include "app/map/map.h"
+#include "app/progress/progress.h"
 #include "model/design_space/candidates.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/spec_file.h"

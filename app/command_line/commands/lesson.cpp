@@ -6,10 +6,9 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/course/course_state.h"
+#include "app/course/course.h"
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_sheet.h"
-#include "app/window/animation.h"
+#include "app/window/window.h"
 #include "assets/assets.h"
 #include "model/io/lesson/course_file.h"
 #include "model/io/lesson/lesson_file.h"

@@ -5,10 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "model/io/folders/path_json.h"
 #include "model/io/set/load.h"
 #include "model/io/set/model_file.h"

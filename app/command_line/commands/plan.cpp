@@ -10,12 +10,11 @@
 #include <ostream>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
-#include "app/rendering/labels.h"
-#include "app/report/preregistration_files.h"
+#include "app/rendering/rendering.h"
+#include "app/report/report.h"
 #include "app/session/program_version.h"
 #include "model/io/set/set_file.h"
 #include "model/planning/set_plan.h"

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "devices/calibration/calibration_file.h"
 #include "devices/device/drive.h"

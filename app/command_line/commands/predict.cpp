@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/mpi.h"
 #include "app/command_line/output.h"
 #include "app/command_line/tile_run.h"

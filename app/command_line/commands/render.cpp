@@ -8,7 +8,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/session/folders.h"
+#include "app/session/session.h"
 #include "model/io/folders/path_json.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 #include "app/report/report.h"
 #include "app/session/program_version.h"
 #include "model/subset/set_subset.h"

@@ -4,9 +4,8 @@
 #include <ostream>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
 #include "model/ask/parted_pair.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"

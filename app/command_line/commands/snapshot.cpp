@@ -3,14 +3,11 @@
 #include <iostream>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/pictures/film.h"
-#include "app/pictures/frame_sequence.h"
-#include "app/pictures/physiology_pictures.h"
 #include "app/pictures/pictures.h"
-#include "app/session/folders.h"
-#include "app/window/view_pictures.h"
+#include "app/session/session.h"
+#include "app/window/window.h"
 #include "model/evaluation/metric.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"

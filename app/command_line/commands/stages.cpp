@@ -5,9 +5,9 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/physiology/stage_csv.h"
-#include "app/rendering/labels.h"
-#include "app/session/folders.h"
+#include "app/physiology/physiology.h"
+#include "app/rendering/rendering.h"
+#include "app/session/session.h"
 #include "model/io/folders/path_json.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"

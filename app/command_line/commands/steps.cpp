@@ -8,10 +8,9 @@
 #include <ostream>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/command_line/text_table.h"
-#include "app/rendering/labels.h"
+#include "app/rendering/rendering.h"
 #include "model/ask/steps_json.h"
 #include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"

@@ -6,16 +6,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/command_line/agreement/study_report_files.h"
+#include "app/command_line/agreement/agreement.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
-#include "app/command_line/people/people_words.h"
-#include "app/command_line/people/study_files.h"
-#include "app/command_line/people/study_packs.h"
+#include "app/command_line/people/people.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
-#include "app/session/folders.h"
 #include "app/session/program_version.h"
+#include "app/session/session.h"
 #include "model/io/people/agreement_json.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_file.h"

@@ -6,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
 #include "app/report/report.h"
 #include "app/session/program_version.h"
-#include "app/subset/subset_export.h"
+#include "app/subset/subset.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/set_file.h"
 #include "model/map/mds.h"

@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
-#include "app/model_bench/trained_text.h"
+#include "app/model_bench/model_bench.h"
 #include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
 #include "model/set/set_waveforms.h"

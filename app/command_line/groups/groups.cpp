@@ -4,10 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
-#include "app/command_line/text_table.h"
 #include "model/grouping/set_groups.h"
 #include "model/io/set/set_file.h"
 #include "model/io/tables/matrix_file.h"

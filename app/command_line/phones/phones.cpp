@@ -11,15 +11,10 @@
 #include <set>
 
 #include "app/command_line/commands.h"
-#include "app/command_line/interrupt.h"
+#include "app/command_line/endings.h"
 #include "app/command_line/output.h"
-#include "app/phones/class_rating.h"
-#include "app/phones/device_trials.h"
-#include "app/phones/phone_cards.h"
-#include "app/phones/phone_page.h"
-#include "app/phones/phone_patterns.h"
-#include "app/phones/qr_code.h"
-#include "app/rendering/labels.h"
+#include "app/phones/phones.h"
+#include "app/rendering/rendering.h"
 #include "devices/phone/phone_server.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"

@@ -2,12 +2,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/ask/gap_follow.h"
-#include "app/ask/pad_dialog.h"
-#include "app/ask/put_there.h"
-#include "app/map/map_follow.h"
-#include "app/map/similar.h"
-#include "app/window/commands.h"
+#include "app/ask/ask.h"
+#include "app/map/map.h"
+#include "app/window/window.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_steps.h"

@@ -1,5 +1,5 @@
 // Proposed patterns in the map: neighbours, tracks, and the card of the closest pattern.
-#include "app/ask/proposals_follow.h"
+#include "app/ask/ask.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 

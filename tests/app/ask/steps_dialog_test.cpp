@@ -1,5 +1,5 @@
 // Steps between two patterns, in the window.
-#include "app/ask/steps_follow.h"
+#include "app/ask/ask.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 

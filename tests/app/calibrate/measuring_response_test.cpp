@@ -1,11 +1,10 @@
 // Calibrating the chosen device in the window, with a coil that gives 0.5 g per full scale.
 
-#include "app/calibrate/measuring_response.h"
+#include "app/calibrate/calibrate.h"
 
 #include <cmath>
 
-#include "app/play/calibrating.h"
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/wave_file.h"
 #include "tests/support/felt_program.h"

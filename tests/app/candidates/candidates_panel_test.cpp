@@ -1,8 +1,7 @@
 // The set as a table: sorting, filtering, many at once, who is picked.
-#include "app/candidates/candidates_panel.h"
-#include "app/candidates/candidate_rows.h"
+#include "app/candidates/candidates.h"
 #include "app/document/editing.h"
-#include "app/subset/subset_follow.h"
+#include "app/subset/subset.h"
 #include "model/set/vibration_search.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/rendering/rendered_set.h"
+#include "app/rendering/rendering.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/separation.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/rendering/rendered_set.h"
+#include "app/rendering/rendering.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/set_subset.h"

@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
+#include "app/compare/compare.h"
 #include "tests/support/compare_bench.h"
 
 namespace bounded_frames_test {

@@ -3,14 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/compare/compare_follow.h"
-#include "app/compare/compare_panels.h"
-#include "app/compare/people_text.h"
-#include "app/document/rating_files.h"
-#include "app/document/shown_side.h"
-#include "app/map/pair.h"
-#include "app/measured/import_follow.h"
-#include "app/tables/table_look.h"
+#include "app/compare/compare.h"
+#include "app/document/editing.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
+#include "app/measured/measured.h"
+#include "app/tables/tables.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/compare_bench.h"
 #include "tests/support/program.h"

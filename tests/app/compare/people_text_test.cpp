@@ -1,10 +1,9 @@
 // Words about the raters stand beside every number that is made of their ratings.
 
-#include "app/compare/people_text.h"
+#include "app/compare/compare.h"
 
 #include <doctest/doctest.h>
 
-#include "app/compare/compare_follow.h"
 #include "tests/support/compare_bench.h"
 #include "tests/support/run_program.h"
 

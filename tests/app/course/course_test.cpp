@@ -3,9 +3,8 @@
 
 #include <filesystem>
 
-#include "app/course/course_state.h"
-#include "app/lesson/lesson_question.h"
-#include "app/lesson/presenting.h"
+#include "app/course/course.h"
+#include "app/lesson/lesson.h"
 #include "model/io/lesson/course_file.h"
 #include "tests/support/lesson_class.h"
 #include "tests/support/scene_steps.h"

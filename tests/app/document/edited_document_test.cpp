@@ -1,5 +1,5 @@
 // The history owns the document: undo, redo, saving and the map's turn agree with each other.
-#include "app/document/edited_document.h"
+#include "app/document/workspace.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "app/opening/opening.h"
 #include "app/session/session.h"
 #include "model/io/set/load.h"

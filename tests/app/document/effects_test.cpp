@@ -4,9 +4,8 @@
 #include <filesystem>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
 #include "app/opening/opening.h"
-#include "app/window/dialogs.h"
+#include "app/window/window.h"
 #include "model/text/atomic_file.h"
 #include "tests/support/program.h"
 #include "tests/support/state_home.h"

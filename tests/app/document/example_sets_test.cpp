@@ -1,4 +1,4 @@
-#include "app/document/example_sets.h"
+#include "app/document/editing.h"
 
 #include <doctest/doctest.h>
 

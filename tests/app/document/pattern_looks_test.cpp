@@ -1,13 +1,13 @@
 // Colour and mark belong to the pattern: from its birth, through all that is done to the list.
-#include "app/document/pattern_looks.h"
+#include "app/document/workspace.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
 
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "app/opening/opening.h"
-#include "app/pictures/copying.h"
+#include "app/pictures/pictures.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -14,17 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "app/ask/pad_dialog.h"
-#include "app/ask/proposals_follow.h"
-#include "app/ask/steps_follow.h"
+#include "app/ask/ask.h"
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/unsaved.h"
-#include "app/generate/generating.h"
+#include "app/generate/generate.h"
 #include "app/opening/opening.h"
-#include "app/session/autosave.h"
-#include "app/subset/separation_follow.h"
-#include "app/window/commands.h"
+#include "app/session/session.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"

@@ -1,13 +1,13 @@
 // Who holds a pattern by its name hears of a new one, of its undo, and of its redo.
 
-#include "app/document/renaming.h"
+#include "app/document/editing.h"
 
 #include <doctest/doctest.h>
 
-#include "app/measured/import_state.h"
-#include "app/pictures/copying.h"
-#include "app/study/study_follow.h"
-#include "app/subset/subset_state.h"
+#include "app/measured/measured.h"
+#include "app/pictures/pictures.h"
+#include "app/study/study.h"
+#include "app/subset/subset.h"
 #include "model/set/set_study.h"
 #include "tests/support/program.h"
 

@@ -1,11 +1,10 @@
 // What somebody made is never lost to another document, to closing the window, or to a save.
 
-#include "app/document/unsaved.h"
+#include "app/document/editing.h"
 
-#include "app/document/files.h"
 #include "app/opening/opening.h"
-#include "app/session/autosave.h"
-#include "app/window/session_layout.h"
+#include "app/session/session.h"
+#include "app/window/window.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/no_more_than.h"

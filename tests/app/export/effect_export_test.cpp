@@ -1,12 +1,10 @@
 // File > Export vibrations: what it costs first, then the files, never over others unasked.
-#include "app/export/effect_export.h"
+#include "app/export/export.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/export/export_report.h"
-#include "app/window/animation.h"
-#include "app/window/commands.h"
+#include "app/window/window.h"
 #include "model/export/effect_files.h"
 #include "model/export/loss_words.h"
 #include "model/io/recordings/wave_file.h"

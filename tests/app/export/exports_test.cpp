@@ -1,5 +1,5 @@
 // Exports from the window: the same files as from the command line, whole, and never in the way.
-#include "app/export/exports.h"
+#include "app/export/export.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -8,11 +8,9 @@
 #include <set>
 #include <sstream>
 
-#include "app/document/files.h"
-#include "app/subset/subset_follow.h"
-#include "app/window/animation.h"
-#include "app/window/commands.h"
-#include "app/window/view_pictures.h"
+#include "app/document/editing.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scene_steps.h"

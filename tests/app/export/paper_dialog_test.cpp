@@ -2,8 +2,8 @@
 // place of the program, which writes down what it was asked.
 #include <filesystem>
 
-#include "app/export/paper.h"
-#include "app/window/frame.h"
+#include "app/export/export.h"
+#include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/compare_bench.h"
 #include "tests/support/scene_steps.h"

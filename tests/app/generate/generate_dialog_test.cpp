@@ -1,8 +1,8 @@
 // The dialog for candidates, and rhythms by the list.
 #include <doctest/doctest.h>
 
-#include "app/document/files.h"
-#include "app/generate/generating.h"
+#include "app/document/editing.h"
+#include "app/generate/generate.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

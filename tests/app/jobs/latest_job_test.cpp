@@ -1,4 +1,4 @@
-#include "app/jobs/latest_job.h"
+#include "app/jobs/jobs.h"
 
 #include <doctest/doctest.h>
 

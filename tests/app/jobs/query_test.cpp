@@ -1,6 +1,6 @@
 // A question that a room asks in each frame: asked once, answered once, and left when nobody wants
 // to know any more.
-#include "app/jobs/query.h"
+#include "app/jobs/jobs.h"
 
 #include <doctest/doctest.h>
 

@@ -1,12 +1,10 @@
-#include "app/jobs/turns.h"
+#include "app/jobs/jobs.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "app/jobs/latest_job.h"
 
 namespace turns_test {
 

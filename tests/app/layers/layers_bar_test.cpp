@@ -1,8 +1,6 @@
 // Layers in the window: what the editor does it does with the open one, and each press is a step.
-#include "app/layers/layers_bar.h"
-#include "app/layers/layer_edits.h"
-#include "app/window/command_actions.h"
-#include "app/window/commands.h"
+#include "app/layers/layers.h"
+#include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "model/set/layers.h"
 #include "model/text/unique_names.h"

@@ -1,5 +1,5 @@
 // Votes from a class's own devices, in addition to hands.
-#include "app/lesson/lesson_question.h"
+#include "app/lesson/lesson.h"
 #include "tests/support/lesson_class.h"
 
 namespace lesson_elsewhere_test {

@@ -1,12 +1,10 @@
 // No edit of a lesson is lost: it is in the autosave, asked about, or saved, complete or not.
-#include "app/lesson/lesson_keeping.h"
+#include "app/lesson/lesson.h"
 
 #include <doctest/doctest.h>
 
-#include "app/document/files.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/window/commands.h"
-#include "app/window/session_layout.h"
+#include "app/document/editing.h"
+#include "app/window/window.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_lacks.h"
 #include "tests/support/lesson_class.h"

@@ -1,12 +1,9 @@
 // Placing a pattern in the map oneself: hidden, placed, revealed.
-#include "app/lesson/lesson_place.h"
+#include "app/lesson/lesson.h"
 
 #include <doctest/doctest.h>
 
-#include "app/lesson/lesson_card.h"
-#include "app/lesson/lesson_question.h"
-#include "app/lesson/presenting.h"
-#include "app/window/animation.h"
+#include "app/window/window.h"
 #include "model/text/numbers.h"
 #include "tests/support/lesson_class.h"
 

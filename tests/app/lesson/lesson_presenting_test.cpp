@@ -2,12 +2,9 @@
 // and the parts that a class may see.
 #include <doctest/doctest.h>
 
-#include "app/lesson/lesson_edit.h"
-#include "app/lesson/lesson_keeping.h"
-#include "app/lesson/lesson_sheet.h"
-#include "app/lesson/presenting.h"
-#include "app/physiology/stages.h"
-#include "app/report/wave_html.h"
+#include "app/lesson/lesson.h"
+#include "app/physiology/physiology.h"
+#include "app/report/report.h"
 #include "app/window/app.h"
 #include "assets/assets.h"
 #include "model/io/lesson/lesson_file.h"

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "app/lesson/lesson.h"
-#include "app/lesson/lesson_card.h"
-#include "app/lesson/lesson_question.h"
 #include "tests/support/lesson_walk.h"
 
 namespace lesson_shown_test {

@@ -3,14 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "app/document/files.h"
-#include "app/lesson/lesson_card.h"
-#include "app/lesson/lesson_edit.h"
-#include "app/lesson/lesson_question.h"
-#include "app/lesson/presenting.h"
-#include "app/lesson/speaker_notes.h"
-#include "app/window/animation.h"
+#include "app/document/editing.h"
 #include "app/window/app.h"
+#include "app/window/window.h"
 #include "model/io/lesson/lesson_file.h"
 #include "tests/support/lesson_class.h"
 #include "tests/support/temporary_folder.h"

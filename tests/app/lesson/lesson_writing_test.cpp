@@ -1,7 +1,7 @@
 // Questions, cameras and the order of steps, edited in the program and undone.
 #include <doctest/doctest.h>
 
-#include "app/lesson/lesson_edit.h"
+#include "app/lesson/lesson.h"
 #include "model/io/lesson/lesson_file.h"
 #include "tests/support/lesson_class.h"
 #include "tests/support/temporary_folder.h"

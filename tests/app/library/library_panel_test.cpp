@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/library/library_follow.h"
-#include "app/window/dialogs.h"
+#include "app/library/library.h"
+#include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/scene_steps.h"

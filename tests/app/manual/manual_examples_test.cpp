@@ -1,4 +1,4 @@
-#include "app/manual/manual_examples.h"
+#include "app/manual/parts.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/manual/manual.h"
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 #include "assets/assets.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/io/effects/actuator_file.h"

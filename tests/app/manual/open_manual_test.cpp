@@ -1,4 +1,4 @@
-#include "app/manual/open_manual.h"
+#include "app/manual/manual.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "app/window/commands.h"
+#include "app/window/window.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

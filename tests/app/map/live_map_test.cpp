@@ -1,6 +1,6 @@
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 
-#include "app/jobs/latest_job.h"
+#include "app/jobs/jobs.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "app/map/live_map.h"
+#include "app/map/map.h"
 #include "model/map/group_tree.h"
 #include "model/map/map_scale.h"
 #include "tests/support/mixed_set.h"

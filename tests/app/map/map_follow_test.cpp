@@ -1,9 +1,8 @@
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "app/map/map_rows.h"
 #include "tests/support/program.h"
 
 namespace map_follow_test {

@@ -1,6 +1,6 @@
 // What the map's colours say, in the program's frames.
 
-#include "app/map/map_look.h"
+#include "app/map/map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "app/map/map_refining.h"
+#include "app/map/parts.h"
 
 #include <algorithm>
 #include <chrono>
 #include <stop_token>
 
-#include "app/document/files.h"
-#include "app/map/map_follow.h"
+#include "app/document/editing.h"
+#include "app/map/map.h"
 #include "model/io/tables/checkpoint.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

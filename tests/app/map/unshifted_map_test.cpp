@@ -1,5 +1,5 @@
 // While thresholds are shifted, the map without that stays as ghosts.
-#include "app/map/unshifted_map.h"
+#include "app/map/parts.h"
 
 #include "model/physiology/neural_coding.h"
 #include "tests/support/program.h"

@@ -1,18 +1,17 @@
-#include "app/measured/import_follow.h"
+#include "app/measured/measured.h"
 
 #include <algorithm>
 #include <chrono>
 #include <functional>
 #include <thread>
 
-#include "app/compare/compare_follow.h"
-#include "app/document/files.h"
-#include "app/document/shown_side.h"
-#include "app/map/map_follow.h"
-#include "app/map/pair.h"
+#include "app/compare/compare.h"
+#include "app/document/editing.h"
+#include "app/document/workspace.h"
+#include "app/map/map.h"
 #include "app/opening/opening.h"
-#include "app/study/study_follow.h"
-#include "app/window/dialogs.h"
+#include "app/study/study.h"
+#include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
 #include "tests/support/program.h"

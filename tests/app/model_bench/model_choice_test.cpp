@@ -1,8 +1,7 @@
 // Which parameters the Model bench says a set has, and where they come from.
 #include <doctest/doctest.h>
 
-#include "app/model_bench/kept_models.h"
-#include "app/model_bench/training_follow.h"
+#include "app/model_bench/model_bench.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_ratings.h"

@@ -1,5 +1,5 @@
 // Shifts of thresholds: by the same everywhere, back to the digit, and what nothing reaches.
-#include "app/model_bench/threshold_shift.h"
+#include "app/model_bench/parts.h"
 
 #include <doctest/doctest.h>
 

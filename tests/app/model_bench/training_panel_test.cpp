@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include "app/model_bench/kept_models.h"
-#include "app/model_bench/training_follow.h"
+#include "app/model_bench/model_bench.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/set_ratings.h"

@@ -7,10 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "app/opening/opening.h"
-#include "app/window/commands.h"
-#include "app/window/dialogs.h"
+#include "app/window/window.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"

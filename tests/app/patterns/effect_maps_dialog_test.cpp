@@ -1,12 +1,11 @@
 // Actuator maps of effects in the window: shown when effects are opened, and changed.
-#include "app/patterns/effect_maps_dialog.h"
+#include "app/patterns/patterns.h"
 
 #include <algorithm>
 
-#include "app/document/effect_maps.h"
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "app/opening/opening.h"
-#include "app/window/commands.h"
+#include "app/window/window.h"
 #include "model/io/set/load.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -1,14 +1,14 @@
 // A recording is cut, and traced as a pattern, in the editor.
 
-#include "app/patterns/recording_editor.h"
+#include "app/patterns/parts.h"
 
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <thread>
 
-#include "app/document/files.h"
-#include "app/map/map_follow.h"
+#include "app/document/editing.h"
+#include "app/map/map.h"
 #include "app/workspaces/workspaces.h"
 #include "model/io/set/set_file.h"
 #include "model/text/numbers.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/phones/class_rating.h"
+#include "app/phones/phones.h"
 #include "model/study/study_results.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

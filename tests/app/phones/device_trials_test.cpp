@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/phones/device_trials.h"
+#include "app/phones/phones.h"
 #include "tests/support/program.h"
 
 namespace device_trials_test {

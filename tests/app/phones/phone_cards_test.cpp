@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/phones/phone_cards.h"
+#include "app/phones/phones.h"
 
 namespace phone_cards_test {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/phones/phones_follow.h"
-#include "app/play/playing.h"
-#include "app/study/study_follow.h"
+#include "app/phones/phones.h"
+#include "app/play/play.h"
+#include "app/study/study.h"
 #include "devices/phone/phone_desk.h"
 #include "devices/phone/phone_device.h"
 #include "tests/support/page_phone.h"

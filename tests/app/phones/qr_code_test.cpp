@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/phones/qr_code.h"
+#include "app/phones/phones.h"
 
 namespace qr_code_test {
 

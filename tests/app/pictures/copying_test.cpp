@@ -1,12 +1,12 @@
 // What is copied is text on the clipboard of the desktop, and what others put there can be pasted.
 
-#include "app/pictures/copying.h"
+#include "app/pictures/pictures.h"
 
 #include <doctest/doctest.h>
 
 #include "app/document/editing.h"
-#include "app/map/live_map.h"
-#include "app/window/command_actions.h"
+#include "app/map/map.h"
+#include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "model/io/tables/matrix_file.h"
 #include "tests/support/program.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/window/view_pictures.h"
+#include "app/window/window.h"
 #include "tests/support/presence.h"
 #include "tests/support/svg_elements.h"
 #include "viz/drawing/theme.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/document/editing.h"
-#include "app/planning/plan_follow.h"
+#include "app/planning/planning.h"
 #include "model/io/set/set_file.h"
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/subset/subset_follow.h"
+#include "app/subset/subset.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "app/document/editing.h"
-#include "app/generate/generating.h"
+#include "app/generate/generate.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 

@@ -1,10 +1,9 @@
 // The device of playback: chosen, lost, remembered, exchanged.
-#include "app/play/playing.h"
+#include "app/play/play.h"
 
 #include <doctest/doctest.h>
 
-#include "app/play/calibrating.h"
-#include "app/play/ear_preview.h"
+#include "app/play/parts.h"
 #include "tests/support/felt_program.h"
 
 namespace play_devices_test {

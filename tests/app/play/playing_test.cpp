@@ -1,10 +1,9 @@
 // Playback in the program's real frames, with a device that records its drives.
 
-#include "app/play/playing.h"
+#include "app/play/play.h"
 
 #include <doctest/doctest.h>
 
-#include "app/play/emergency_stop.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/document/editing.h"
-#include "app/play/playing.h"
+#include "app/play/play.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/patience.h"
 

@@ -5,13 +5,13 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
-#include "app/progress/failure.h"
+#include "app/progress/progress.h"
 
 #include <stdexcept>
 
-#include "app/calibrate/measuring_response.h"
-#include "app/generate/generating.h"
-#include "app/study/study_follow.h"
+#include "app/calibrate/calibrate.h"
+#include "app/generate/generate.h"
+#include "app/study/study.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "app/progress/time_left.h"
+#include "app/progress/progress.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,8 @@
-#include "app/rendering/rendered_set.h"
+#include "app/rendering/rendering.h"
 
 #include <optional>
 
-#include "app/compare/live_comparison.h"
-#include "app/rendering/rendering_state.h"
+#include "app/compare/compare.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

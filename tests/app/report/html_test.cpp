@@ -1,8 +1,7 @@
-#include "app/report/html.h"
+#include "app/report/report.h"
 
 #include <doctest/doctest.h>
 
-#include "app/report/html_map.h"
 #include "tests/support/svg_elements.h"
 #include "tests/support/times_in.h"
 

@@ -1,4 +1,4 @@
-#include "app/report/wave_html.h"
+#include "app/report/report.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,10 @@
-#include "app/session/autosave.h"
+#include "app/session/session.h"
 
 #include <doctest/doctest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "app/session/folders.h"
 #include "model/io/set/load.h"
 #include "model/io/set/set_file.h"
 #include "model/text/atomic_file.h"

@@ -1,4 +1,4 @@
-#include "app/session/crash_report.h"
+#include "app/session/session.h"
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "app/session/file_lock.h"
+#include "app/session/session.h"
 
 #include <doctest/doctest.h>
 #include <unistd.h>

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/document/editing.h"
-#include "app/sounds/sounds_follow.h"
-#include "app/window/dialogs.h"
+#include "app/sounds/sounds.h"
+#include "app/window/window.h"
 #include "model/io/recordings/wave_file.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_steps.h"

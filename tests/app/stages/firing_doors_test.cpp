@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <atomic>
 
-#include "app/document/example_sets.h"
-#include "app/lesson/lesson_sheet.h"
-#include "app/physiology/live_stages.h"
-#include "app/stages/stage_remarks.h"
+#include "app/document/editing.h"
+#include "app/lesson/lesson.h"
+#include "app/physiology/physiology.h"
+#include "app/stages/parts.h"
 #include "assets/assets.h"
 #include "model/io/set/set_file.h"
 #include "model/textbook/textbook_beside.h"

@@ -1,5 +1,5 @@
 // Remarks on a stage name the patterns they are true of.
-#include "app/stages/stage_remarks.h"
+#include "app/stages/parts.h"
 
 #include <doctest/doctest.h>
 

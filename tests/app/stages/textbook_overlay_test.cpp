@@ -1,7 +1,7 @@
 // The textbook over the stages: switched on, remembered, with the model's deviations.
 #include <doctest/doctest.h>
 
-#include "app/window/session_layout.h"
+#include "app/window/window.h"
 #include "tests/support/physiology_program.h"
 
 namespace textbook_overlay_test {

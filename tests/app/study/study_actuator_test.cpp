@@ -1,10 +1,10 @@
 // What is done when a study's actuator goes, is another, or is too weak for what is asked of it.
 
-#include "app/study/study_actuator.h"
+#include "app/study/parts.h"
 
 #include <cmath>
 
-#include "app/study/study_follow.h"
+#include "app/study/study.h"
 #include "devices/device/memory_device.h"
 #include "devices/device/playback.h"
 #include "tests/support/patience.h"

@@ -1,8 +1,8 @@
 // Where masking noise goes, and what a study does without it.
 
-#include "app/study/study_masking.h"
+#include "app/study/parts.h"
 
-#include "app/study/study_follow.h"
+#include "app/study/study.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/program.h"
 #include "tests/support/quick_study.h"

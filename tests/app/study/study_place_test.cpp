@@ -1,9 +1,8 @@
 // Participants stay with the set that they rated, whatever happens to its file.
 
-#include "app/document/files.h"
-#include "app/document/unsaved.h"
+#include "app/document/editing.h"
 #include "app/opening/opening.h"
-#include "app/study/study_follow.h"
+#include "app/study/study.h"
 #include "model/io/people/study_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

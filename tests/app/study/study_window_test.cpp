@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "app/document/editing.h"
-#include "app/study/study_asked.h"
-#include "app/study/study_follow.h"
+#include "app/study/parts.h"
+#include "app/study/study.h"
 #include "devices/device/memory_device.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

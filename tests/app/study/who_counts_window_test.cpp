@@ -1,6 +1,6 @@
 // Who counts, decided in the window: left out for a reason that the study's folder keeps, rules on
 // how people answered, and what each one goes by.
-#include "app/study/study_follow.h"
+#include "app/study/study.h"
 #include "model/io/people/exclusions_file.h"
 #include "tests/support/quick_study.h"
 #include "tests/support/temporary_folder.h"

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "app/subset/groups_follow.h"
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_marks.h"
+#include "app/subset/parts.h"
+#include "app/subset/subset.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
 

@@ -1,8 +1,7 @@
 // A subset is picked as soon as there is a map, says that it is of a preview, and is picked again
 // once the map is exact.
-#include "app/jobs/turns.h"
-#include "app/subset/subset_export.h"
-#include "app/subset/subset_follow.h"
+#include "app/jobs/jobs.h"
+#include "app/subset/subset.h"
 #include "model/common/fingerprint.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

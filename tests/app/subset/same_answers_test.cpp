@@ -7,12 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/ask/steps_follow.h"
-#include "app/rendering/rendered_set.h"
-#include "app/subset/groups_follow.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_export.h"
-#include "app/subset/subset_follow.h"
+#include "app/ask/ask.h"
+#include "app/rendering/rendering.h"
+#include "app/subset/parts.h"
+#include "app/subset/subset.h"
 #include "model/io/set/set_file.h"
 #include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"

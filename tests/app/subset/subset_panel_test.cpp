@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/compare/compare_follow.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_export.h"
-#include "app/subset/subset_follow.h"
-#include "app/subset/subset_marks.h"
+#include "app/compare/compare.h"
+#include "app/subset/subset.h"
 #include "model/export/loss_words.h"
 #include "model/subset/set_subset.h"
 #include "model/tasks/set_pairs.h"

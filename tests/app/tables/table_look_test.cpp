@@ -1,4 +1,4 @@
-#include "app/tables/table_look.h"
+#include "app/tables/tables.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include "app/document/editing.h"
 #include "app/session/session.h"
 #include "app/tables/table_words.h"
-#include "app/window/dialogs.h"
+#include "app/window/window.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_steps.h"
 #include "tests/support/temporary_folder.h"

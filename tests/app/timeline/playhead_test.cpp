@@ -1,4 +1,4 @@
-#include "app/timeline/playhead.h"
+#include "app/timeline/timeline.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Edits of the selected patterns, in the window: the model's answer, as one step of undo.
-#include "app/transform/transform_follow.h"
+#include "app/transform/transform.h"
 #include "model/algebra/set_edits.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

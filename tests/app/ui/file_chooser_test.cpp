@@ -1,4 +1,4 @@
-#include "app/ui/file_chooser.h"
+#include "app/ui/ui.h"
 
 #include <doctest/doctest.h>
 #include <imgui_internal.h>
@@ -7,8 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/ui/chooser_answer.h"
-#include "app/ui/ui.h"
 #include "tests/support/headless_window.h"
 
 namespace file_chooser_test {

@@ -1,6 +1,6 @@
 // The keyboard reaches everything that the mouse can press.
 
-#include "app/ui/tab_order.h"
+#include "app/ui/ui.h"
 
 #include <algorithm>
 

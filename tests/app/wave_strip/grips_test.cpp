@@ -1,6 +1,6 @@
 // Grips of the wave strip, and the pattern after a drag.
 
-#include "app/wave_strip/grips.h"
+#include "app/wave_strip/wave_strip.h"
 
 #include "model/common/random.h"
 #include "model/pattern/drawn_fault.h"

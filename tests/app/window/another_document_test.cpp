@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "app/lesson/lesson.h"
-#include "app/subset/subset_follow.h"
+#include "app/subset/subset.h"
 #include "tests/support/scene_steps.h"
 
 namespace another_document_test {
@@ -248,7 +248,7 @@ TEST_CASE("another document: a map under way outlives a lesson, and is not asked
     const LiveMapRequest asked = *app.shown_map.full_job.asked();
     const std::uint64_t document = app.work.document_number;
     app.timeline.range = {0.0, 0.5};
-    begin_tour(program);
+    open_tour(program);
     CHECK(app.work.document_number != document);
     const auto& of_lesson = app.shown_map.full_job.asked();
     CHECK((!of_lesson || of_lesson->document != asked.document));

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "app/command_line/command_line.h"
-#include "app/model_bench/model_rows.h"
-#include "app/study/study_asked.h"
+#include "app/model_bench/parts.h"
+#include "app/study/parts.h"
 #include "model/io/set/model_json.h"
 #include "model/io/set/study_json.h"
 #include "model/pattern/pattern_numbers.h"

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
-#include "app/measured/import_follow.h"
-#include "app/study/study_follow.h"
-#include "app/study/study_state.h"
-#include "app/subset/separation_follow.h"
-#include "app/subset/subset_state.h"
-#include "app/window/frame.h"
+#include "app/measured/measured.h"
+#include "app/study/study.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 #include "model/common/quantile.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/separation.h"

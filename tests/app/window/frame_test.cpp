@@ -1,9 +1,9 @@
-#include "app/window/frame.h"
+#include "app/window/window.h"
 
 #include <chrono>
 
 #include "app/document/editing.h"
-#include "app/map/map_follow.h"
+#include "app/map/map.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"

@@ -1,4 +1,4 @@
-#include "app/window/frame.h"
+#include "app/window/window.h"
 
 #include <cmath>
 

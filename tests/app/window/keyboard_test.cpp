@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/question.h"
+#include "app/ui/ui.h"
 #include "tests/support/scenes.h"
 
 namespace keyboard_test {

@@ -2,9 +2,9 @@
 // in every copied table.
 #include <doctest/doctest.h>
 
-#include "app/candidates/candidate_rows.h"
-#include "app/compare/live_comparison.h"
-#include "app/window/view_pictures.h"
+#include "app/candidates/candidates.h"
+#include "app/compare/compare.h"
+#include "app/window/window.h"
 #include "tests/support/compare_bench.h"
 #include "tests/support/run_program.h"
 

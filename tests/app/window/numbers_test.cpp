@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include "app/study/study_follow.h"
-#include "app/study/study_state.h"
-#include "app/window/frame.h"
+#include "app/study/study.h"
+#include "app/window/window.h"
 #include "tests/support/program.h"
 #include "tests/support/typed_numbers.h"
 

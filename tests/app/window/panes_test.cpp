@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/window/command_actions.h"
+#include "app/window/window.h"
 #include "tests/support/felt_program.h"
 #include "tests/support/reach.h"
 #include "tests/support/scenes.h"

@@ -1,8 +1,8 @@
 // Actions on a row of a list while the list is drawn; with the library's checks on, an index past
 // the end aborts.
 
-#include "app/subset/separation_follow.h"
-#include "app/window/frame.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 #include "tests/support/program.h"
 
 namespace rows_test {

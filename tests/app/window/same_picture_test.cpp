@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/subset/subset_follow.h"
-#include "app/window/view_pictures.h"
+#include "app/subset/subset.h"
+#include "app/window/window.h"
 #include "tests/support/drawn_texts.h"
 #include "tests/support/scene_steps.h"
 #include "tests/support/scenes.h"

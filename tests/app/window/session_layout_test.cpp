@@ -1,8 +1,8 @@
 // The window begins as it was left.
 
-#include "app/window/session_layout.h"
+#include "app/window/window.h"
 
-#include "app/document/files.h"
+#include "app/document/editing.h"
 #include "tests/support/program.h"
 #include "tests/support/state_home.h"
 #include "tests/support/temporary_folder.h"

@@ -9,12 +9,8 @@
 #include <string>
 
 #include "app/document/editing.h"
-#include "app/document/files.h"
-#include "app/document/unsaved.h"
-#include "app/generate/generating.h"
-#include "app/window/animation.h"
-#include "app/window/frame.h"
-#include "app/window/session_layout.h"
+#include "app/generate/generate.h"
+#include "app/window/window.h"
 #include "app/workspaces/workspaces.h"
 #include "model/io/set/load.h"
 #include "tests/support/felt_program.h"

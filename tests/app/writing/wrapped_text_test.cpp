@@ -1,5 +1,5 @@
 // Lines that are broken in a box: what is typed between the breaks is in the text, breaks are not.
-#include "app/writing/wrapped_text.h"
+#include "app/writing/writing.h"
 
 #include <doctest/doctest.h>
 
