@@ -9,7 +9,6 @@
 
 #include "devices/audio/audio_host.h"
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 
 namespace tact {
 

@@ -19,7 +19,7 @@
 #include "model/ask/reach.h"
 #include "model/ask/steps.h"
 #include "model/ask/vary.h"
-#include "model/morph/pad.h"
+#include "model/morph/morph.h"
 
 namespace tact {
 

@@ -7,7 +7,7 @@
 #include "app/document/editing.h"
 #include "app/map/map.h"
 #include "devices/calibration/rendering.h"
-#include "model/ask/gap_candidates.h"
+#include "model/ask/gap.h"
 #include "model/pattern/same_vibration.h"
 #include "model/text/numbers.h"
 

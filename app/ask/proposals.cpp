@@ -7,7 +7,7 @@
 #include "app/map/map.h"
 #include "devices/calibration/rendering.h"
 #include "model/common/parallel.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

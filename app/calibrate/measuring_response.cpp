@@ -11,7 +11,7 @@
 #include "devices/calibration/calibration_file.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/io/recordings/wave_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utc_time.h"
 
 namespace tact {

@@ -9,9 +9,9 @@
 #include "app/lesson/lesson.h"
 #include "app/phones/phones.h"
 #include "app/study/study.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/text/utc_time.h"
-#include "model/told_apart/told_apart_words.h"
+#include "model/told_apart/told_apart_results.h"
 
 namespace tact {
 

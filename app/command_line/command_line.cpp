@@ -7,7 +7,7 @@
 
 #include "app/command_line/endings.h"
 #include "app/command_line/options.h"
-#include "model/common/thrown.h"
+#include "model/common/expected.h"
 
 namespace tact {
 

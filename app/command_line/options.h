@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/command_line/commands.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 

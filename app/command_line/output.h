@@ -13,7 +13,6 @@
 #include "app/rendering/rendering.h"
 #include "devices/calibration/rendering.h"
 #include "model/export/export_loss.h"
-#include "model/set/named_place.h"
 #include "model/set/pattern_set.h"
 #include "model/subset/subset.h"
 
@@ -92,7 +91,7 @@ std::string csv_line(const TextRow& row);
 // missing.
 std::string csv_number(double value);
 
-// What an export costs, as a table for people: the numbers of model/export/loss_json.h.
+// What an export costs, as a table for people: the numbers of model/export/loss_words.h.
 
 // Tables of the patterns, of the set and of the pairs that moved most, and the verdict on the
 // subset.

@@ -1,7 +1,7 @@
 // People: comparing with what they said, asking them, and fitting the model to them.
 #include "app/command_line/options.h"
 
-#include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/study/study_numbers.h"
 #include "model/text/numbers.h"

@@ -7,7 +7,7 @@
 
 #include "app/command_line/output.h"
 #include "model/common/parallel.h"
-#include "model/io/set/set_fingerprint.h"
+#include "model/io/set/set_file.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 

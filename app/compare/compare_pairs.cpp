@@ -7,11 +7,10 @@
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "model/textbook/noticed.h"
+#include "model/textbook/textbook.h"
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
-#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 

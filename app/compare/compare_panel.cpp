@@ -12,7 +12,6 @@
 #include "viz/charts/scatter_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
-#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 

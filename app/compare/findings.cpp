@@ -14,8 +14,8 @@
 #include "model/evaluation/metric_comparison.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_waveforms.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

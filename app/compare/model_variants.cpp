@@ -10,8 +10,8 @@
 #include "model/map/alienation.h"
 #include "model/map/mds.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_waveforms.h"
 #include "model/study/ratings.h"
 #include "model/text/numbers.h"
 

@@ -13,7 +13,7 @@
 #include "app/timeline/timeline.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "model/textbook/noticed.h"
+#include "model/textbook/textbook.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -11,7 +11,7 @@
 #include "app/lesson/lesson.h"
 #include "app/session/session.h"
 #include "app/ui/ui.h"
-#include "model/lesson/course.h"
+#include "model/lesson/lesson.h"
 
 namespace tact {
 

@@ -8,7 +8,7 @@
 #include "app/document/workspace.h"
 #include "model/set/layers.h"
 #include "model/set/vibration_search.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -7,7 +7,7 @@
 #include "app/session/session.h"
 #include "app/ui/ui.h"
 #include "assets/assets.h"
-#include "model/common/thrown.h"
+#include "model/common/expected.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/set/load.h"
 #include "model/io/set/measured_files.h"
@@ -16,7 +16,7 @@
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/ui/ui.h"
-#include "model/export/effect_files.h"
+#include "model/export/exported_files.h"
 #include "model/subset/set_subset.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utc_time.h"
 
 namespace tact {

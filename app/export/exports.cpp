@@ -14,7 +14,7 @@
 #include "app/ui/widgets.h"
 #include "model/io/recordings/recording.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

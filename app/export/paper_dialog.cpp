@@ -7,7 +7,7 @@
 #include "app/ui/widgets.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/set/parameter_paths.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {

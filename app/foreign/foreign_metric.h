@@ -15,7 +15,7 @@
 #include "model/common/expected.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/set/pattern_set.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 
 namespace tact {
 

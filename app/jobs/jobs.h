@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "model/common/thrown.h"
+#include "model/common/expected.h"
 #include "model/system/process.h"
 
 namespace tact {

@@ -6,7 +6,7 @@
 
 #include "app/document/editing.h"
 #include "model/set/layers.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -12,7 +12,7 @@
 #include "model/io/lesson/lesson_file.h"
 #include "model/lesson/lesson_lacks.h"
 #include "model/lesson/lesson_languages.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 namespace tact {
 

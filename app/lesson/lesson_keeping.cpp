@@ -8,7 +8,7 @@
 #include "app/document/workspace.h"
 #include "app/jobs/jobs.h"
 #include "app/ui/ui.h"
-#include "model/common/thrown.h"
+#include "model/common/expected.h"
 #include "model/io/lesson/lesson_file.h"
 
 namespace tact {

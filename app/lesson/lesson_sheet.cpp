@@ -6,7 +6,7 @@
 #include "app/report/report.h"
 #include "model/io/lesson/lesson_file.h"
 #include "model/set/layers.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -14,7 +14,6 @@
 #include "app/jobs/jobs.h"
 #include "app/ui/ui.h"
 #include "model/library/library.h"
-#include "model/library/library_search.h"
 #include "model/library/like.h"
 
 namespace tact {

@@ -8,7 +8,7 @@
 #include "app/document/editing.h"
 #include "app/ui/ui.h"
 #include "model/library/library_folder.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 
 namespace tact {

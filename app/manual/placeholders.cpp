@@ -13,7 +13,6 @@
 #include "model/map/isotonic.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/set/pattern_set.h"
-#include "model/set/set_waveforms.h"
 #include "model/subset/set_subset.h"
 #include "model/text/numbers.h"
 #include "model/training/training_grid.h"

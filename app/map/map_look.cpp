@@ -10,7 +10,7 @@
 #include "model/map/group_tree.h"
 #include "model/set/parameter_paths.h"
 #include "model/text/numbers.h"
-#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 

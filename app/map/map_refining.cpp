@@ -11,7 +11,7 @@
 #include "app/jobs/jobs.h"
 #include "app/progress/progress.h"
 #include "model/common/fingerprint.h"
-#include "model/io/set/set_fingerprint.h"
+#include "model/io/set/set_file.h"
 #include "model/io/tables/checkpoint.h"
 #include "model/perceptual_model/tiles.h"
 

@@ -8,7 +8,7 @@
 #include "app/ui/ui.h"
 #include "model/io/set/measured_files.h"
 #include "model/text/atomic_file.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

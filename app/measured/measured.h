@@ -12,7 +12,7 @@
 #include "app/document/workspace.h"
 #include "app/jobs/jobs.h"
 #include "app/ui/ui.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/measured_twin.h"
 #include "model/signal/waveform.h"

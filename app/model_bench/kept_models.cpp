@@ -6,7 +6,7 @@
 #include "app/session/session.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -8,10 +8,10 @@
 #include "app/ui/ui.h"
 #include "model/io/set/load.h"
 #include "model/set/measured_twin.h"
+#include "model/set/pattern_set.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_waveforms.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 namespace tact {
 

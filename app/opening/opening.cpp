@@ -7,7 +7,7 @@
 #include "app/document/workspace.h"
 #include "app/progress/progress.h"
 #include "app/session/session.h"
-#include "model/common/thrown.h"
+#include "model/common/expected.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/text/numbers.h"

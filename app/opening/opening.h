@@ -12,7 +12,7 @@
 #include "app/jobs/jobs.h"
 #include "app/ui/ui.h"
 #include "model/common/expected.h"
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
 
 namespace tact {
 

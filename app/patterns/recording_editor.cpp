@@ -9,7 +9,7 @@
 #include "app/ui/widgets.h"
 #include "app/wave_strip/wave_strip.h"
 #include "model/common/portable.h"
-#include "model/signal/cut_and_fade.h"
+#include "model/signal/waveform.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"

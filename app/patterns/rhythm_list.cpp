@@ -6,7 +6,7 @@
 
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "model/pattern/rhythm_lists.h"
+#include "model/pattern/rhythm.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "app/session/program_version.h"
-#include "model/io/folders/new_folder.h"
+#include "model/io/folders/folder_files.h"
 #include "model/io/people/study_lines.h"
 #include "model/set/felt_versions.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/text/utc_time.h"
 
 namespace tact {

@@ -130,7 +130,7 @@ struct StageSignal {
 std::vector<StageSignal> signals_of(const LiveStages& live, Stage stage);
 
 // How far two patterns are apart at each stage, 0 the same to 1 nothing in common
-// (model/signal/relative_difference.h); none where a stage has no measure of its own.
+// (model/signal/waveform.h); none where a stage has no measure of its own.
 using StageDifferences = std::array<std::optional<double>, kStages.size()>;
 StageDifferences stage_differences(const LiveStages& a, const LiveStages& b);
 

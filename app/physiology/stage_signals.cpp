@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/signal/relative_difference.h"
+#include "model/signal/waveform.h"
 
 namespace tact {
 

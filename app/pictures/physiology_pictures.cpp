@@ -10,7 +10,7 @@
 #include "model/physiology/firing.h"
 #include "model/physiology/neural_coding.h"
 #include "model/text/numbers.h"
-#include "viz/charts/receptor_curves.h"
+#include "viz/charts/response_view.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/firing_view.h"

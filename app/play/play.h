@@ -18,7 +18,6 @@
 #include "app/ui/ui.h"
 #include "devices/calibration/calibration.h"
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 #include "devices/device/drive.h"
 #include "model/set/pattern_set.h"
 #include "viz/drawing/geometry.h"

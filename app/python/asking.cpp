@@ -6,8 +6,7 @@
 #include <tuple>
 
 #include "model/ask/parted_pair.h"
-#include "model/ask/steps_json.h"
-#include "model/ask/steps_set.h"
+#include "model/ask/steps.h"
 #include "model/grouping/set_groups.h"
 #include "model/tasks/set_pairs.h"
 #include "model/tasks/set_report.h"

@@ -7,7 +7,7 @@
 #include "model/io/set/model_json.h"
 #include "model/io/set/set_json.h"
 #include "model/set/layers.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -24,9 +24,9 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/dissimilarity/dissimilarity.h"
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
 #include "model/perceptual_model/perceptual_model_params.h"
 #include "model/set/pattern_set.h"
 #include "model/signal/waveform.h"

@@ -8,7 +8,7 @@
 
 #include "model/io/set/set_json.h"
 #include "model/set/layers.h"
-#include "model/set/named_place.h"
+#include "model/set/pattern_set.h"
 #include "model/set/set_ratings.h"
 #include "model/signal/resample.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
 #include "model/pattern/pattern.h"
 #include "model/signal/resample.h"
 #include "model/text/numbers.h"

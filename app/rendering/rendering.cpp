@@ -123,7 +123,7 @@ std::shared_ptr<const Waveform> known(const Vibration& vibration, std::size_t pl
     return same ? waveform_at(*moved) : nullptr;
 }
 
-// Nobody has measured any (devices/rumble/motor_envelope.h, on_off_motor.h).
+// Nobody has measured any (devices/rumble/motor_envelope.h).
 std::string words_on_motors(const RenderedBy& by) {
     const Language language = traits(by.kind).language;
     if (language == Language::on_off) {

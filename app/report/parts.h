@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
 #include "model/planning/preregistration.h"
 
 namespace tact {

@@ -9,8 +9,8 @@
 
 #include "app/pictures/pictures.h"
 #include "devices/calibration/rendering.h"
+#include "model/common/distributions.h"
 #include "model/common/expected.h"
-#include "model/common/quantile.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/io/people/study_tables.h"
 #include "model/map/mds.h"

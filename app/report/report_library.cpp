@@ -6,7 +6,7 @@
 
 #include "app/report/report.h"
 #include "model/text/numbers.h"
-#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 #include "viz/picture/picture.h"
 
 namespace tact {

@@ -6,7 +6,6 @@
 
 #include "app/report/report.h"
 #include "model/text/numbers.h"
-#include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 
 namespace tact {

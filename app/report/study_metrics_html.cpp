@@ -10,7 +10,7 @@
 #include "app/report/parts.h"
 #include "model/evaluation/said_once.h"
 #include "model/text/numbers.h"
-#include "viz/charts/star_view.h"
+#include "viz/charts/profile_view.h"
 
 namespace tact {
 

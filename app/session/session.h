@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "devices/device/device_info.h"
+#include "devices/device/device.h"
 #include "model/common/expected.h"
-#include "model/io/folders/new_folder.h"
+#include "model/io/folders/folder_files.h"
 #include "model/lesson/lesson.h"
 #include "model/set/pattern_set.h"
 

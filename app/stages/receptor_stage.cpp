@@ -12,7 +12,7 @@
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 #include "viz/skin/raster_view.h"
-#include "viz/skin/receptor_legend.h"
+#include "viz/skin/receptor_caption.h"
 #include "viz/skin/receptor_view.h"
 
 namespace tact {

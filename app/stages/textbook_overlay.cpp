@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/ui/widgets.h"
-#include "model/textbook/noticed.h"
+#include "model/textbook/textbook.h"
 #include "model/textbook/textbook_beside.h"
 #include "viz/drawing/marks.h"
 

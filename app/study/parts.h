@@ -14,7 +14,7 @@
 #include "app/study/study.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "devices/device/device_info.h"
+#include "devices/device/device.h"
 #include "model/common/expected.h"
 #include "model/study/study_design.h"
 

@@ -20,7 +20,7 @@
 #include "app/ui/widgets.h"
 #include "devices/device/device.h"
 #include "devices/device/memory_device.h"
-#include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
 #include "model/io/people/study_file.h"
 #include "model/map/mds.h"
 #include "model/set/pattern_set.h"

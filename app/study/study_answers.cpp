@@ -6,7 +6,7 @@
 #include "app/document/editing.h"
 #include "app/study/parts.h"
 #include "model/io/people/study_file.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/study/study_numbers.h"
 
 namespace tact {

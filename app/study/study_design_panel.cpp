@@ -15,7 +15,7 @@
 #include "app/study/parts.h"
 #include "app/study/study.h"
 #include "app/ui/widgets.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -17,10 +17,9 @@
 #include "model/io/people/study_csv.h"
 #include "model/set/felt_versions.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_study.h"
 #include "model/study/synthetic_study.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 

@@ -14,7 +14,7 @@
 #include "model/io/people/exclusions_file.h"
 #include "model/text/numbers.h"
 #include "model/text/utc_time.h"
-#include "viz/charts/star_view.h"
+#include "viz/charts/profile_view.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

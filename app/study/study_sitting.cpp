@@ -8,7 +8,7 @@
 #include "app/study/parts.h"
 #include "app/study/study.h"
 #include "model/io/people/study_lines.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/text/utc_time.h"
 
 namespace tact {

@@ -5,7 +5,7 @@
 #include "app/document/editing.h"
 #include "app/map/map.h"
 #include "devices/calibration/rendering.h"
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/set/set_ratings.h"
 
 namespace tact {

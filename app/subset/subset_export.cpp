@@ -18,7 +18,7 @@
 #include "model/set/felt_versions.h"
 #include "model/subset/set_subset.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utc_time.h"
 
 namespace tact {

@@ -15,7 +15,6 @@
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
-#include "viz/drawing/words_and_picture.h"
 
 namespace tact {
 

@@ -9,7 +9,7 @@
 #include "app/tables/table_words.h"
 #include "app/ui/ui.h"
 #include "model/signal/waveform.h"
-#include "model/table/columns.h"
+#include "model/table/table.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kHeadBytes = 1 << 18;  // by which a dialect is told (model/table/dialect)
+constexpr std::size_t kHeadBytes = 1 << 18;  // by which a dialect is told (model/table/table)
 constexpr std::array<const char*, 4> kAnswerUses{"pattern A", "pattern B", "rating", "participant"};
 constexpr std::array<const char*, 4> kAxisUses{"time", "x", "y", "z"};
 

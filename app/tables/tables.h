@@ -18,7 +18,7 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/recordings/acceleration_file.h"
 #include "model/set/pattern_set.h"
-#include "model/table/table_head.h"
+#include "model/table/table.h"
 
 namespace tact {
 

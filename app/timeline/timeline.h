@@ -9,7 +9,7 @@
 #include "app/ui/ui.h"
 #include "viz/charts/wave_view.h"
 #include "viz/drawing/geometry.h"
-#include "viz/drawing/time_range.h"
+#include "viz/drawing/plot.h"
 
 namespace tact {
 

@@ -6,7 +6,7 @@
 #include "app/progress/progress.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "model/set/named_place.h"
+#include "model/set/pattern_set.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 

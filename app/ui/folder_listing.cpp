@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "model/system/calendar.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -16,7 +16,6 @@
 #include "model/signal/waveform.h"
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/plot.h"
-#include "viz/drawing/time_range.h"
 
 namespace tact {
 

@@ -9,11 +9,10 @@
 #include <map>
 #include <utility>
 
-#include "devices/audio/alsa_names.h"
 #include "devices/audio/audio_names.h"
+#include "devices/audio/audio_opening.h"
 #include "devices/audio/audio_stream.h"
 #include "devices/audio/jack_output.h"
-#include "devices/audio/library_noise.h"
 
 namespace tact {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "devices/audio/sound_server.h"
-#include "devices/device/device_info.h"
+#include "devices/device/device.h"
 
 namespace tact {
 

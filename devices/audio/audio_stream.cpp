@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "devices/audio/audio_host.h"
-#include "devices/device/bounds.h"
+#include "devices/device/drive.h"
 #include "devices/device/halt.h"
 
 namespace tact {

@@ -17,7 +17,6 @@
 #include "devices/audio/sound_server.h"
 #include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 #include "devices/device/playback.h"
 
 namespace tact {

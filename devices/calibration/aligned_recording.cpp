@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "devices/calibration/plan_alignment.h"
-#include "devices/calibration/tone_fit.h"
+#include "devices/calibration/ringing.h"
 #include "model/signal/resample.h"
 
 namespace tact {

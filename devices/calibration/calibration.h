@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
@@ -43,7 +42,7 @@ struct ResponsePoint {
 
 // Response of one actuator on one channel, with its amplifier and as it was mounted.
 struct Calibration {
-    std::string device;  // its id (devices/device/device_info.h)
+    std::string device;  // its id (devices/device/device.h)
     int channel = 1;
     std::string actuator;   // "Haptuator, left"
     std::string mounting;   // how it was held or fixed

@@ -9,10 +9,8 @@
 #include "devices/calibration/aligned_recording.h"
 #include "devices/calibration/plan_alignment.h"
 #include "devices/calibration/proportion.h"
-#include "devices/calibration/proven_resonances.h"
 #include "devices/calibration/resonance.h"
 #include "devices/calibration/ringing.h"
-#include "devices/calibration/tone_fit.h"
 #include "model/text/numbers.h"
 
 namespace tact {

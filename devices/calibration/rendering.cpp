@@ -8,7 +8,6 @@
 
 #include "devices/device/playback.h"
 #include "devices/rumble/motor_envelope.h"
-#include "devices/rumble/on_off_motor.h"
 #include "devices/rumble/rumble_plan.h"
 #include "model/io/effects_out/on_off.h"
 #include "model/signal/resample.h"

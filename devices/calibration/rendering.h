@@ -6,7 +6,7 @@
 //             speed follows the duty with the motor's inertia (devices/rumble/motor_envelope.h)
 // Intensity   a buzz of 160 Hz as strong as the envelope
 // On, off     a phone's motor as a browser switches it (model/io/effects_out/on_off.h), with a rise
-//             and a fall that are guessed (devices/rumble/on_off_motor.h)
+//             and a fall that are guessed (devices/rumble/motor_envelope.h)
 // Voice coil  the waveform within the coil's band and within full scale; of a calibrated one what
 // its
 //             response makes of the drive that it is given, turned down as a whole by the limiter
@@ -27,7 +27,7 @@
 #include "devices/calibration/calibration.h"
 #include "devices/device/drive.h"
 #include "devices/rumble/actuator_kind.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/signal/waveform.h"
 
 namespace tact {

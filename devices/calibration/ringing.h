@@ -11,6 +11,8 @@
 // Left out  two resonances within half an octave.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "devices/calibration/calibration_run.h"
@@ -39,5 +41,19 @@ std::vector<double> rung_g(const CalibrationPlan& plan, const std::vector<Calibr
 std::vector<Resonance> sharp_resonances(const CalibrationPlan& plan,
                                         const std::vector<CalibrationTone>& tones,
                                         std::vector<ResponsePoint>& points);
+
+// A tone of a calibration signal in a recording: amplitude, distortion and noise by least squares
+// (calibration_run.h).
+
+struct ToneFit {
+    double amplitude_g = 0.0;
+    double thd = 0.0;
+    double snr_db = 0.0;
+    double standard_error = 0.0;
+};
+
+// Fit to a recording that begins the plan at `start`.
+ToneFit fit_of(const CalibrationPlan& plan, const CalibrationTone& tone,
+               std::span<const double> samples, std::size_t start);
 
 }  // namespace tact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tact {
@@ -26,6 +27,16 @@ Drive test_buzz() {
         drive.samples.push_back(rise * std::sin(2.0 * std::numbers::pi * kFrequencyHz * t_s));
     }
     return drive;
+}
+
+double kept_level(double level, double largest_level) {
+    const double asked = level > 0.0 ? std::min(level, 1.0) : 0.0;
+    return asked > largest_level ? std::max(0.0, largest_level) : asked;
+}
+
+double kept_s(double duration_s, bool loop, double longest_s) {
+    const double whole_s = loop ? std::numeric_limits<double>::infinity() : duration_s;
+    return longest_s < whole_s ? std::max(0.0, longest_s) : whole_s;
 }
 
 }  // namespace tact

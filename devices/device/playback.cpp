@@ -8,7 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "devices/device/bounds.h"
+#include "devices/device/drive.h"
 
 namespace tact {
 

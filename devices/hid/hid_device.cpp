@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "devices/device/bounds.h"
+#include "devices/device/drive.h"
 #include "devices/device/halt.h"
 #include "devices/device/playback.h"
 #include "devices/hid/patient_port.h"
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 
 namespace tact {
 

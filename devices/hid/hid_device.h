@@ -11,7 +11,7 @@
 // latest. Where they are not taken they are sent again and again, as long as the controller is
 // there, and at once when it is back; a write that does not return is left to itself. From the
 // first packet of a play to the last the controller is this program's alone; how strong and for how
-// long a drive may be holds here as for an output (devices/device/bounds.h), and for plays in turn
+// long a drive may be holds here as for an output (devices/device/drive.h), and for plays in turn
 // (devices/device/ledger.h).
 //
 // Source    the pace of the drivers that rumble_packets.h names

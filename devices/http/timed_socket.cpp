@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
+#include <memory>
 #include <system_error>
+#include <utility>
 
 namespace tact {
 
@@ -111,6 +114,29 @@ double handshake_s(int socket) {
     socklen_t size = sizeof info;
     if (getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return 0.0;
     return 1e-6 * info.tcpi_rtt;
+}
+
+namespace {
+
+constexpr std::size_t kStackBytes = 256 * 1024;
+
+void* run_task(void* task) {
+    const std::unique_ptr<std::function<void()>> owned(static_cast<std::function<void()>*>(task));
+    (*owned)();
+    return nullptr;
+}
+
+}  // namespace
+
+bool start_small_thread(pthread_t& thread, std::function<void()> run) {
+    auto task = std::make_unique<std::function<void()>>(std::move(run));
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) return false;
+    pthread_attr_setstacksize(&attributes, kStackBytes);
+    const bool started = pthread_create(&thread, &attributes, run_task, task.get()) == 0;
+    pthread_attr_destroy(&attributes);
+    if (started) (void)task.release();  // the thread's now
+    return started;
 }
 
 }  // namespace tact

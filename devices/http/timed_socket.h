@@ -4,8 +4,11 @@
 // Left out  IPv6, names of hosts, encryption
 #pragma once
 
+#include <pthread.h>
+
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,5 +51,14 @@ bool write_until(int socket, std::string_view bytes, SocketMoment deadline);
 
 // How long the connection's own way there and back took, as the kernel measured; 0: not known.
 double handshake_s(int socket);
+
+// A thread with a small stack: some hundreds of them wait most of the time.
+//
+// Source    pthread_attr_setstacksize(3). std::thread has no such choice, and takes 8 MB of
+//           addresses each, all of which are memory where an audio library locks what the
+//           process has
+
+// False: the system has no room for it. To be joined by pthread_join.
+bool start_small_thread(pthread_t& thread, std::function<void()> run);
 
 }  // namespace tact

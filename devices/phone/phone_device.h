@@ -6,7 +6,7 @@
 // begins on that thread, to the millisecond; the way through the air is the same for both.
 //
 // Input     on-off times at a level: model/io/effects_out/on_off.h
-// Valid     level, largest level and longest time as devices/device/bounds.h has them
+// Valid     level, largest level and longest time as devices/device/drive.h has them
 // Left out  rest_after_s, limits of rms and travel: the firmware of a phone protects its motor. The
 //           way to the phones is not taken off the position: each has its own
 //           (ConnectedPhone::latency_s)
@@ -23,7 +23,6 @@
 #include <vector>
 
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 #include "devices/phone/phone_server.h"
 
 namespace tact {

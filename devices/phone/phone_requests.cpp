@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "devices/phone/body_fields.h"
 #include "devices/phone/phone_names.h"
-#include "devices/phone/phone_token.h"
+#include "devices/phone/phone_values.h"
 
 namespace tact {
 

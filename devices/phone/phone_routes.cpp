@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "devices/phone/phone_token.h"
+#include "devices/phone/phone_names.h"
 
 namespace tact {
 

@@ -5,8 +5,8 @@
 #include "devices/http/connections.h"
 #include "devices/http/http_answers.h"
 #include "devices/phone/phone_desk.h"
+#include "devices/phone/phone_names.h"
 #include "devices/phone/phone_routes.h"
-#include "devices/phone/phone_token.h"
 
 namespace tact {
 

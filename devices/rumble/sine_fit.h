@@ -20,7 +20,6 @@
 #include <span>
 #include <vector>
 
-#include "model/common/range.h"
 #include "model/common/units.h"
 #include "model/signal/spectrum.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "devices/rumble/sine_fit.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 

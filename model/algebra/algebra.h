@@ -22,7 +22,7 @@
 #include <string_view>
 
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/pattern/pattern.h"
 #include "model/physiology/mechanoreceptor.h"
 #include "model/set/pattern_set.h"

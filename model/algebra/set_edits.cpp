@@ -1,6 +1,6 @@
 #include "model/algebra/set_edits.h"
 
-#include "model/set/named_place.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

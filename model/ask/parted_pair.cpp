@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

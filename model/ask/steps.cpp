@@ -1,12 +1,14 @@
 #include "model/ask/steps.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "model/ask/even_path.h"
-#include "model/ask/path_distances.h"
-#include "model/ask/path_overview.h"
+#include "model/morph/morph.h"
+#include "model/text/numbers.h"
 
 namespace tact {
 
@@ -232,6 +234,152 @@ std::optional<EvenSteps> even_steps(const StepsQuestion& question, const StepsOp
     if (options.stop.stop_requested()) return std::nullopt;
     if (options.progress) options.progress(1.0);
     return best->steps;
+}
+
+namespace {
+
+std::string numbers_of(const Pattern& pattern) {
+    std::string list;
+    for (const PatternParameter parameter : kPatternParameters) {
+        if (!value_of(pattern, parameter)) continue;
+        list += std::string(list.empty() ? "" : ", ") + traits(parameter).key;
+    }
+    return list;
+}
+
+}  // namespace
+
+nlohmann::json json_of(const EvenSteps& steps, const std::vector<std::string>& names) {
+    nlohmann::json json{{"patterns", names},      {"shares", steps.shares},
+                        {"apart", steps.apart},   {"ends_apart", steps.ends_apart},
+                        {"pm", steps.pm},         {"largest_pm", steps.largest_pm},
+                        {"uneven", steps.uneven}, {"even", is_even(steps)}};
+    if (steps.jump) {
+        json["jump"] = {{"share", steps.jump->share}, {"distance", steps.jump->distance}};
+    }
+    return json;
+}
+
+std::optional<StepMeasure> step_measure_named(std::string_view name) {
+    for (const StepMeasure measure : {StepMeasure::pm, StepMeasure::nc, StepMeasure::oc}) {
+        if (name == kStepMeasures[static_cast<std::size_t>(measure)]) return measure;
+    }
+    return std::nullopt;
+}
+
+Expected<Pattern> end_of_way(const Pattern& from, const Pattern& to, const std::string& parameter) {
+    if (parameter.empty()) return to;
+    for (const PatternParameter one : kPatternParameters) {
+        if (traits(one).key != parameter) continue;
+        if (const auto end = end_along(from, to, one)) return *end;
+    }
+    return Error{"expected a number that both patterns have (" + numbers_of(from) + "), got \"" +
+                 parameter + "\""};
+}
+
+namespace {
+
+bool ends_at(const PatternSet& set, std::size_t to, const EvenSteps& steps) {
+    const auto* pattern = std::get_if<Pattern>(&set.vibrations[to].source);
+    return pattern != nullptr && *pattern == steps.patterns.back();
+}
+
+}  // namespace
+
+std::vector<Vibration> vibrations_between(const PatternSet& set, std::size_t from, std::size_t to,
+                                          const EvenSteps& steps) {
+    const std::string way = set.vibrations[from].name + " to " + set.vibrations[to].name;
+    const std::size_t count = steps.patterns.size();
+    const std::size_t end = ends_at(set, to, steps) ? count - 1 : count;
+    PatternSet with = set;
+    std::vector<Vibration> result;
+    for (std::size_t k = 1; k < end; ++k) {
+        Vibration step;
+        step.name = unused_name(with, way + " " + std::to_string(k + 1));
+        step.source = steps.patterns[k];
+        step.note = "Step " + std::to_string(k + 1) + " of " + std::to_string(count) + " from " +
+                    set.vibrations[from].name + " to " + set.vibrations[to].name + ", at " +
+                    std::to_string(std::lround(100.0 * steps.shares[k])) + " % of the way";
+        with.vibrations.push_back(step);
+        result.push_back(std::move(step));
+    }
+    return result;
+}
+
+PatternSet set_of_steps(const PatternSet& set, std::size_t from, std::size_t to,
+                        const EvenSteps& steps) {
+    PatternSet result;
+    result.name = set.vibrations[from].name + " to " + set.vibrations[to].name;
+    result.duration_s = set.duration_s;
+    result.model = set.model;
+    result.model_origin = set.model_origin;
+    result.study = set.study;
+    result.felt_steps = set.felt_steps;
+    result.vibrations.push_back(set.vibrations[from]);
+    for (Vibration& step : vibrations_between(set, from, to, steps)) {
+        result.vibrations.push_back(std::move(step));
+    }
+    if (ends_at(set, to, steps)) result.vibrations.push_back(set.vibrations[to]);
+    return result;
+}
+
+namespace {}  // namespace
+
+double unevenness(const std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    const auto [least, most] = std::ranges::minmax_element(values);
+    if (*least > 0.0) return *most / *least - 1.0;
+    return *most > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+bool is_even(const EvenSteps& steps) { return steps.uneven <= kEvenWithin; }
+
+std::string sentence_on(const StepsQuestion& question, const EvenSteps& steps) {
+    const char* measure = question.measure == StepMeasure::nc   ? "NC"
+                          : question.measure == StepMeasure::oc ? "OC"
+                                                                : "continuous PM";
+    const std::string in = std::string(" in ") + measure;
+    if (!(steps.ends_apart > 0.0)) {
+        return "The two do not differ" + in + ": every step between them is the same.";
+    }
+    if (is_even(steps)) {
+        return "Neighbours are equally far" + in + ", within " + percent(steps.uneven) + ".";
+    }
+    std::string text =
+        "There are no " + std::to_string(steps.patterns.size()) + " even steps" + in +
+        ": neighbours differ by " +
+        (std::isfinite(steps.uneven) ? percent(steps.uneven) : std::string("any factor")) +
+        " at best.";
+    if (!steps.jump) return text;
+    const std::string far = percent(steps.jump->distance / steps.ends_apart);
+    const double smallest = *std::ranges::min_element(steps.apart);
+    if (steps.jump->distance >= 0.5 * smallest) {
+        text += " At " + percent(steps.jump->share) + " of the way the path jumps by " + far +
+                " of the distance of the two.";
+    } else {
+        text += " The path nowhere jumps by more than " + far + " of the distance of the two, at " +
+                percent(steps.jump->share) +
+                " of the way: it turns, so that neighbours lie no more evenly.";
+    }
+    for (const std::string& what : morph_jumps(question.from, question.to)) {
+        text += " At half of the way " + what + " changes at once.";
+    }
+    return text;
+}
+
+std::string pm_sentence_on(const EvenSteps& steps) {
+    const auto [least, most] = std::ranges::minmax_element(steps.pm);
+    return "PM of neighbours, in the set of these patterns: " + significant_digits(*least, 3) +
+           " to " + significant_digits(*most, 3) + ", of at most " +
+           significant_digits(steps.largest_pm, 3) +
+           ". PM counts ranks, so neighbours cannot be equal in it.";
+}
+
+std::optional<Pattern> end_along(const Pattern& from, const Pattern& to,
+                                 PatternParameter parameter) {
+    const auto value = value_of(to, parameter);
+    if (!value || !value_of(from, parameter)) return std::nullopt;
+    return with_value(from, parameter, *value);
 }
 
 }  // namespace tact

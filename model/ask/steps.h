@@ -19,16 +19,21 @@
 // Exact     same input, same patterns, on any number of threads.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "model/common/expected.h"
 #include "model/pattern/pattern.h"
 #include "model/pattern/pattern_parameter.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 
@@ -89,5 +94,28 @@ std::string pm_sentence_on(const EvenSteps& steps);
 // either has no such number.
 std::optional<Pattern> end_along(const Pattern& from, const Pattern& to,
                                  PatternParameter parameter);
+
+// Even steps as a document, and what is asked of them by name: of the command steps and of Python.
+
+// {"patterns", "shares", "apart", "ends_apart", "pm", "largest_pm", "uneven", "even", "jump"}; the
+// last where there is one. `names`: of the patterns.
+nlohmann::json json_of(const EvenSteps& steps, const std::vector<std::string>& names);
+
+inline constexpr const char* kStepMeasures[] = {"pm", "nc", "oc"};
+std::optional<StepMeasure> step_measure_named(std::string_view name);
+
+// `to`, or where a parameter is named, `from` with this number alone changed to that of `to`.
+Expected<Pattern> end_of_way(const Pattern& from, const Pattern& to, const std::string& parameter);
+
+// Even steps as patterns of a set: their names, and what is said of each.
+
+// What lies between two vibrations of a set, and the end behind it where that is not one of them:
+// "A to B 2", "A to B 3" .. under names that are free.
+std::vector<Vibration> vibrations_between(const PatternSet& set, std::size_t from, std::size_t to,
+                                          const EvenSteps& steps);
+
+// A set of these alone, the ends among them, with the model of the first.
+PatternSet set_of_steps(const PatternSet& set, std::size_t from, std::size_t to,
+                        const EvenSteps& steps);
 
 }  // namespace tact

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "model/common/portable.h"
@@ -121,6 +123,16 @@ double f_quantile(double share, double df1, double df2) {
         (f_share_below(middle, df1, df2) < share ? low : high) = middle;
     }
     return high;
+}
+
+double quantile(std::span<const double> sorted, double share) {
+    if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+    double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
+    // 0.29 of 100 is less than 29 in binary, and would miss the value itself.
+    if (std::abs(place - std::round(place)) <= kShareSpare) place = std::round(place);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 }  // namespace tact

@@ -44,4 +44,9 @@ class [[nodiscard]] Expected {
     std::variant<Value, Error> content_;
 };
 
+// What work threw, as the sentence a person reads: programs end with words, windows continue.
+
+// The exception being handled: call it in a catch.
+Error thrown_error();
+
 }  // namespace tact

@@ -109,4 +109,12 @@ int usable_processors() {
     return usable_processors(limits);
 }
 
+std::string_view simd_wish() {
+    static const std::string_view wish = [] {
+        const char* name = std::getenv("TACTSPACE_SIMD");  // NOLINT(concurrency-mt-unsafe)
+        return name == nullptr ? std::string_view{} : std::string_view{name};
+    }();
+    return wish;
+}
+
 }  // namespace tact

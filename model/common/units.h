@@ -18,4 +18,14 @@ inline double displacement_um(double acceleration_g, double frequency_hz) {
     return acceleration_g * kStandardGravityUmPerS2 / (omega * omega);
 }
 
+// The values that a number may have, both ends included.
+
+struct Range {
+    double low;
+    double high;
+
+    bool contains(double value) const { return value >= low && value <= high; }
+    bool operator==(const Range&) const = default;
+};
+
 }  // namespace tact

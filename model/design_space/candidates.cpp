@@ -7,8 +7,8 @@
 #include "model/design_space/sobol.h"
 #include "model/design_space/spectral_lines.h"
 #include "model/pattern/same_vibration.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 
 namespace tact {
 

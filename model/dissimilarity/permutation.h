@@ -6,10 +6,12 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "model/dissimilarity/dissimilarity.h"
 
@@ -40,5 +42,14 @@ Eigen::MatrixXd square_of(const Dissimilarity& dissimilarity);
 // Sum over the pairs i < j of a(i, j) b(order[i], order[j]), always in the order of the pairs.
 double permuted_product(std::span<const double> a, const Eigen::MatrixXd& b,
                         std::span<const std::size_t> order);
+
+// P-values of several tests at once.
+//
+// Source    Holm 1979: the k-th smallest of m is multiplied by m - k + 1; none falls below one that
+//           was smaller. The chance of any false finding stays below the level.
+// Input     p; NaN: there is no such test, and it does not count
+// Left out  what assumes independent tests (Hochberg 1988): metrics of one set are not.
+
+std::vector<double> holm(std::span<const double> p);
 
 }  // namespace tact

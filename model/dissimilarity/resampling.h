@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 
 namespace tact {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/common/simd_choice.h"
+#include "model/common/processors.h"
 
 namespace tact {
 

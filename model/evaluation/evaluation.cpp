@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "model/common/mean.h"
+#include "model/common/distributions.h"
 #include "model/common/parallel.h"
 #include "model/evaluation/said_once.h"
 #include "model/map/smacof.h"

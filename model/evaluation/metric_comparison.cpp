@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

@@ -7,10 +7,9 @@
 #include <numeric>
 
 #include "model/common/distributions.h"
-#include "model/common/mean.h"
 #include "model/common/parallel.h"
 #include "model/dissimilarity/correlation.h"
-#include "model/dissimilarity/holm.h"
+#include "model/dissimilarity/permutation.h"
 
 namespace tact {
 

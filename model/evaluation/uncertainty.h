@@ -30,7 +30,7 @@
 #include <span>
 #include <vector>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/dissimilarity/resampling.h"
 #include "model/evaluation/evaluation.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "model/common/portable.h"
-#include "model/io/effects_out/felt_error.h"
+#include "model/io/effects_out/shares.h"
 #include "model/text/numbers.h"
 
 namespace tact {

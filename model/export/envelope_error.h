@@ -3,13 +3,13 @@
 //
 // Both are rendered twice, a quarter of a turn apart, which gives the strength of their carriers at
 // every sample; with the transients joined in power, their root mean square in each ms is held
-// against the other's as a tone (felt_error.h). What is not off within 1 ms before or behind is not
+// against the other's as a tone (shares.h). What is not off within 1 ms before or behind is not
 // off: so a jump that moves by 1 ms costs nothing.
 //
 // An accent is a transient that stands out, for who feels it, from what is before and behind it. It
 // is left where what comes back is at least half as strong then and stands out half as much.
 //
-// Source    ours; felt_error.h
+// Source    ours; model/io/effects_out/shares.h
 // Valid     patterns without fault (model/pattern/drawn_fault.h)
 // Left out  phases; spectra within the strongest carrier's tone.
 // Exact     same input, same bits.

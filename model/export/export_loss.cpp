@@ -8,8 +8,8 @@
 #include "model/export/ranks_among.h"
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
-#include "model/perceptual_model/rank_sum.h"
-#include "model/set/set_waveforms.h"
+#include "model/perceptual_model/perceptual_model.h"
+#include "model/set/pattern_set.h"
 #include "model/subset/set_subset.h"
 
 namespace tact {

@@ -5,8 +5,7 @@
 
 #include "model/algebra/one_pattern.h"
 #include "model/common/parallel.h"
-#include "model/export/openxr_back.h"
-#include "model/export/samples_back.h"
+#include "model/export/read_back.h"
 #include "model/io/effects/ahap_pair.h"
 #include "model/io/effects/read_effects.h"
 #include "model/set/layers.h"

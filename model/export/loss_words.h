@@ -2,6 +2,8 @@
 // the page.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <span>
 #include <string>
 #include <vector>
@@ -53,5 +55,11 @@ std::vector<std::size_t> written_first(const ExportLoss& loss,
 // What PM after the export means: a sentence for the foot of each table.
 inline constexpr const char* kAfterScale =
     "PM after is on the scale of the set as it was meant: where its pairs would stand among those";
+
+// What an export costs as a document: of the command export and of Python.
+
+// {"labels", "patterns": [{"pattern", "rms_error_g", "psnr_db", "moved", "remarks"}], "before",
+// "after" (condensed PM), "closest", "most_moved", "subset", "map"}; null if missing.
+nlohmann::json json_of(const ExportLoss& loss);
 
 }  // namespace tact

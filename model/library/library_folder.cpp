@@ -15,7 +15,7 @@
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"
 #include "model/text/atomic_file.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <span>
 
+#include "model/common/distributions.h"
 #include "model/common/expected.h"
-#include "model/common/quantile.h"
 #include "model/dissimilarity/permutation.h"
 
 namespace tact {

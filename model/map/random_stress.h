@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 
 namespace tact {
 

@@ -1,6 +1,7 @@
 #include "model/morph/morph.h"
 
-#include "model/morph/blend.h"
+#include <cassert>
+
 #include "model/morph/morph_parts.h"
 
 namespace tact {
@@ -82,6 +83,14 @@ std::vector<std::string> morph_jumps(const Pattern& from, const Pattern& to) {
         jumps.emplace_back("the rhythm");
     }
     return jumps;
+}
+
+Pattern mixed_among(const std::vector<Pattern>& corners, double right, double down) {
+    assert(!corners.empty() && corners.size() <= kMostCorners && "a pad has one to four corners");
+    const Pattern upper = corners.size() > 1 ? morphed(corners[0], corners[1], right) : corners[0];
+    if (corners.size() < 3) return upper;
+    const Pattern lower = corners.size() > 3 ? morphed(corners[2], corners[3], right) : corners[2];
+    return morphed(upper, lower, down);
 }
 
 }  // namespace tact

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/morph/blend.h"
 #include "model/morph/morph_parts.h"
 #include "model/pattern/curves.h"
 

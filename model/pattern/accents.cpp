@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "model/common/portable.h"
-#include "model/signal/cut_and_fade.h"
+#include "model/signal/waveform.h"
 
 namespace tact {
 

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/signal/thinning.h"
 
 namespace tact {

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/pattern/curves.h"
 #include "model/pattern/rhythm.h"
 #include "model/signal/waveform.h"

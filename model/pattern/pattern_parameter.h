@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {

@@ -1,6 +1,8 @@
 #include "model/perceptual_model/perceptual_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string_view>
 #include <unordered_map>
@@ -8,7 +10,6 @@
 
 #include "model/common/parallel.h"
 #include "model/dtw/dtw.h"
-#include "model/perceptual_model/rank_sum.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/brain_units.h"
 #include "model/physiology/nc_matrix.h"
@@ -298,6 +299,22 @@ std::optional<Prediction> predict(std::span<const Waveform> waveforms,
     auto codes = pattern_codes(waveforms, params, options);
     if (codes.size() != waveforms.size()) return std::nullopt;
     return predict(std::move(codes), params, options);
+}
+
+namespace {
+
+// Beyond 64 bits: weights of up to 1000 in units of 1e-12, ranks of up to 5e7 pairs.
+__extension__ using Wide = __int128;
+
+Wide part(double rank, double weight) {
+    return static_cast<Wide>(std::llround(2.0 * rank)) * weight_units(weight);
+}
+
+}  // namespace
+
+double pm_of(double nc_rank, double oc_rank, double nc_weight, double oc_weight) {
+    const Wide sum = part(nc_rank, nc_weight) + part(oc_rank, oc_weight);
+    return static_cast<double>(sum) / (2.0 * kWeightUnits);
 }
 
 }  // namespace tact

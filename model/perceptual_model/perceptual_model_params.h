@@ -4,7 +4,7 @@
 // Source    Lim & Park 2023, sections 3-5; choices marked [ours] are argued in the comments.
 #pragma once
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/physiology/neural_coding_params.h"
 
 namespace tact {

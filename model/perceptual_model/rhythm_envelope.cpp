@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "model/common/simd_choice.h"
+#include "model/common/processors.h"
 #include "model/signal/four_lanes.h"
 
 namespace tact {

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "model/common/simd_choice.h"
+#include "model/common/processors.h"
 #include "model/physiology/spike_train.h"
 #include "model/signal/four_lanes.h"
 #include "model/signal/waveform.h"

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/physiology/neural_coding.h"
 
 namespace tact {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 

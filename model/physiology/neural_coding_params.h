@@ -4,7 +4,7 @@
 // Source    Lim & Park 2023, sections 4 and 5; choices marked [ours] are argued in the comments.
 #pragma once
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/physiology/mechanoreceptor.h"
 
 namespace tact {

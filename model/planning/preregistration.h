@@ -19,7 +19,7 @@ struct Preregistration {
     std::string date;     // UTC
     std::string program;  // with its version
     std::string set_name;
-    std::string set_fingerprint;    // of what is felt (model/set/set_study.h)
+    std::string set_fingerprint;    // of what is felt (model/set/set_ratings.h)
     std::string model_fingerprint;  // 16 hexadecimal digits
     std::vector<std::string> patterns;
     std::size_t people = 0;  // who count

@@ -5,8 +5,8 @@
 
 #include "model/common/fingerprint.h"
 #include "model/evaluation/metric_comparison.h"
-#include "model/io/set/set_fingerprint.h"
-#include "model/set/set_study.h"
+#include "model/io/set/set_file.h"
+#include "model/set/set_ratings.h"
 
 namespace tact {
 

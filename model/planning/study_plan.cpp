@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "model/common/distributions.h"
-#include "model/common/mean.h"
 #include "model/common/parallel.h"
 #include "model/common/portable.h"
 #include "model/common/random.h"

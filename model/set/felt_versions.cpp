@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 
 namespace tact {
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {

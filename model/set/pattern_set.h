@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/common/expected.h"
 #include "model/design_space/design_space.h"
 #include "model/dissimilarity/number_mark.h"
 #include "model/pattern/felt_steps.h"
@@ -157,5 +158,23 @@ std::optional<std::size_t> place_named(const PatternSet& set, const std::string&
 
 // `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
 std::string unused_name(const PatternSet& set, const std::string& wanted);
+
+// The waveforms of a set (pattern_set.h), rendered by many threads.
+
+// Each at its own length, which is what PM and every metric take. One clip of a minute does not
+// make all others a minute long. threads = 0: all cores.
+std::vector<Waveform> own_waveforms(const PatternSet& set, int threads = 0);
+
+// Vibrations of a set by the name that a person gives.
+//
+// Output    a position, or a sentence that names some that there are
+
+Expected<std::size_t> place_of(const PatternSet& set, const std::string& name);
+
+// The same of a pattern made of parameters: a recording and layers are refused.
+Expected<std::size_t> pattern_place_of(const PatternSet& set, const std::string& name);
+
+// The pattern itself, or null: no vibration has that name, or it is no such pattern.
+const Pattern* pattern_named(const PatternSet& set, const std::string& name);
 
 }  // namespace tact

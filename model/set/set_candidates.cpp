@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "model/pattern/same_vibration.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 
 namespace tact {
 

@@ -5,7 +5,7 @@
 
 #include "model/set/felt_versions.h"
 #include "model/text/numbers.h"
-#include "model/told_apart/told_apart_words.h"
+#include "model/told_apart/told_apart_results.h"
 
 namespace tact {
 

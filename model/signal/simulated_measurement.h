@@ -13,8 +13,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/signal/waveform.h"
 
 namespace tact {
@@ -39,5 +41,20 @@ inline constexpr Range kSensorNoiseG{0.0, 10.0};
 }  // namespace limits
 
 Waveform simulated_measurement(const Waveform& drive, const ActuatorParams& params);
+
+// Acceleration along several axes as one signal that feels alike: the skin hardly tells directions
+// of vibration apart.
+//
+//     |X(f)| = sqrt(sum_a |X_a(f)|^2),   arg X(f) = arg sum_a X_a(f)
+//
+// Source    DFT321: Landin, Romano, McMahan & Kuchenbecker 2010, "Dimensional reduction of
+//           high-frequency accelerations for haptic rendering", with the phase of the sum
+// Input     axes of one length, without their constant offset
+// Output    as many samples; silence for none
+// Valid     any number of axes; one comes out as it went in, but for rounding
+// Left out  other choices of phase; blocks: the whole signal is one
+// Exact     energy is kept: sum x^2 = sum_a sum x_a^2. Where the axes cancel, the phase is 0.
+
+std::vector<double> dft321(std::span<const std::vector<double>> axes);
 
 }  // namespace tact

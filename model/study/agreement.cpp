@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "model/common/distributions.h"
-#include "model/common/mean.h"
 #include "model/common/random.h"
 #include "model/study/study_results.h"
 #include "model/text/numbers.h"

@@ -18,7 +18,7 @@
 #include <span>
 #include <string>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/study/ratings.h"
 #include "model/study/study_record.h"
 

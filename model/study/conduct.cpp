@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/common/mean.h"
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/study/study_results.h"
 #include "model/text/numbers.h"

@@ -44,7 +44,7 @@ struct RatingStudy {
     bool is_named = true;  // false: the labels are only positions
     std::vector<Judgement> judgements;
     std::vector<Standing> standings{};  // only of people with something to report
-    std::string fingerprint{};  // of what was felt (model/set/set_study.h); empty: not known
+    std::string fingerprint{};  // of what was felt (model/set/set_ratings.h); empty: not known
     std::vector<std::string>
         versions{};                     // of each label (model/set/felt_versions.h); empty: as well
     std::vector<std::string> edited{};  // labels of patterns that are others than were felt

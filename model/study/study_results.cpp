@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/set/layers.h"
 
 namespace tact {

@@ -9,7 +9,7 @@
 #include "model/map/mds.h"
 #include "model/map/procrustes.h"
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

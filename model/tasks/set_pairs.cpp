@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 

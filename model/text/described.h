@@ -34,7 +34,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/text/numbers.h"
 
 namespace tact {

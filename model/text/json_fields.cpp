@@ -8,8 +8,8 @@
 
 #include "model/text/described.h"
 #include "model/text/enough_memory.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -20,7 +20,7 @@
 
 #include "model/common/budget.h"
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 
@@ -89,7 +89,7 @@ double number_field(JsonObject& object, std::string_view key, double fallback, R
 int whole_field(JsonObject& object, std::string_view key, int fallback, Range range);
 bool yes_no_field(JsonObject& object, std::string_view key, bool fallback);
 
-// Texts that people read are at most so long, names as model/text/unique_names.h has it.
+// Texts that people read are at most so long, names as model/text/names.h has it.
 inline constexpr std::size_t kMaxTextBytes = 20'000;
 std::string text_field(JsonObject& object, std::string_view key, const std::string& fallback);
 std::string name_field(JsonObject& object, std::string_view key, const std::string& fallback);

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 

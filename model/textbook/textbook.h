@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
+#include "model/pattern/pattern.h"
 #include "model/physiology/mechanoreceptor.h"
 
 namespace tact {
@@ -63,5 +64,22 @@ std::string sentence_of(const TextbookFact& fact);
 // The value at a point, linear between the fact's points over the logarithm; nullopt outside of
 // them, or without points.
 std::optional<double> value_over(const TextbookFact& fact, double at);
+
+// Whether people notice the difference of two patterns, by the just noticeable differences of the
+// textbook.
+//
+// Source    facts "frequency jnd" and "amplitude jnd" (textbook.h)
+// Valid     patterns with one carrier each, of constant frequency. If the frequencies differ,
+//           nothing is said of the amplitudes, which are then felt at different strengths; if they
+//           are equal, the patterns differ in amplitude alone.
+// Left out  rhythm and modulation: the textbook has no such difference for them
+
+// "People: 40 and 250 Hz differ by 525 %; they notice from 18 to 25 % on (...)."; empty if there is
+// nothing to tell.
+std::string noticed_text(const Pattern& a, const Pattern& b);
+
+// Whether people tell the two apart by their frequencies at once: the difference is more than twice
+// the noticeable one.
+bool tell_by_frequency(const Pattern& a, const Pattern& b);
 
 }  // namespace tact

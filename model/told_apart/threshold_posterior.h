@@ -18,8 +18,8 @@
 #include <span>
 #include <vector>
 
-#include "model/common/quantile.h"
-#include "model/common/range.h"
+#include "model/common/distributions.h"
+#include "model/common/units.h"
 
 namespace tact {
 

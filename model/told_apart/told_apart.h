@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 
 namespace tact {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/common/mean.h"
+#include "model/common/distributions.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/training/prepared_training.h"
 

@@ -13,7 +13,7 @@
 #include "model/common/parallel.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/dissimilarity/dissimilarity.h"
-#include "model/perceptual_model/rank_sum.h"
+#include "model/perceptual_model/perceptual_model.h"
 #include "model/training/training_plan.h"
 #include "model/training/training_tally.h"
 

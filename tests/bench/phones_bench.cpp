@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/phones/phones.h"
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "tests/bench/owed.h"
 #include "tests/support/many_sockets.h"
 #include "tests/support/page_phone.h"

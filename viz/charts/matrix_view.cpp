@@ -10,7 +10,6 @@
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/text/numbers.h"
 #include "viz/charts/matrix_parts.h"
-#include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"

@@ -7,6 +7,8 @@
 // Left out  labels of values: the title has the chosen one, the read-out any other.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -15,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/theme.h"
 
@@ -38,5 +40,19 @@ std::optional<std::size_t> draw_profile(const char* id, const Theme& theme, cons
 // The place of a value's best on the screen, clamped to the shown range.
 ImVec2 profile_point(const Theme& theme, const Rect& area, const ProfileScene& scene,
                      std::size_t place);
+
+// A star plot: one ray per number, of that length, joined to an area; the first points up, the
+// others follow clockwise.
+
+// The end of a ray of length 1, from the middle.
+ImVec2 star_ray(std::size_t ray, std::size_t rays);
+
+// Corners of the area, in units of rays: a line for one number, for two a triangle with the centre.
+std::vector<ImVec2> star_outline(std::span<const double> numbers);
+
+// Draws numbers from 0 to 1 as an area, and the compared numbers as a thin line, in the largest
+// square at the centre of `area`.
+void draw_star(ImDrawList& canvas, const Theme& theme, const Rect& area,
+               std::span<const double> numbers, std::span<const double> compared_with);
 
 }  // namespace tact

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "viz/drawing/geometry.h"
 #include "viz/drawing/theme.h"
 

@@ -10,7 +10,7 @@
 
 #include "model/common/units.h"
 #include "model/text/numbers.h"
-#include "viz/charts/threshold_curves.h"
+#include "viz/charts/response_view.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/physiology/activation.h"
 #include "viz/drawing/plot.h"
 

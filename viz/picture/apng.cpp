@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "viz/picture/changed_area.h"
+#include "viz/picture/frame_damage.h"
 
 namespace tact {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "viz/picture/mesh_outline.h"
 #include "viz/picture/shape_joining.h"
 
 namespace tact {

@@ -15,9 +15,22 @@
 #include "viz/drawing/geometry.h"
 #include "viz/picture/frame_shapes.h"
 #include "viz/picture/frame_text.h"
-#include "viz/picture/mesh_outline.h"
 
 namespace tact {
+
+// Outlines of flat triangle meshes.
+//
+// Valid     meshes whose triangles all turn the same way, as ImGui's do
+
+using Outline = std::vector<ImVec2>;
+
+// The directed edges of the triangles (three indices into the vertices each) that no neighbour runs
+// back along, joined. Holes and islands are outlines of their own; successive corners in one place
+// are one.
+std::vector<Outline> outlines_of(const std::vector<ImDrawIdx>& triangles, const ImDrawVert* v);
+
+// Clockwise on the screen.
+void make_clockwise(Outline& outline);
 
 using Quad = std::array<ImVec2, 4>;
 

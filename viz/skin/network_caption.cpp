@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/text/numbers.h"
-#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/drawing/plot.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 #include "viz/skin/network_caption.h"

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "viz/drawing/theme.h"
 #include "viz/skin/receptor_view.h"
 
 namespace tact {
@@ -42,5 +43,12 @@ float least_caption_px(const Theme& theme);
 // it does not fit.
 void draw_scale_bar(ImDrawList& list, const Theme& theme, const Rect& map, float right_px,
                     float px_per_mm);
+
+// The meaning of colours, halos and rings in maps of receptors, in one line for all maps.
+
+// The colour scale of all four types, from 0 to the rate of the strongest colour, and as much of
+// the rest as fits.
+void draw_receptor_legend(ImDrawList& list, const Theme& theme, const Rect& line,
+                          double largest_hz);
 
 }  // namespace tact

@@ -19,8 +19,8 @@
 #pragma once
 
 #include <imgui.h>
-
 #include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -148,5 +148,20 @@ void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
 
 void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale);
 void pan(SpaceCamera& camera, const Rect& pane, ImVec2 drag_px);
+
+// How large a map is in its pane, and what is in the middle of that; see space_camera.h. Private to
+// the camera.
+
+// Pixels of one radius at zoom 1, and what of X and Y is in the middle of the pane.
+struct Framing {
+    double radius_px;
+    double across = 0.0;
+    double middle = 0.0;
+};
+
+Framing framed(const SpaceCamera& camera, const SpaceFit& fit, const Rect& pane);
+
+// What the camera sees of the outer points.
+SeenExtent seen_extent(const SpaceCamera& camera, const SpaceFit& fit);
 
 }  // namespace tact

@@ -30,7 +30,7 @@ std::optional<Eigen::Matrix2d> half_ellipse(const Eigen::Matrix2Xd& moves);
 void draw_ghosts(const SpaceStage& stage);
 void draw_points(const SpaceStage& stage, std::optional<std::size_t> hovered);
 
-// What is no pattern yet (space_maybes.cpp).
+// What is no pattern yet (space_view.cpp).
 void draw_cloud(const SpaceStage& stage);
 void draw_track(const SpaceStage& stage, std::optional<std::size_t> on_track);
 void draw_proposals(const SpaceStage& stage, std::optional<std::size_t> pointed);

@@ -12,7 +12,7 @@
 #include "model/physiology/neural_coding.h"
 #include "model/set/parameter_paths.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -17,7 +17,7 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_csv.h"
 #include "model/io/people/study_tables.h"
-#include "model/io/set/set_fingerprint.h"
+#include "model/io/set/set_file.h"
 #include "model/io/studies_out/preregistration_file.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utc_time.h"

@@ -16,7 +16,7 @@
 #include "app/pictures/pictures.h"
 #include "model/common/fingerprint.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/perceptual_model/rank_sum.h"
+#include "model/perceptual_model/perceptual_model.h"
 #include "model/tasks/set_pairs.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"

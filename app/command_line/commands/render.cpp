@@ -12,13 +12,11 @@
 #include "model/io/folders/path_json.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
-#include "model/io/recordings/waveform_csv.h"
 #include "model/io/tables/matrix_file.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
 #include "model/text/json_fields.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 
 namespace tact {
 

@@ -12,7 +12,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/plot.h"
 

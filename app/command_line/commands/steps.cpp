@@ -11,8 +11,6 @@
 #include "app/command_line/endings.h"
 #include "app/command_line/output.h"
 #include "app/rendering/rendering.h"
-#include "model/ask/steps_json.h"
-#include "model/ask/steps_set.h"
 #include "model/io/set/set_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"

@@ -13,7 +13,7 @@
 #include "app/model_bench/model_bench.h"
 #include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"

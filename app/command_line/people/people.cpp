@@ -14,7 +14,7 @@
 #include "model/io/people/study_file.h"
 #include "model/io/studies_out/experiment_pack.h"
 #include "model/io/studies_out/packed_answers.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/text/atomic_file.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

@@ -9,7 +9,7 @@
 
 #include "app/command_line/commands.h"
 #include "model/common/expected.h"
-#include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
 #include "model/io/studies_out/psych_ds.h"
 #include "model/set/pattern_set.h"
 #include "model/study/agreement.h"

@@ -18,13 +18,12 @@
 #include "devices/phone/phone_server.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_study.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
+#include "model/set/set_ratings.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/told_apart/told_apart_document.h"
 #include "model/told_apart/told_apart_results.h"
-#include "model/told_apart/told_apart_words.h"
 
 namespace tact {
 

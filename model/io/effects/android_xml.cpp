@@ -23,8 +23,8 @@
 #include "model/common/portable.h"
 #include "model/io/effects/android_courses.h"
 #include "model/io/effects/effect.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -20,7 +20,7 @@
 
 #include "model/io/effects/effect.h"
 #include "model/pattern/traced.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -7,7 +7,7 @@
 // A player that begins in silence gets there within the first gap: what is loudest in it and over
 // before is played at its end.
 //
-// Source    model/signal/thinning.h, for two heights at once; felt_error.h
+// Source    model/signal/thinning.h, for two heights at once; shares.h
 // Left out  how far off the result is: model/export/envelope_error.h
 #pragma once
 
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "model/io/effects_out/felt_error.h"
+#include "model/io/effects_out/shares.h"
 #include "model/pattern/curves.h"
 
 namespace tact {

@@ -8,7 +8,7 @@
 
 #include "model/common/portable.h"
 #include "model/io/effects/sketch.h"
-#include "model/io/effects_out/felt_error.h"
+#include "model/io/effects_out/shares.h"
 #include "model/pattern/curves.h"
 #include "model/text/numbers.h"
 

@@ -1,13 +1,13 @@
 // Samples: WAV with what its full scale is beside it, and CSV.
 //
-// Source    model/io/recordings/wave_file.h, waveform_csv.h
+// Source    model/io/recordings/wave_file.h, text_waveform.h
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/io/effects_out/felt_error.h"
+#include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/writers.h"
-#include "model/io/recordings/waveform_csv.h"
+#include "model/io/recordings/text_waveform.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -48,4 +48,12 @@ bool is_set_name(const std::filesystem::path& path);
 Expected<FolderFiles> files_below(const std::filesystem::path& folder_or_zip,
                                   const std::stop_token& stop = {});
 
+// Folders to write into.
+
+// False also where it cannot be known.
+bool is_there(const std::filesystem::path& path);
+
+// The folder, made with its parents where it is missing.
+Expected<Done> make_folder(const std::filesystem::path& folder);
+
 }  // namespace tact

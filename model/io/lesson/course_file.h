@@ -17,7 +17,7 @@
 #include <string_view>
 
 #include "model/common/expected.h"
-#include "model/lesson/course.h"
+#include "model/lesson/lesson.h"
 
 namespace tact {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "model/io/people/ratings_text.h"
-#include "model/table/columns.h"
+#include "model/table/table.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"

@@ -19,7 +19,7 @@
 
 #include "model/common/expected.h"
 #include "model/io/people/rating_scale.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 #include "model/text/csv.h"
 
 namespace tact {

@@ -12,7 +12,7 @@
 #include "model/io/recordings/recording.h"
 #include "model/study/study_results.h"
 #include "model/text/atomic_file.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 

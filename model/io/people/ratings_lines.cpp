@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "model/io/people/ratings_text.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 
 namespace tact {
 

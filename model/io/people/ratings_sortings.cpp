@@ -5,8 +5,8 @@
 
 #include "model/io/people/ratings_text.h"
 #include "model/study/cluster_sorting.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

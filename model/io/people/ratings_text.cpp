@@ -7,10 +7,9 @@
 
 #include "model/io/people/foreign_answers.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/table/columns.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -7,7 +7,7 @@
 
 #include "model/io/set/study_json.h"
 #include "model/text/json_fields.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 
 namespace tact {
 

@@ -23,7 +23,6 @@
 #include <vector>
 
 #include "model/evaluation/evaluation.h"
-#include "model/evaluation/individual_weights.h"
 #include "model/evaluation/individuals.h"
 #include "model/evaluation/nuisance.h"
 #include "model/evaluation/uncertainty.h"

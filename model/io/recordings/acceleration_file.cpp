@@ -6,10 +6,10 @@
 
 #include "model/io/recordings/wave_file.h"
 #include "model/pattern/pattern.h"
-#include "model/signal/dft321.h"
 #include "model/signal/resample.h"
+#include "model/signal/simulated_measurement.h"
 #include "model/signal/waveform.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 #include "model/text/atomic_file.h"
 #include "model/text/enough_memory.h"
 #include "model/text/numbers.h"

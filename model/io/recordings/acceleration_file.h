@@ -1,6 +1,6 @@
 // What an accelerometer recorded, as one vibration: tables and WAV files of one or three axes.
 //
-// Source    DFT321 for three axes (model/signal/dft321.h)
+// Source    DFT321 for three axes (model/signal/simulated_measurement.h)
 // Input     .csv and .txt tables (model/io/recordings/acceleration_table.h), .wav of one or three
 //           channels
 // Output    10 kHz, in g, without the constant offset; what was done to it as remarks. Errors as
@@ -18,7 +18,7 @@
 #include <span>
 
 #include "model/common/expected.h"
-#include "model/common/range.h"
+#include "model/common/units.h"
 #include "model/io/recordings/acceleration_table.h"
 #include "model/io/recordings/recording.h"
 

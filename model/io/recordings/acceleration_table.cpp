@@ -7,7 +7,7 @@
 
 #include "model/io/recordings/column_names.h"
 #include "model/io/recordings/recording.h"
-#include "model/table/columns.h"
+#include "model/table/table.h"
 #include "model/text/csv.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"

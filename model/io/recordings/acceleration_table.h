@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "model/common/expected.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 
 namespace tact {
 

@@ -9,6 +9,9 @@
 // Left out  what a player would do: tags of loudness, loops, cue points.
 #pragma once
 
+#include <sndfile.h>
+
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,5 +33,17 @@ Expected<SoundFile> read_sound_file(const std::filesystem::path& path);
 
 // Whether its first bytes are those of a sound, not of a table.
 bool is_sound_file(const std::filesystem::path& path);
+
+// A sound file in memory: written to the disk whole or not at all, and read from what was looked
+// at.
+
+struct MemorySound {
+    std::string bytes;
+    std::size_t position = 0;
+};
+
+// As sf_open_virtual; `memory` must outlive the result.
+SNDFILE* open_for_reading(MemorySound& memory, SF_INFO& info);
+SNDFILE* open_for_writing(MemorySound& memory, SF_INFO& info);
 
 }  // namespace tact

@@ -1,6 +1,7 @@
 #include "model/io/recordings/text_waveform.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "model/pattern/pattern.h"
 #include "model/signal/resample.h"
@@ -71,6 +72,16 @@ Expected<Done> write_text_waveform(const std::filesystem::path& path, const Wave
                      shortest_digits(peak) + " g"};
     }
     return write_atomically(path, print_text_waveform(waveform));
+}
+
+std::string waveform_csv(const Waveform& waveform) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "time_s,acceleration_g\n";
+    for (std::size_t n = 0; n < waveform.samples_g.size(); ++n) {
+        text << static_cast<double>(n) / waveform.rate_hz << ',' << waveform.samples_g[n] << '\n';
+    }
+    return text.str();
 }
 
 }  // namespace tact

@@ -26,4 +26,11 @@ Expected<Waveform> read_text_waveform(const std::filesystem::path& path);
 std::string print_text_waveform(const Waveform& waveform);
 Expected<Done> write_text_waveform(const std::filesystem::path& path, const Waveform& waveform);
 
+// A waveform as CSV: a line with the columns' names, then time and acceleration of each sample.
+//
+// Output    "time_s,acceleration_g"; 17 digits, which read back to the bit
+// Left out  reading: model/io/recordings/acceleration_table.h.
+
+std::string waveform_csv(const Waveform& waveform);
+
 }  // namespace tact

@@ -13,8 +13,10 @@
 // Left out  calibration, cue points, writing of more than one channel.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,5 +73,15 @@ Expected<Done> write_wave_file(const std::filesystem::path& path, const Waveform
 // The same, with a sidecar in any case, as texts; `name` for messages.
 Expected<WaveText> wave_text(const Waveform& waveform, const WaveOptions& options,
                              const std::string& name);
+
+// Whether a WAV file is as long as its header says. libsndfile reads a truncated one without a
+// word.
+//
+// Source    RIFF (Microsoft & IBM 1991), RF64 (EBU Tech 3306), BW64 (ITU-R BS.2088), sizes as sox
+// leaves them
+
+// Empty if all of the data chunk is there; otherwise the end of a sentence ("has 10 of the 400
+// bytes of samples that its header promises"). Sizes that a stream's writer left open are accepted.
+std::string wave_size_fault(std::istream& stream, std::uint64_t file_bytes);
 
 }  // namespace tact

@@ -4,7 +4,7 @@
 #include "model/io/recordings/wave_file.h"
 #include "model/set/layers.h"
 #include "model/text/atomic_file.h"
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 namespace tact {
 

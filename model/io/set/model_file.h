@@ -37,7 +37,7 @@ struct TrainedOn {
     double rho_after = 0.0;
     NumberMark mark{};  // of the ratings
     // Fingerprint of the patterns that were felt, as in participants' files and their CSV
-    // (model/set/set_study.h); empty: unknown.
+    // (model/set/set_ratings.h); empty: unknown.
     std::string felt{};
 
     bool operator==(const TrainedOn&) const = default;

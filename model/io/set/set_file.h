@@ -3,7 +3,7 @@
 // Source    format 1: UTF-8 JSON; missing keys take defaults, unknown ones are kept on save.
 // Output    errors as "FILE: PLACE: expected ..", PLACE a JSON pointer; syntax by line and column
 // Valid     the limits of model/pattern/pattern.h and of model/text/json_fields.h; at most
-//           kMaxSetSamples (loaded.h) in all recordings
+//           kMaxSetSamples (load.h) in all recordings
 //           Recordings may lie anywhere, as those of a set that was saved elsewhere do: the set
 //           names them by "../" or in full. Outside of the set's folder only what is a regular file
 //           of a recording's ending and parses as one is taken, and a message never quotes what is
@@ -11,12 +11,14 @@
 // Left out  the samples of recordings: the set names their files, by paths relative to its own.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "model/common/expected.h"
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
+#include "model/set/pattern_set.h"
 
 namespace tact {
 
@@ -37,5 +39,16 @@ std::string print_set(const PatternSet& set, const std::filesystem::path& folder
 // could not be opened (two equal names, a number out of range) is an Error, as the old file is
 // worth more.
 Expected<Done> write_set_file(const std::filesystem::path& path, const PatternSet& set);
+
+// Numbers that tell whether a set is computed from what it was computed from before: what a person
+// chose, not what arithmetic made of it.
+//
+// Left out  names, notes, colours: no number depends on them.
+
+// Changes with any parameter of a pattern, any sample of a recording, and their order.
+std::uint64_t vibrations_fingerprint(const PatternSet& set);
+
+// Changes with any parameter of the model that is not at its default.
+std::uint64_t model_fingerprint(const PatternSet& set);
 
 }  // namespace tact

@@ -11,10 +11,10 @@
 #include "model/io/set/study_json.h"
 #include "model/set/layers.h"
 #include "model/text/json_fields.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
-#include "model/told_apart/told_apart_json.h"
+#include "model/told_apart/told_apart_document.h"
 
 namespace tact {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "model/common/expected.h"
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
 
 namespace tact {
 

@@ -13,9 +13,8 @@
 #include "model/io/recordings/wave_file.h"
 #include "model/set/layers.h"
 #include "model/text/enough_memory.h"
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

@@ -6,7 +6,7 @@
 //           taken is named by its whole file name. Two files of an AHAP pair are one effect
 //           A recording whose name is taken is named likewise, with a remark. What cannot be read
 //           is left out with its reason (Loaded::left_out), and never refuses the rest
-// Valid     1 to 10,000 files of kMaxSetSamples in all (loaded.h), folders within the folder too,
+// Valid     1 to 10,000 files of kMaxSetSamples in all (load.h), folders within the folder too,
 //           as model/io/folders lists them
 // Left out  sets
 #pragma once
@@ -21,7 +21,7 @@
 #include "model/io/effects/actuator_map.h"
 #include "model/io/folders/folder_files.h"
 #include "model/io/recordings/recording.h"
-#include "model/io/set/loaded.h"
+#include "model/io/set/load.h"
 
 namespace tact {
 

@@ -7,10 +7,10 @@
 #include "assets/assets.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/io/tables/matrix_file.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "model/study/pairwise_study.h"
-#include "model/text/file_stem.h"
 #include "model/text/json_fields.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -10,8 +10,8 @@
 #include "model/io/people/study_tables.h"
 #include "model/io/set/set_file.h"
 #include "model/text/csv.h"
-#include "model/text/file_stem.h"
 #include "model/text/json_fields.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
 
 namespace tact {

@@ -4,7 +4,7 @@
 //     low,0.1,-0.2,0.3
 //
 // In the place of "name" may stand what is false about all of them, which is handed on.
-// Input     any way in which a table is written (model/table/dialect.h); without the word above the
+// Input     any way in which a table is written (model/table/table.h); without the word above the
 //           names, as R's write.table does
 // Output    errors as "FILE:LINE: expected .."
 // Valid     finite numbers, kMaxCoordinatesBytes: a row of four bytes takes a hundred
@@ -18,7 +18,7 @@
 
 #include "model/common/expected.h"
 #include "model/dissimilarity/number_mark.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 
 namespace tact {
 

@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "model/pattern/pattern.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 #include "model/text/atomic_file.h"
 #include "model/text/csv.h"
 #include "model/text/enough_memory.h"
+#include "model/text/names.h"
 #include "model/text/numbers.h"
-#include "model/text/unique_names.h"
 #include "model/text/utf8.h"
 
 namespace tact {

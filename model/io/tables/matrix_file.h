@@ -5,7 +5,7 @@
 //     name2,3.5,0
 //
 // Source    quoting as in RFC 4180; numbers in the shortest digits that read back as the same
-// Input     any way in which a table is written (model/table/dialect.h); bare numbers, whose names
+// Input     any way in which a table is written (model/table/table.h); bare numbers, whose names
 //           are 1, 2, 3 ..; names in the first row alone; rows in another order; one triangle, also
 //           as R prints distances; nothing, NA or 0 on the diagonal; similarities, which have one
 //           number there that no other exceeds
@@ -27,7 +27,7 @@
 #include "model/common/expected.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/dissimilarity/number_mark.h"
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 
 namespace tact {
 

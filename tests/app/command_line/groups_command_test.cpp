@@ -6,7 +6,7 @@
 #include "model/grouping/set_groups.h"
 #include "model/io/set/set_file.h"
 #include "model/perceptual_model/perceptual_model.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 

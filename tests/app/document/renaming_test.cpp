@@ -8,7 +8,7 @@
 #include "app/pictures/pictures.h"
 #include "app/study/study.h"
 #include "app/subset/subset.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 #include "tests/support/program.h"
 
 namespace renaming_test {

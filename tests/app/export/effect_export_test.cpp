@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/window/window.h"
-#include "model/export/effect_files.h"
+#include "model/export/exported_files.h"
 #include "model/export/loss_words.h"
 #include "model/io/recordings/wave_file.h"
 #include "tests/support/program.h"

@@ -3,7 +3,7 @@
 #include "app/window/window.h"
 #include "model/io/set/set_file.h"
 #include "model/set/layers.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 #include "tests/support/program.h"
 
 namespace layers_bar_test {

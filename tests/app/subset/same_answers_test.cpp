@@ -12,7 +12,7 @@
 #include "app/subset/parts.h"
 #include "app/subset/subset.h"
 #include "model/io/set/set_file.h"
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 #include "model/subset/set_subset.h"
 #include "model/tasks/set_report.h"
 #include "tests/support/patience.h"

@@ -6,7 +6,7 @@
 #include "app/study/study.h"
 #include "app/subset/subset.h"
 #include "app/window/window.h"
-#include "model/common/quantile.h"
+#include "model/common/distributions.h"
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/subset/separation.h"
 #include "tests/support/program.h"

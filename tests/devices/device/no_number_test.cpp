@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "devices/audio/audio_stream.h"
-#include "devices/device/bounds.h"
+#include "devices/device/drive.h"
 #include "devices/device/playback.h"
 
 namespace no_number_test {

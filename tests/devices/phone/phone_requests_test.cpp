@@ -5,7 +5,6 @@
 #include <set>
 
 #include "devices/phone/phone_names.h"
-#include "devices/phone/phone_token.h"
 
 namespace phone_requests_test {
 

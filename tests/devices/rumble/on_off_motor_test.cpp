@@ -1,4 +1,4 @@
-#include "devices/rumble/on_off_motor.h"
+#include "devices/rumble/motor_envelope.h"
 
 #include <doctest/doctest.h>
 

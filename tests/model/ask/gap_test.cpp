@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include "model/ask/gap_candidates.h"
 #include "tests/model/ask/short_sets.h"
 
 namespace gap_test {

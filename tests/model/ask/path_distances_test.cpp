@@ -1,4 +1,4 @@
-#include "model/ask/path_distances.h"
+#include "model/ask/even_path.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "model/ask/steps_set.h"
 #include "model/common/random.h"
 #include "model/io/set/set_file.h"
 #include "model/morph/morph.h"

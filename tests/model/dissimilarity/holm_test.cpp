@@ -1,4 +1,4 @@
-#include "model/dissimilarity/holm.h"
+#include "model/dissimilarity/permutation.h"
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,10 @@
-#include "model/dtw/dtw_path.h"
+#include "model/dtw/dtw.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "model/common/random.h"
-#include "model/dtw/dtw.h"
 
 namespace dtw_path_test {
 

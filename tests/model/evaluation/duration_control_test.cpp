@@ -1,4 +1,4 @@
-#include "model/evaluation/duration_control.h"
+#include "model/evaluation/nuisance.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "model/evaluation/individual_weights.h"
+#include "model/evaluation/individuals.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 
 #include "model/io/recordings/wave_file.h"
 #include "model/io/set/set_file.h"
+#include "model/library/library.h"
 #include "model/library/library_folder.h"
-#include "model/library/library_search.h"
 #include "model/library/like.h"
 #include "model/text/atomic_file.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // A row of likeness is a row of the matrix of the set.
-#include "model/library/likeness.h"
+#include "model/library/like.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,7 @@
-#include "model/morph/pad.h"
+#include "model/morph/morph.h"
 
 #include <doctest/doctest.h>
 
-#include "model/morph/morph.h"
 #include "model/pattern/drawn_fault.h"
 
 namespace pad_test {

@@ -1,9 +1,8 @@
-#include "model/pattern/rhythm_lists.h"
+#include "model/pattern/rhythm.h"
 
 #include <algorithm>
 #include <set>
 
-#include "model/pattern/rhythm.h"
 #include "tests/support/golden.h"
 
 namespace rhythm_lists_test {

@@ -1,4 +1,4 @@
-#include "model/physiology/nc_shares.h"
+#include "model/physiology/nc_matrix.h"
 
 #include <doctest/doctest.h>
 

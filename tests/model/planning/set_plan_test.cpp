@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "model/evaluation/metric_comparison.h"
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 
 namespace set_plan_test {
 

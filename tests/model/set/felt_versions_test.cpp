@@ -5,7 +5,6 @@
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
 #include "model/set/set_ratings.h"
-#include "model/set/set_study.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/three_tones.h"
 

@@ -10,7 +10,6 @@
 #include "model/export/export_target.h"
 #include "model/export/exported_set.h"
 #include "model/io/set/set_file.h"
-#include "model/io/set/set_fingerprint.h"
 #include "model/subset/confusable.h"
 #include "tests/support/golden.h"
 

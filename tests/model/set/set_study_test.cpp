@@ -1,4 +1,4 @@
-#include "model/set/set_study.h"
+#include "model/set/set_ratings.h"
 
 #include <doctest/doctest.h>
 

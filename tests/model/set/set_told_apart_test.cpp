@@ -4,7 +4,7 @@
 
 #include "model/set/felt_versions.h"
 #include "model/text/numbers.h"
-#include "model/told_apart/told_apart_words.h"
+#include "model/told_apart/told_apart_results.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/three_tones.h"
 

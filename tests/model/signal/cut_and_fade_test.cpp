@@ -1,4 +1,4 @@
-#include "model/signal/cut_and_fade.h"
+#include "model/signal/waveform.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "model/signal/dft321.h"
+#include "model/signal/simulated_measurement.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "model/signal/relative_difference.h"
+#include "model/signal/waveform.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,9 @@
-#include "model/sound/sound_moved.h"
+#include "model/sound/from_sound.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "model/sound/sound_pattern.h"
 #include "tests/support/three_tones.h"
 
 namespace sound_moved_test {

@@ -1,4 +1,4 @@
-#include "model/sound/sound_pattern.h"
+#include "model/sound/from_sound.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "model/pattern/drawn_fault.h"
-#include "model/signal/cut_and_fade.h"
+#include "model/signal/waveform.h"
 
 namespace sound_pattern_test {
 

@@ -10,7 +10,7 @@
 #include "model/map/alienation.h"
 #include "model/map/mds.h"
 #include "model/map/smacof.h"
-#include "model/study/synthetic_rater.h"
+#include "model/study/synthetic_study.h"
 
 namespace adaptive_order_test {
 

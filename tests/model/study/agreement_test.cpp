@@ -6,7 +6,7 @@
 
 #include "model/common/distributions.h"
 #include "model/common/random.h"
-#include "model/study/synthetic_rater.h"
+#include "model/study/synthetic_study.h"
 #include "tests/support/golden.h"
 
 namespace agreement_test {

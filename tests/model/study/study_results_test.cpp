@@ -9,7 +9,7 @@
 
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_csv.h"
-#include "model/study/synthetic_rater.h"
+#include "model/study/synthetic_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace study_results_test {

@@ -1,4 +1,4 @@
-#include "model/table/dialect.h"
+#include "model/table/table.h"
 
 #include <doctest/doctest.h>
 

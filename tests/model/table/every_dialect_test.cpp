@@ -1,5 +1,5 @@
 // A table is the same whoever wrote it: matrices, ratings, places and accelerations in every way of
-// writing that model/table/dialect.h names are read back equal.
+// writing that model/table/table.h names are read back equal.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,8 +1,6 @@
-#include "model/table/table_head.h"
+#include "model/table/table.h"
 
 #include <doctest/doctest.h>
-
-#include "model/table/columns.h"
 
 namespace table_head_test {
 

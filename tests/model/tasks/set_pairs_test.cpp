@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "model/set/set_waveforms.h"
+#include "model/set/pattern_set.h"
 
 namespace set_pairs_test {
 

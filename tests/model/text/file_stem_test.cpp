@@ -1,4 +1,4 @@
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 
 #include <doctest/doctest.h>
 

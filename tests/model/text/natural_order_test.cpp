@@ -1,4 +1,4 @@
-#include "model/text/natural_order.h"
+#include "model/text/names.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "model/text/file_stem.h"
+#include "model/text/names.h"
 #include "model/text/utf8.h"
 
 namespace shown_text_test {

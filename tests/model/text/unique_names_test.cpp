@@ -1,4 +1,4 @@
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 
 #include <doctest/doctest.h>
 

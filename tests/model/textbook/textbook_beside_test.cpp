@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/textbook/noticed.h"
+#include "model/textbook/textbook.h"
 
 namespace textbook_beside_test {
 

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "model/common/random.h"
-#include "model/told_apart/synthetic_odd_answers.h"
 #include "model/told_apart/told_apart_results.h"
 #include "tests/model/told_apart/trial_pairs.h"
 

@@ -1,4 +1,4 @@
-#include "model/told_apart/told_apart_json.h"
+#include "model/told_apart/told_apart_document.h"
 
 #include <doctest/doctest.h>
 

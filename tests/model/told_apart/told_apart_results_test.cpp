@@ -7,9 +7,8 @@
 
 #include "model/text/csv.h"
 #include "model/text/numbers.h"
-#include "model/told_apart/synthetic_odd_answers.h"
+#include "model/told_apart/odd_trials.h"
 #include "model/told_apart/told_apart_document.h"
-#include "model/told_apart/told_apart_words.h"
 #include "tests/model/told_apart/trial_pairs.h"
 #include "tests/support/temporary_folder.h"
 

@@ -10,7 +10,6 @@
 
 #include "model/dissimilarity/dissimilarity.h"
 #include "tests/support/presence.h"
-#include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 
 namespace tact::matrix_view_test {

@@ -1,4 +1,4 @@
-#include "viz/drawing/colormap.h"
+#include "viz/drawing/colour.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-
-#include "viz/drawing/colour.h"
 
 namespace tact::colormap_test {
 namespace {

@@ -1,5 +1,5 @@
 // Lists and tables beside or above the picture that belongs to them.
-#include "viz/drawing/words_and_picture.h"
+#include "viz/drawing/marks.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "viz/picture/mesh_outline.h"
+#include "viz/picture/shape_joining.h"
 
 #include <doctest/doctest.h>
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "viz/picture/apng.h"
-#include "viz/picture/changed_area.h"
+#include "viz/picture/frame_damage.h"
 #include "viz/picture/gif.h"
-#include "viz/picture/palette.h"
 
 namespace moving_picture_test {
 

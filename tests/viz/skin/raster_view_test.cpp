@@ -11,7 +11,7 @@
 #include "tests/support/drawn_view.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/presence.h"
-#include "viz/skin/raster_bins.h"
+#include "viz/skin/raster_cells.h"
 
 namespace tact::raster_view_test {
 namespace {

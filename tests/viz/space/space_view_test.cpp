@@ -11,7 +11,6 @@
 
 #include "model/common/random.h"
 #include "tests/support/presence.h"
-#include "viz/drawing/colormap.h"
 #include "viz/drawing/colour.h"
 #include "viz/space/space_parts.h"
 

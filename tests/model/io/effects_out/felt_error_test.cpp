@@ -1,5 +1,5 @@
 // Points where they are felt: laws of the measure, and of curves thinned by it.
-#include "model/io/effects_out/felt_error.h"
+#include "model/io/effects_out/shares.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,6 @@
 
 #include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/knots.h"
-#include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/write_effect.h"
 #include "model/pattern/curves.h"
 #include "model/physiology/mechanoreceptor.h"

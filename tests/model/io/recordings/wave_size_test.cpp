@@ -1,10 +1,9 @@
-#include "model/io/recordings/wave_size.h"
+#include "model/io/recordings/wave_file.h"
 
 #include <doctest/doctest.h>
 
 #include <sstream>
 
-#include "model/io/recordings/wave_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wave_bytes.h"
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "model/io/set/set_file.h"
-#include "model/io/set/set_fingerprint.h"
 #include "model/pattern/same_vibration.h"
 #include "tests/support/set_texts.h"
 #include "tests/support/temporary_folder.h"

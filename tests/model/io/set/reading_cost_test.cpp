@@ -9,7 +9,7 @@
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
 #include "model/io/set/set_file.h"
-#include "model/text/unique_names.h"
+#include "model/text/names.h"
 
 namespace reading_cost_test {
 

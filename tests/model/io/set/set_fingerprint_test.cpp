@@ -1,4 +1,4 @@
-#include "model/io/set/set_fingerprint.h"
+#include "model/io/set/set_file.h"
 
 #include <doctest/doctest.h>
 
