@@ -198,8 +198,7 @@ void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
     draw_square(ui, work, pad, square);
     draw_wave(ui, work, pad, {square.min.x, square.max.y + margin}, square.width());
     ImGui::SetCursorScreenPos({corner.x, ImGui::GetCursorScreenPos().y});
-    dim_text(ui, pad_words(pad));
-    note_item(ui.rects, "pad:words", pad_words(pad));
+    dim_text(ui, {.id = "pad:words", .text = pad_words(pad)});
     if (draw_ends(ui, "Keep it", pad.mixed_of.size() > 1)) add_mix(ui, work, pad);
 }
 

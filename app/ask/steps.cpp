@@ -129,10 +129,9 @@ void draw_name_choice(Ui& ui, const PatternSet& set, const char* label, std::str
                           label_of(shortened(ui.theme.fonts.regular, name, room)).c_str())) {
         for (const Vibration& vibration : set.vibrations) {
             if (!std::holds_alternative<Pattern>(vibration.source)) continue;
-            if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == name)) {
-                name = vibration.name;
-            }
-            note_item(ui.rects, std::string("steps:") + label + ":" + vibration.name);
+            const Item item{.id = std::string("steps:") + label + ":" + vibration.name,
+                            .label = vibration.name};
+            if (option(ui, item, vibration.name == name)) name = vibration.name;
         }
         ImGui::EndCombo();
     }
@@ -158,12 +157,12 @@ void draw_along(Ui& ui, StepsState& state) {
     ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
     const char* chosen = state.along ? traits(*state.along).name : "all that differs";
     if (ImGui::BeginCombo("##along", chosen)) {
-        if (ImGui::Selectable("all that differs", !state.along)) state.along.reset();
+        if (option(ui, {.id = "steps:along:all", .label = "all that differs"}, !state.along))
+            state.along.reset();
         for (const PatternParameter parameter : kPatternParameters) {
-            if (ImGui::Selectable(traits(parameter).name, state.along == parameter)) {
-                state.along = parameter;
-            }
-            note_item(ui.rects, std::string("steps:along:") + traits(parameter).key);
+            const Item item{.id = std::string("steps:along:") + traits(parameter).key,
+                            .label = traits(parameter).name};
+            if (option(ui, item, state.along == parameter)) state.along = parameter;
         }
         ImGui::EndCombo();
     }
@@ -225,19 +224,18 @@ void draw_step_rows(Ui& ui, Workspace& work, const StepsState& state, const Even
                                  : k + 1 == steps.patterns.size() && !state.along
                                      ? state.to
                                      : std::to_string(k + 1);
-        ImGui::PushID(static_cast<int>(k));
-        ImGui::Selectable(
-            name.c_str(), false,
-            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups);
+        option(ui,
+               {.id = "step:" + std::to_string(k + 1),
+                .label = name,
+                .tip = k == 0 ? kHoldHelp : "",
+                .value = significant(steps.shares[k], 6)},
+               false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups);
         if (ImGui::IsItemActive()) {
             Vibration felt;
             felt.name = name;
             felt.source = steps.patterns[k];
             note_pressed(work, felt);
         }
-        note_item(ui.rects, "step:" + std::to_string(k + 1), significant(steps.shares[k], 6));
-        if (k == 0) draw_tooltip(ui, kHoldHelp);
-        ImGui::PopID();
         ImGui::TableNextColumn();
         dim_text(ui, percent(steps.shares[k]));
         const bool last = k + 1 == steps.patterns.size();
@@ -256,16 +254,14 @@ void draw_answer(Ui& ui, Workspace& work, StepsState& state, const FoundSteps* f
         if (!state.cancelled) return;
         dim_text(ui, "Stopped.");
         ImGui::SameLine();
-        if (link(ui, "place steps", "Place them")) state.job.leave();
-        note_item(ui.rects, "link:place steps");
+        if (link(ui, {.id = "link:place steps", .label = "Place them"})) state.job.leave();
         return;
     }
     const EvenSteps& steps = found->steps;
     draw_way(ui, steps);
     draw_step_rows(ui, work, state, steps);
-    const std::string verdict = sentence_on(found->request.question, steps);
-    coloured_text(is_even(steps) ? ui.theme.text : ui.theme.warning, verdict);
-    note_item(ui.rects, "steps:verdict", verdict);
+    coloured_text(ui, is_even(steps) ? ui.theme.text : ui.theme.warning,
+                  {.id = "steps:verdict", .text = sentence_on(found->request.question, steps)});
     coloured_text(ui.theme.dim_text, pm_sentence_on(steps));
 }
 
@@ -291,8 +287,7 @@ void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state) {
     const std::string obstacle = steps_obstacle(work, state);
     const auto found = current_steps(work, state);
     if (!obstacle.empty()) {
-        coloured_text(ui.theme.dim_text, obstacle);
-        note_item(ui.rects, "steps:obstacle", obstacle);
+        coloured_text(ui, ui.theme.dim_text, {.id = "steps:obstacle", .text = obstacle});
     } else {
         draw_answer(ui, work, state, found.get());
     }

@@ -17,10 +17,12 @@ void draw_free_numbers(Ui& ui, ProposalsState& state) {
                                   : "Held: " + std::to_string(state.held.size()) +
                                         (state.held.size() == 1 ? " number" : " numbers");
     flow_on(ImGui::CalcTextSize(words.c_str()).x, 1.5F * ui.theme.gap_px);
-    if (row_link(ui, "free numbers", words)) ImGui::OpenPopup("free numbers");
-    note_item(ui.rects, "link:free numbers");
-    draw_tooltip(ui,
-                 "Which numbers may change, here and when a point is put somewhere (Alt+drag).");
+    if (row_link(ui, {.id = "link:free numbers",
+                      .label = words,
+                      .tip = "Which numbers may change, here and when a point is put somewhere "
+                             "(Alt+drag)."})) {
+        ImGui::OpenPopup("free numbers");
+    }
     float width = 0.0F;
     for (const PatternParameter parameter : kPatternParameters) {
         width = std::max(width, check_width(ui.theme, traits(parameter).name));
@@ -33,11 +35,13 @@ void draw_free_numbers(Ui& ui, ProposalsState& state) {
     for (const PatternParameter parameter : kPatternParameters) {
         const auto held = std::ranges::find(state.held, parameter);
         bool is_free = held == state.held.end();
-        if (draw_check(ui.theme, traits(parameter).name, is_free)) {
+        if (check(ui,
+                  {.id = std::string("free:") + traits(parameter).key,
+                   .label = traits(parameter).name},
+                  is_free)) {
             if (is_free) state.held.erase(held);
             if (!is_free) state.held.push_back(parameter);
         }
-        note_item(ui.rects, std::string("free:") + traits(parameter).key, is_free ? "on" : "off");
     }
     ImGui::EndPopup();
 }
@@ -53,8 +57,9 @@ void draw_found(Ui& ui, const ProposalsState& state) {
                               : found->request.exact ? "click one to take it, hold to feel it"
                                                      : "a preview; click to take, hold to feel";
     flow_on(ImGui::CalcTextSize(words.c_str()).x, 1.5F * ui.theme.gap_px);
-    dim_text(ui, words);
-    note_item(ui.rects, "vary:found", found ? std::to_string(found->patterns.size()) : "");
+    dim_text(ui, {.id = "vary:found",
+                  .text = words,
+                  .value = found ? std::to_string(found->patterns.size()) : ""});
 }
 
 void draw_put_bar(Ui& ui, ProposalsState& state) {
@@ -91,17 +96,15 @@ void draw_vary_bar(Ui& ui, const Workspace& work, ProposalsState& state) {
                       .normal = 3.0},
                      width, state.how_far);
     note_item(ui.rects, "vary:how far");
-    const auto word = [&](const char* id, const char* text, const char* help) {
-        flow_on(ImGui::CalcTextSize(text).x, 1.5F * ui.theme.gap_px);
-        const bool pressed = row_link(ui, id, text);
-        note_item(ui.rects, std::string("link:") + id);
-        draw_tooltip(ui, help);
-        return pressed;
+    const auto word = [&](const Item& item) {
+        flow_on(ImGui::CalcTextSize(item.label.c_str()).x, 1.5F * ui.theme.gap_px);
+        return row_link(ui, item);
     };
     const std::string others = std::to_string(VaryQuestion{}.count) + " others, as far away.";
-    if (word("vary again", "Others (V)", others.c_str())) ++state.vary_seed;
+    if (word({.id = "link:vary again", .label = "Others (V)", .tip = others})) ++state.vary_seed;
     draw_free_numbers(ui, state);
-    if (word("vary stop", "Done", "The pattern does not change.")) return stop_varying(state);
+    if (word({.id = "link:vary stop", .label = "Done", .tip = "The pattern does not change."}))
+        return stop_varying(state);
 }
 
 }  // namespace tact

@@ -48,12 +48,12 @@ void draw_kind(Ui& ui, CalibrateState& calibrating, bool& changed) {
     CalibrationParams& params = calibrating.params;
     draw_label(ui, "Signal");
     const auto choice = [&](const char* id, const char* text, bool sweep, const char* tip) {
-        if (draw_switch(ui, id, text, params.is_sweep == sweep) && params.is_sweep != sweep) {
+        const Item item{.id = std::string("calibrate:") + id, .label = text, .tip = tip};
+        const bool is_chosen = params.is_sweep == sweep;
+        if (toggle(ui, item, is_chosen) && !is_chosen) {
             params.is_sweep = sweep;
             changed = true;
         }
-        note_item(ui.rects, std::string("calibrate:") + id);
-        draw_tooltip(ui, tip);
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
     choice("tones", "stepped tones", false,
@@ -73,8 +73,7 @@ void draw_playing(Ui& ui, Timeline& timeline, PlayState& play, const CalibrateSt
     const double whole_s = signal_s(calibrating.params);
     const double at_s = std::clamp(play.status.position_s, 0.0, whole_s);
     const std::string text = significant(at_s, 2) + " s of " + significant(whole_s, 2) + " s";
-    if (ImGui::Button("Stop")) silence(timeline, play);
-    note_item(ui.rects, "button:stop signal");
+    if (button(ui, {.id = "button:stop signal", .label = "Stop"})) silence(timeline, play);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ui.theme.accent);
     ImGui::ProgressBar(whole_s > 0.0 ? static_cast<float>(at_s / whole_s) : 0.0F,
@@ -98,29 +97,34 @@ void draw_signal_part(Ui& ui, const Workspace& work, Timeline& timeline, PlaySta
                         ", up to " + most + " of full scale whatever the playback level. Begin " +
                         "recording before it, and end after it.");
     if (calibrating.is_playing) return draw_playing(ui, timeline, play, calibrating);
-    ImGui::BeginDisabled(!can_sound(play));
-    if (ImGui::Button("Play the signal")) play_calibration_signal(ui, timeline, play, calibrating);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:play signal");
-    if (!can_sound(play)) draw_tooltip(ui, "Choose an audio output in Play > Devices... first");
+    constexpr const char* kNoOutput = "Choose an audio output in Play > Devices... first";
+    if (button(ui, {.id = "button:play signal",
+                    .label = "Play the signal",
+                    .why_not = can_sound(play) ? "" : kNoOutput})) {
+        play_calibration_signal(ui, timeline, play, calibrating);
+    }
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (ImGui::Button("Save as WAV...")) save_calibration_signal_dialog(ui, work, calibrating);
-    note_item(ui.rects, "button:save signal");
-    draw_tooltip(ui, "To play it by other means, at full level");
+    if (button(ui, {.id = "button:save signal",
+                    .label = "Save as WAV...",
+                    .tip = "To play it by other means, at full level"})) {
+        save_calibration_signal_dialog(ui, work, calibrating);
+    }
 }
 
 void draw_recording_part(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
     heading(ui, "2  Open what it recorded");
-    if (ImGui::Button("Open recording..."))
+    if (button(ui, {.id = "button:open recording",
+                    .label = "Open recording...",
+                    .tip = "A table (.csv, .txt) or .wav of one or three axes"})) {
         open_calibration_recording_dialog(ui, work, calibrating);
-    note_item(ui.rects, "button:open recording");
-    draw_tooltip(ui, "A table (.csv, .txt) or .wav of one or three axes");
+    }
     if (calibrating.recording.empty()) return;
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float room = ImGui::GetContentRegionAvail().x;
     const std::string name = calibrating.recording.filename().string();
-    dim_text(ui, shortened(ui.theme.fonts.regular, name, room));
-    note_item(ui.rects, "calibrate:recording", name);
+    dim_text(ui, {.id = "calibrate:recording",
+                  .text = shortened(ui.theme.fonts.regular, name, room),
+                  .value = name});
     const bool is_wave = extension_of(calibrating.recording) == ".wav";
     if (draw_recording_fields(ui, calibrating.fields, is_wave)) look_at_recording(ui, calibrating);
 }
@@ -166,9 +170,8 @@ void draw_response_plot(Ui& ui, const CalibrationResult& result) {
     const std::string text =
         action.hovered ? point_text(result.points[*action.hovered]) : summary_of(result);
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
+    plain_text(ui, {.id = "calibrate:summary", .text = text});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "calibrate:summary", text);
     if (refused.empty()) return;
     wrapped_dim(ui, "Left out, drawn as rings: " + words_on_left_out() + ".");
 }
@@ -176,8 +179,10 @@ void draw_response_plot(Ui& ui, const CalibrationResult& result) {
 // Where the table may err, which no number of it tells.
 void draw_doubts(Ui& ui, const CalibrationResult& result) {
     for (std::size_t k = 0; k < result.remarks.size(); ++k) {
-        coloured_text(ui.theme.warning, result.remarks[k] + ".");
-        note_item(ui.rects, "calibrate:remark " + std::to_string(k), result.remarks[k]);
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "calibrate:remark " + std::to_string(k),
+                       .text = result.remarks[k] + ".",
+                       .value = result.remarks[k]});
     }
 }
 

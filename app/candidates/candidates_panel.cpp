@@ -48,30 +48,35 @@ void draw_table_tools(Ui& ui, Workspace& work, std::size_t listed) {
     ImGui::InputTextWithHint("##filter", "60 Hz, x--x, a name", &selection.search);
     note_item(ui.rects, "candidates:filter", selection.search);
     flow_on(chip_width(ui, only.c_str()), ui.theme.gap_px);
-    if (draw_switch(ui, "only picked", only.c_str(), selection.only_picked)) {
+    if (toggle(ui,
+               {.id = "candidates:only picked",
+                .label = only,
+                .value = selection.only_picked ? "on" : "off"},
+               selection.only_picked)) {
         selection.only_picked = !selection.only_picked;
     }
-    note_item(ui.rects, "candidates:only picked", selection.only_picked ? "on" : "off");
-    const auto action = [&](const char* id, const char* words, auto act) {
-        flow_on(button_width(words), ui.theme.gap_px);
-        if (ImGui::Button(words)) ui.waiting.emplace_back([&ui, &work, act] { act(ui, work); });
-        note_item(ui.rects, std::string("candidates:") + id);
+    const auto action = [&](const Item& item, auto act) {
+        flow_on(button_width(item.label.c_str()), ui.theme.gap_px);
+        if (button(ui, item)) ui.waiting.emplace_back([&ui, &work, act] { act(ui, work); });
     };
     if (current == nullptr) return;
-    action("lock", lock, toggle_locked);
-    draw_tooltip(ui, "All selected rows: picked in every subset, and not edited.");
-    action("drop", drop, toggle_dropped);
-    draw_tooltip(ui, "All selected rows: picked in no subset.");
+    action({.id = "candidates:lock",
+            .label = lock,
+            .tip = "All selected rows: picked in every subset, and not edited."},
+           toggle_locked);
+    action(
+        {.id = "candidates:drop", .label = drop, .tip = "All selected rows: picked in no subset."},
+        toggle_dropped);
     if (const std::size_t unfelt = unfelt_indices(work).size(); unfelt > 0) {
-        const std::string words = "Exclude all not felt (" + std::to_string(unfelt) + ")";
-        action("exclude unfelt", words.c_str(), exclude_unfelt);
-        draw_tooltip(ui, "No receptor of the model answers to them. Locked ones stay.");
+        action({.id = "candidates:exclude unfelt",
+                .label = "Exclude all not felt (" + std::to_string(unfelt) + ")",
+                .tip = "No receptor of the model answers to them. Locked ones stay."},
+               exclude_unfelt);
     }
     const std::string told = std::to_string(listed) + " of " +
                              std::to_string(work.document.set.vibrations.size()) + ", " +
                              std::to_string(selected_indices(work).size()) + " selected";
-    dim_text_beside(ui, told);
-    note_item(ui.rects, "candidates:count", told);
+    dim_text_beside(ui, {.id = "candidates:count", .text = told});
 }
 
 // In the order of the table; the list's would take others.

@@ -409,5 +409,6 @@ std::string single_ceiling_text(const Ceilings& ceilings, const NumberMark& mark
 // In the current font, in lines of readable length that break only at spaces, so that numbers stay
 // whole.
 void reading_text(ImU32 colour, const std::string& text);
+void reading_text(Ui& ui, ImU32 colour, const Said& said);
 
 }  // namespace tact

@@ -24,27 +24,26 @@ void draw_disagreement(Ui& ui, Workspace& work, Layout& layout, const Comparison
     const bool closer = apart.ratings_rank < apart.metric_rank;
     const std::string by = words_of(mark_of(comparison));
     const std::string felt = by.empty() ? "felt " : by + " ratings say ";
-    ImGui::PushID(static_cast<int>(apart.pair));
     const ImFont* regular = ui.theme.fonts.regular;
     const float room = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable(label_of(shortened(regular, names, room)).c_str())) {
-        choose_pair(work, i, j);
-        layout.bench = BenchTab::why;
-    }
-    note_item(ui.rects, "disagreement:" + vibrations[i].name + "|" + vibrations[j].name);
     const auto* a = std::get_if<Pattern>(&vibrations[i].source);
     const auto* b = std::get_if<Pattern>(&vibrations[j].source);
     const std::string noticed = a != nullptr && b != nullptr ? noticed_text(*a, *b) : std::string();
-    draw_tooltip(ui, (names + ": why does the model tell them as it does?" +
-                      (noticed.empty() ? "" : "\n" + noticed))
-                         .c_str());
+    if (option(ui,
+               {.id = "disagreement:" + vibrations[i].name + "|" + vibrations[j].name,
+                .label = shortened(regular, names, room),
+                .tip = names + ": why does the model tell them as it does?" +
+                       (noticed.empty() ? "" : "\n" + noticed)},
+               false)) {
+        choose_pair(work, i, j);
+        layout.bench = BenchTab::why;
+    }
     ImGui::PushFont(ui.theme.fonts.small);
     const std::string ranks = felt + (closer ? "closer" : "farther") + ": rank " +
                               significant(apart.ratings_rank) + ", predicted " +
                               significant(apart.metric_rank);
     dim_text(ui, shortened(ui.theme.fonts.small, ranks, room));
     ImGui::PopFont();
-    ImGui::PopID();
 }
 
 // Heading and whole rows, as many as fit: a name, and its ranks in small type.

@@ -20,8 +20,8 @@ namespace {
 void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     const float gap = 2.0F * ui.theme.scale;
     const auto view = [&](CompareView which, const char* name) {
-        if (draw_chip(ui, name, name, comparing.panel.view == which)) comparing.panel.view = which;
-        note_item(ui.rects, std::string("compare:") + name);
+        const Item item{.id = std::string("compare:") + name, .label = name};
+        if (chip(ui, item, comparing.panel.view == which)) comparing.panel.view = which;
     };
     view(CompareView::table, "Table");
     flow_on(chip_width(ui, "Pairs"), gap);
@@ -31,20 +31,23 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
     flow_on(ImGui::CalcTextSize("Add metric...").x, 2.0F * ui.theme.gap_px);
     const float lower = 2.0F * ui.theme.scale;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
-    if (link(ui, "add metric", "Add metric...")) add_metric_dialog(ui, work);
-    note_item(ui.rects, "link:add metric");
-    draw_tooltip(ui,
-                 "A metric of your own beside the others: a matrix by the names of the patterns "
-                 "(.csv), or a function of two arrays and a rate (.py).");
+    if (link(ui, {.id = "link:add metric",
+                  .label = "Add metric...",
+                  .tip = "A metric of your own beside the others: a matrix by the names of the "
+                         "patterns (.csv), or a function of two arrays and a rate (.py)."})) {
+        add_metric_dialog(ui, work);
+    }
     // Replaces the ratings; without ratings the button below offers to open some.
     if (work.document.set.ratings.empty()) return;
     flow_on(ImGui::CalcTextSize("Load ratings...").x, 2.0F * ui.theme.gap_px);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
-    if (link(ui, "load ratings", "Load ratings...")) load_ratings_dialog(ui, work);
-    note_item(ui.rects, "link:load ratings");
-    draw_tooltip(ui,
-                 "A CSV of what people said of these patterns: a square with names, or a line a "
-                 "rating with the participant. Names must be those of the patterns.");
+    if (link(ui, {.id = "link:load ratings",
+                  .label = "Load ratings...",
+                  .tip = "A CSV of what people said of these patterns: a square with names, or a "
+                         "line a rating with the participant. Names must be those of the "
+                         "patterns."})) {
+        load_ratings_dialog(ui, work);
+    }
 }
 
 // The source of each foreign metric, or its error, with a link that removes it.
@@ -52,17 +55,14 @@ void draw_foreign(Ui& ui, Comparing& comparing, const Comparison& comparison) {
     std::string gone;
     ImGui::PushFont(ui.theme.fonts.small);
     for (const ForeignMetric& one : comparing.foreign) {
-        ImGui::PushID(one.key.c_str());
         dim_text(ui, shortened(ui.theme.fonts.small, one.key + ": " + one.from,
                                0.8F * ImGui::GetContentRegionAvail().x));
         ImGui::SameLine();
-        if (link(ui, "remove", "Remove")) gone = one.key;
-        note_item(ui.rects, "remove metric:" + one.key);
-        ImGui::PopID();
+        if (link(ui, {.id = "remove metric:" + one.key, .label = "Remove"})) gone = one.key;
     }
     for (const std::string& fault : comparison.failed) {
-        reading_text(ui.theme.warning, fault + ".");
-        note_item(ui.rects, "compare:failed", fault);
+        reading_text(ui, ui.theme.warning,
+                     {.id = "compare:failed", .text = fault + ".", .value = fault});
     }
     ImGui::PopFont();
     if (!gone.empty()) remove_metric(comparing, gone);
@@ -79,9 +79,8 @@ void draw_versions(Ui& ui, const PatternSet& set, const RatedPeople& people) {
     const bool is_recorded =
         std::ranges::any_of(set.ratings, [](const Ratings& one) { return !one.versions.empty(); });
     if (is_recorded) return;
-    constexpr const char* kUnrecorded = "Version of the rated patterns: not recorded.";
-    dim_text(ui, kUnrecorded);
-    note_item(ui.rects, "compare:unrecorded", kUnrecorded);
+    dim_text(ui,
+             {.id = "compare:unrecorded", .text = "Version of the rated patterns: not recorded."});
 }
 
 // Facts that hold for all metrics: the raters, their reliability, chance.
@@ -97,15 +96,14 @@ void draw_people(Ui& ui, const Comparison& comparison) {
     if (!single.empty()) ceiling += " " + single;
     const std::string unrated = remark_on_unrated(people.unrated, set.vibrations.size());
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(words_of(people.mark).empty() ? ui.theme.dim_text : ui.theme.warning, text);
-    note_item(ui.rects, "compare:people", text);
+    reading_text(ui, words_of(people.mark).empty() ? ui.theme.dim_text : ui.theme.warning,
+                 {.id = "compare:people", .text = text});
     draw_versions(ui, set, people);
     if (!unrated.empty()) {
-        reading_text(ui.theme.warning, unrated + ".");
-        note_item(ui.rects, "compare:unrated", unrated);
+        reading_text(ui, ui.theme.warning,
+                     {.id = "compare:unrated", .text = unrated + ".", .value = unrated});
     }
-    reading_text(ui.theme.dim_text, ceiling);
-    note_item(ui.rects, "compare:ceiling", ceiling);
+    reading_text(ui, ui.theme.dim_text, {.id = "compare:ceiling", .text = ceiling});
     ImGui::PopFont();
 }
 
@@ -131,8 +129,7 @@ void draw_table_view(Ui& ui, Workspace& work, const ShownMap& shown_map, Compari
                      const Comparison& comparison) {
     const std::string verdict = verdict_on_pm(comparison);
     if (!verdict.empty()) {
-        reading_text(ui.theme.warning, verdict);
-        note_item(ui.rects, "compare:verdict", verdict);
+        reading_text(ui, ui.theme.warning, {.id = "compare:verdict", .text = verdict});
     }
     const Rect area = rest_of_pane();
     if (area.empty()) return;
@@ -158,25 +155,27 @@ void draw_sides(Ui& ui, Workspace& work) {
     reading_text(ui.theme.dim_text,
                  "Patterns and their measured twins are shown together. Compare either side with "
                  "the ratings of the patterns:");
-    if (ImGui::Button("Intended only")) show_side(work, Side::intended);
-    note_item(ui.rects, "button:intended only");
+    if (button(ui, {.id = "button:intended only", .label = "Intended only"}))
+        show_side(work, Side::intended);
     flow_on(button_width("Measured only"), ui.theme.gap_px);
-    if (ImGui::Button("Measured only")) show_side(work, Side::measured);
-    note_item(ui.rects, "button:measured only");
+    if (button(ui, {.id = "button:measured only", .label = "Measured only"}))
+        show_side(work, Side::measured);
 }
 
 void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
     if (!comparison.fault.empty()) {
-        reading_text(ui.theme.warning, "The ratings do not fit the set: " + comparison.fault);
-        note_item(ui.rects, "compare:fault", comparison.fault);
+        reading_text(ui, ui.theme.warning,
+                     {.id = "compare:fault",
+                      .text = "The ratings do not fit the set: " + comparison.fault,
+                      .value = comparison.fault});
         return draw_sides(ui, work);
     }
     reading_text(
         ui.theme.text,
         "What did people say of these patterns? With their ratings this table tells which metric "
         "agrees with them best. Until then it shows how much each agrees with PM.");
-    if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
-    note_item(ui.rects, "button:load ratings");
+    if (button(ui, {.id = "button:load ratings", .label = "Load ratings..."}))
+        load_ratings_dialog(ui, work);
 }
 
 void draw_comparing(Ui& ui, const Workspace& work, Comparing& comparing) {
@@ -194,8 +193,8 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
     if (!few && comparison_waits(work, comparing) && !shown.is_computing && shown.is_stale) {
         ImGui::TextWrapped("%s metrics of every pair and their maps: this may take a while.",
                            std::to_string(kMetricCount).c_str());
-        if (primary_button(ui, "Compare metrics")) ask_for_comparison(work, comparing);
-        note_item(ui.rects, "button:compare metrics");
+        if (primary_button(ui, {.id = "button:compare metrics", .label = "Compare metrics"}))
+            ask_for_comparison(work, comparing);
     }
     draw_comparing(ui, work, comparing);
     const bool failed = draw_failure(ui, "compare", comparing.comparison_job.failure());

@@ -134,9 +134,8 @@ void draw_finding(Ui& ui, const Finding& finding, bool is_wide) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ui.theme, finding.status));
-    ImGui::TextUnformatted(word_of(finding.status));
+    plain_text(ui, {.id = "finding:" + finding.id, .text = word_of(finding.status)});
     ImGui::PopStyleColor();
-    note_item(ui.rects, "finding:" + finding.id, word_of(finding.status));
     ImGui::TableNextColumn();
     wrapped_text(finding.claim);
     if (is_wide) ImGui::TableNextColumn();
@@ -162,10 +161,7 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         note_item(ui.rects, "button:check findings");
         return;
     }
-    ImGui::BeginDisabled(busy);
-    check(primary_button(ui, kCheck));
-    note_item(ui.rects, "button:check findings");
-    ImGui::EndDisabled();
+    check(primary_button(ui, {.id = "button:check findings", .label = kCheck, .enabled = !busy}));
     if (busy || comparing.findings) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         ImGui::AlignTextToFramePadding();
@@ -175,8 +171,10 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
             comparing.findings_job.cancel();
     } else if (comparing.findings) {
         const std::string text = tally_of(*comparing.findings);
-        dim_text(ui, shortened(ui.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x));
-        note_item(ui.rects, "compare:findings", text);
+        dim_text(ui,
+                 {.id = "compare:findings",
+                  .text = shortened(ui.theme.fonts.regular, text, ImGui::GetContentRegionAvail().x),
+                  .value = text});
     }
     (void)draw_failure(ui, "findings", comparing.findings_job.failure());
     if (!comparing.findings || area.empty()) return;

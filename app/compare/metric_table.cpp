@@ -83,22 +83,23 @@ void draw_row(Ui& ui, Comparing& comparing, const ComparedMetric& row, const Bes
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const float room = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable(label_of(row.name).c_str(), comparing.panel.metric == row.key,
-                          ImGuiSelectableFlags_SpanAllColumns)) {
+    if (option(ui,
+               {.id = "metric:" + row.key,
+                .label = row.name,
+                .tip = tip_of(row, mark),
+                .value = row_value(row)},
+               comparing.panel.metric == row.key, ImGuiSelectableFlags_SpanAllColumns)) {
         comparing.panel.metric = row.key;
         comparing.panel.shepard_of_people = false;
     }
-    note_item(ui.rects, "metric:" + row.key, row_value(row));
-    draw_tooltip(ui, tip_of(row, mark).c_str());
     constexpr const char* kOurs = "ours";
     const float beside = ImGui::CalcTextSize(row.name.c_str()).x + ImGui::GetStyle().ItemSpacing.x +
                          text_size(ui.theme.fonts.small, kOurs).x;
     if (row.metric && traits(*row.metric).is_reference && beside <= room) {
         ImGui::SameLine();
         ImGui::PushFont(ui.theme.fonts.small);
-        dim_text(ui, kOurs);
+        dim_text(ui, {.id = "ours:" + row.key, .text = kOurs});
         ImGui::PopFont();
-        note_item(ui.rects, "ours:" + row.key);
     }
     if (row.evaluation) {
         const Evaluation& e = *row.evaluation;
@@ -204,8 +205,9 @@ void draw_remarks(Ui& ui, const Comparison& comparison) {
                "So few patterns fit any map: K and stress say little.";
     }
     if (!all.empty()) {
-        reading_text(ui.theme.dim_text, all);
-        note_item(ui.rects, "compare:remarks", all.substr(0, all.find('\n')));
+        reading_text(
+            ui, ui.theme.dim_text,
+            {.id = "compare:remarks", .text = all, .value = all.substr(0, all.find('\n'))});
     }
     ImGui::PopFont();
 }

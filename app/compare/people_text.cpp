@@ -104,4 +104,9 @@ void reading_text(ImU32 colour, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+void reading_text(Ui& ui, ImU32 colour, const Said& said) {
+    reading_text(colour, said.text);
+    say_of_last_item(ui, said);
+}
+
 }  // namespace tact

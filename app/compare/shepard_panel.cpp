@@ -168,17 +168,15 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
     const std::string words = people ? "Ratings" : shown.name;
     if (ImGui::BeginCombo("##metric", label_of(words).c_str(), ImGuiComboFlags_HeightLargest)) {
         for (const NamedMetric& metric : all) {
-            if (ImGui::Selectable(label_of(metric.name).c_str(),
-                                  !people && metric.key == shown.key)) {
+            if (option(ui, {.id = "choose:" + metric.key, .label = metric.name, .tip = metric.help},
+                       !people && metric.key == shown.key)) {
                 comparing.panel.metric = metric.key;
                 comparing.panel.shepard_of_people = false;
             }
-            note_item(ui.rects, "choose:" + metric.key);
-            draw_tooltip(ui, metric.help.c_str());
         }
-        if (with_people && !work.document.set.ratings.empty()) {
-            if (ImGui::Selectable("Ratings", people)) comparing.panel.shepard_of_people = true;
-            note_item(ui.rects, "choose:ratings");
+        if (with_people && !work.document.set.ratings.empty() &&
+            option(ui, {.id = "choose:ratings", .label = "Ratings"}, people)) {
+            comparing.panel.shepard_of_people = true;
         }
         ImGui::EndCombo();
     }

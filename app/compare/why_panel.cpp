@@ -58,13 +58,13 @@ void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair)
     const bool pinned = work.selection.pinned == b;
     const char* words = pinned ? "Both pipelines are shown" : "Show both pipelines";
     flow_on(ImGui::CalcTextSize(words).x, 2.0F * ui.theme.gap_px);
-    if (link(ui, "both", words)) {
+    if (link(ui, {.id = "link:both pipelines",
+                  .label = words,
+                  .tip = "Pins the second pattern: every stage of both appears in the middle."})) {
         work.selection.pinned = b;
         layout.maximised.reset();
         layout.physiology = Fold::open;
     }
-    note_item(ui.rects, "link:both pipelines");
-    draw_tooltip(ui, "Pins the second pattern: every stage of both appears in the middle.");
 }
 
 // PM as its two parts, weighted ranks both.
@@ -125,10 +125,9 @@ void draw_noticed(Ui& ui, const LiveMap& map, std::size_t k,
     }
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
+    plain_text(ui, {.id = "why:noticed", .text = text});
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
-    note_item(ui.rects, "why:noticed", text);
 }
 
 // One channel, or two together.
@@ -390,8 +389,7 @@ void draw_foreign_parts(Ui& ui, const Comparing& comparing, const LiveMap& map, 
         const std::string text = row.name + " " + significant(row.matrix.condensed[k]) + ", rank " +
                                  significant(row.ranks[k]) + " of " +
                                  std::to_string(row.ranks.size());
-        dim_text(ui, text);
-        note_item(ui.rects, "why:" + row.key, text);
+        dim_text(ui, {.id = "why:" + row.key, .text = text});
     }
 }
 

@@ -55,23 +55,20 @@ std::optional<std::size_t> draw_lessons(Ui& ui, const CourseState& state) {
     ImGui::TableSetupColumn("stands", ImGuiTableColumnFlags_WidthStretch, 3.0F);
     for (std::size_t k = 0; k < state.lessons.size(); ++k) {
         const CourseLesson& lesson = state.lessons[k];
-        ImGui::PushID(static_cast<int>(k));
         ImGui::TableNextColumn();
         const std::string name = std::to_string(k + 1) + "  " +
                                  (lesson.lesson ? lesson.lesson->name : state.course->lessons[k]);
-        if (lesson.lesson) {
-            if (name_link(ui, "lesson", name)) begun = k;
-        } else {
-            dim_text(ui, name);
-            draw_tooltip(ui, lesson.fault.c_str());
-        }
+        const std::string id = "course:lesson:" + std::to_string(k + 1);
         const std::string stands = where_it_stands(state, lesson);
-        note_item(ui.rects, "course:lesson:" + std::to_string(k + 1), stands);
+        if (!lesson.lesson) {
+            dim_text(ui, {.id = id, .text = name, .tip = lesson.fault, .value = stands});
+        } else if (name_link(ui, {.id = id, .label = name, .value = stands})) {
+            begun = k;
+        }
         ImGui::TableNextColumn();
         dim_text(ui, length_of(lesson));
         ImGui::TableNextColumn();
         dim_text(ui, stands);
-        ImGui::PopID();
     }
     ImGui::EndTable();
     return begun;
@@ -107,12 +104,11 @@ std::optional<std::size_t> draw_course_dialog(Ui& ui, CourseState& state) {
     std::optional<std::size_t> begun = draw_lessons(ui, state);
     if (!state.progress.empty()) {
         ImGui::Spacing();
-        if (link(ui, "answers", "Answers of all students as CSV...")) {
+        if (link(ui, {.id = "course:answers", .label = "Answers of all students as CSV..."})) {
             give_way(ui);
             ask_for_answers_file(ui, state);
             return std::nullopt;
         }
-        note_item(ui.rects, "course:answers");
     }
     const auto next = next_lesson(state);
     const std::string action =

@@ -26,12 +26,12 @@ void draw_format(Ui& ui, EffectChoice& choice) {
     if (!open) return;
     for (const TargetTraits& one : target_formats()) {
         const TargetFormat format = *target_format_of(one.key);
-        if (ImGui::Selectable(one.title, format == choice.format) && format != choice.format) {
-            choice.format = format;
-            choice.actuator.clear();
-            choice.sampled = own_target(format).sampled;
-        }
-        note_item(ui.rects, std::string("export format:") + one.key);
+        const bool chosen = format == choice.format;
+        const Item item{.id = std::string("export format:") + one.key, .label = one.title};
+        if (!option(ui, item, chosen) || chosen) continue;
+        choice.format = format;
+        choice.actuator.clear();
+        choice.sampled = own_target(format).sampled;
     }
     ImGui::EndCombo();
 }
@@ -54,10 +54,8 @@ void draw_actuator(Ui& ui, EffectExport& effects) {
         if (ImGui::Selectable(own.c_str(), choice.actuator.empty())) choice.actuator.clear();
         for (const ActuatorMap& map : bundled_actuators()) {
             if (map.name == usual) continue;
-            if (ImGui::Selectable(map.name.c_str(), map.name == choice.actuator)) {
-                choice.actuator = map.name;
-            }
-            note_item(ui.rects, "export actuator:" + map.name);
+            const Item item{.id = "export actuator:" + map.name, .label = map.name};
+            if (option(ui, item, map.name == choice.actuator)) choice.actuator = map.name;
         }
         ImGui::EndCombo();
     }
@@ -114,8 +112,7 @@ void draw_which(Ui& ui, EffectExport& effects) {
         note = "all of the set is predicted, these are written";
     }
     ImGui::SameLine(0.0F, 1.5F * ui.theme.gap_px);
-    dim_text(ui, note);
-    note_item(ui.rects, "export:left out", note);
+    dim_text(ui, {.id = "export:left out", .text = note});
 }
 
 }  // namespace

@@ -58,12 +58,14 @@ void draw_views(Ui& ui, const Workspace& work, std::span<const PictureView> view
             ImGui::NewLine();
             draw_label(ui, "");
         }
-        if (draw_switch(ui, name_of(view), label_of(view), chosen == view) && chosen != view) {
+        const bool is_chosen = chosen == view;
+        const Item item{.id = std::string("export view:") + name_of(view),
+                        .label = label_of(view),
+                        .value = is_chosen ? "chosen" : ""};
+        if (toggle(ui, item, is_chosen) && !is_chosen) {
             chosen = view;
             suit(size, view, !work.selection.pinned.empty());
         }
-        note_item(ui.rects, std::string("export view:") + name_of(view),
-                  chosen == view ? "chosen" : "");
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
     ImGui::NewLine();
@@ -91,12 +93,13 @@ void draw_presets(Ui& ui, PictureSize& size) {
     draw_label(ui, "16:9");
     for (const Preset& preset : kPresets) {
         const bool lit = size.width == preset.width && size.height == preset.height;
-        if (draw_switch(ui, preset.name, preset.name, lit)) {
+        const Item item{.id = "export preset:" + std::to_string(preset.height),
+                        .label = preset.name};
+        if (toggle(ui, item, lit)) {
             size.width = preset.width;
             size.height = preset.height;
             size.scale = preset.scale;
         }
-        note_item(ui.rects, "export preset:" + std::to_string(preset.height));
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
     ImGui::NewLine();
@@ -153,17 +156,24 @@ constexpr const char* label_of(std::optional<FilmFormat> film) {
 }
 
 void draw_formats(Ui& ui, ExportState& exports) {
+    struct Format {
+        std::optional<FilmFormat> film;
+        const char* tip;
+    };
+    constexpr std::array<Format, 4> kFormats{
+        {{FilmFormat::gif, "Plays everywhere; 255 colours a picture"},
+         {FilmFormat::apng, "Every colour; plays in browsers and slides"},
+         {FilmFormat::mp4, "Made by ffmpeg, where that is installed"},
+         {{}, ""}}};
     draw_label(ui, "As");
-    for (const std::optional<FilmFormat> film :
-         {std::optional(FilmFormat::gif), std::optional(FilmFormat::apng),
-          std::optional(FilmFormat::mp4), std::optional<FilmFormat>()}) {
+    for (const auto& [film, tip] : kFormats) {
         const char* name = label_of(film);
-        if (draw_switch(ui, name, name, exports.film == film)) exports.film = film;
-        note_item(ui.rects, std::string("export as:") + name, exports.film == film ? "chosen" : "");
-        if (film == FilmFormat::mp4) draw_tooltip(ui, "Made by ffmpeg, where that is installed");
-        if (film == FilmFormat::gif) draw_tooltip(ui, "Plays everywhere; 255 colours a picture");
-        if (film == FilmFormat::apng)
-            draw_tooltip(ui, "Every colour; plays in browsers and slides");
+        const bool chosen = exports.film == film;
+        const Item item{.id = std::string("export as:") + name,
+                        .label = name,
+                        .tip = tip,
+                        .value = chosen ? "chosen" : ""};
+        if (toggle(ui, item, chosen)) exports.film = film;
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }
     ImGui::NewLine();
@@ -217,8 +227,8 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
         exports.film ? film_size_words(*exports.film, {size.width, size.height}) : "";
     if (!even.empty()) {
         draw_label(ui, "");
-        coloured_text(ui.theme.warning, "The film has " + even + ".");
-        note_item(ui.rects, "export:even", even);
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "export:even", .text = "The film has " + even + ".", .value = even});
     }
     const char* choose = exports.film ? "Choose a file..." : "Choose a folder...";
     if (!draw_ends(ui, choose, is_good)) return;

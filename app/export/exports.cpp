@@ -170,14 +170,13 @@ bool draw_progress_plate(Ui& ui, const ProgressPlate& plate) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing)) {
-        ImGui::TextUnformatted(plate.text.c_str());
-        note_item(ui.rects, "export progress", plate.text);
+        plain_text(ui, {.id = "export progress", .text = plate.text});
         if (plate.share) {
             ImGui::ProgressBar(*plate.share, {240.0F * theme.scale, 6.0F * theme.scale}, "");
         }
-        cancelled = ImGui::Button(plate.cancel);
-        note_item(ui.rects, std::string("button:") + lower_case(plate.cancel));
-        draw_tooltip(ui, plate.told);
+        cancelled = button(
+            ui,
+            {.id = "button:" + lower_case(plate.cancel), .label = plate.cancel, .tip = plate.told});
     }
     ImGui::End();
     ImGui::PopStyleColor();

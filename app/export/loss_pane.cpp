@@ -99,8 +99,8 @@ void draw_moved_pairs(Ui& ui, const ExportLoss& loss) {
 void draw_loss(Ui& ui, const LiveLoss& live, const ModelOrigin& origin) {
     const ExportLoss& loss = live.loss;
     if (const std::string mark = phrase_of(mark_of(origin)); !mark.empty()) {
-        coloured_text(ui.theme.warning, "Predicted " + mark + ".");
-        note_item(ui.rects, "loss:mark", mark);
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "loss:mark", .text = "Predicted " + mark + ".", .value = mark});
     }
     const std::string verdict = subset_verdict(loss) + ".";
     const std::string summary = summary_of(loss, live.request.written);
@@ -183,8 +183,8 @@ void draw_state(Ui& ui, EffectExport& effects) {
         ImGui::AlignTextToFramePadding();
         dim_text(ui, effects.large ? "What it costs takes minutes to predict." : "Skipped.");
         ImGui::SameLine();
-        if (ImGui::Button("Predict it")) predict_anyway(ui, effects);
-        note_item(ui.rects, "button:predict loss");
+        if (button(ui, {.id = "button:predict loss", .label = "Predict it"}))
+            predict_anyway(ui, effects);
         ImGui::SameLine();
         dim_text(ui, "Without it the files are written alone.");
         return;

@@ -38,9 +38,9 @@ void draw_sets(Ui& ui, const Workspace& work, PaperState& paper) {
         const PaperSet& one = paper.more[k];
         draw_set(ui, one.name, one.words);
         ImGui::SameLine();
-        const std::string id = "take away " + std::to_string(k + 1);
-        if (link(ui, id.c_str(), "Take away")) gone = k;
-        note_item(ui.rects, "paper:set " + std::to_string(k + 1), one.name);
+        const Item item{
+            .id = "paper:set " + std::to_string(k + 1), .label = "Take away", .value = one.name};
+        if (link(ui, item)) gone = k;
     }
     ImGui::EndGroup();
     if (gone) paper.more.erase(paper.more.begin() + static_cast<std::ptrdiff_t>(*gone));
@@ -63,8 +63,9 @@ void draw_along(Ui& ui, const PatternSet& set, std::string& along) {
     if (!open) return;
     if (ImGui::Selectable(usual.c_str(), along.empty())) along.clear();
     for (const PatternParameter one : kPatternParameters) {
-        if (ImGui::Selectable(traits(one).name, along == traits(one).key)) along = traits(one).key;
-        note_item(ui.rects, std::string("paper along:") + traits(one).key);
+        const ParameterTraits& about = traits(one);
+        const Item item{.id = std::string("paper along:") + about.key, .label = about.name};
+        if (option(ui, item, along == about.key)) along = about.key;
     }
     ImGui::EndCombo();
 }
@@ -107,11 +108,9 @@ void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::str
         std::string names;
         for (const std::string& name : metrics) names += (names.empty() ? "" : ", ") + name;
         draw_label(ui, "Besides");
-        dim_text(ui, names);
-        note_item(ui.rects, "paper:metrics", names);
+        dim_text(ui, {.id = "paper:metrics", .text = names});
     }
-    const bool more = ImGui::Button("Add a set...");
-    note_item(ui.rects, "button:add a set");
+    const bool more = button(ui, {.id = "button:add a set", .label = "Add a set..."});
     ImGui::SameLine();
     if (more) {
         give_way(ui);

@@ -28,14 +28,6 @@ constexpr float kPreviewHeightPx = 34.0F;
 
 std::string patterns(std::size_t count) { return counted(count, "pattern", "patterns"); }
 
-void wrapped(ImU32 colour, const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(colour));
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 // Where the combinations went that are no new patterns.
 std::string losses(const GeneratePlan& plan) {
     const Rejections& rejected = plan.found.rejected;
@@ -57,30 +49,25 @@ std::string losses(const GeneratePlan& plan) {
 void draw_counts(Ui& ui, const GeneratePlan* plan, bool stale) {
     const Theme& theme = ui.theme;
     const bool fault = plan != nullptr && !plan->fault.empty();
-    const std::string head = plan == nullptr ? "Counting..."
-                             : fault         ? "No patterns"
-                                             : patterns(plan->add.fresh.size());
+    const Said head{.id = "generate:count",
+                    .text = plan == nullptr ? "Counting..."
+                            : fault         ? "No patterns"
+                                            : patterns(plan->add.fresh.size())};
     ImGui::PushFont(theme.fonts.large);
-    if (stale) dim_text(ui, head);
-    if (!stale) ImGui::TextUnformatted(head.c_str());
+    stale ? dim_text(ui, head) : plain_text(ui, head);
     ImGui::PopFont();
-    note_item(ui.rects, "generate:count", head);
     if (plan == nullptr) {
         dim_text(ui, "");
         return dim_text(ui, "");
     }
     if (fault) {
-        wrapped(theme.error, plan->fault);
-        note_item(ui.rects, "generate:design fault", plan->fault);
-        return;
+        return coloured_text(ui, theme.error, {.id = "generate:design fault", .text = plan->fault});
     }
-    dim_text(ui, losses(*plan));
-    note_item(ui.rects, "generate:losses", losses(*plan));
-    const std::string time = "With them the set has " + patterns(plan->add.patterns_after) +
-                             "; its map takes " + estimate_text(plan->add.map_s) +
-                             " at first, by a rough estimate";
-    dim_text(ui, time);
-    note_item(ui.rects, "generate:time", time);
+    dim_text(ui, {.id = "generate:losses", .text = losses(*plan)});
+    dim_text(ui, {.id = "generate:time",
+                  .text = "With them the set has " + patterns(plan->add.patterns_after) +
+                          "; its map takes " + estimate_text(plan->add.map_s) +
+                          " at first, by a rough estimate"});
 }
 
 // Some of them, evenly from the first to the last.
@@ -151,43 +138,39 @@ std::string words_of(const GeneratePlan& plan, Before before) {
 void draw_question(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan& plan) {
     const Before before = *generating.asking;
     const GenerateOutcome& outcome = before == Before::kept ? plan.add : plan.replace;
-    wrapped(ui.theme.warning,
-            "The set would have " + patterns(outcome.patterns_after) +
-                ". A first map of them takes " + estimate_text(outcome.map_s) +
-                ", and every edit of one waits for its share of it. You can go on working "
-                "meanwhile.");
-    note_item(ui.rects, "generate:question");
-    if (ImGui::Button((words_of(plan, before) + " all the same").c_str()))
+    coloured_text(ui, ui.theme.warning,
+                  {.id = "generate:question",
+                   .text = "The set would have " + patterns(outcome.patterns_after) +
+                           ". A first map of them takes " + estimate_text(outcome.map_s) +
+                           ", and every edit of one waits for its share of it. You can go on "
+                           "working meanwhile."});
+    if (button(ui, {.id = "button:generate all the same",
+                    .label = words_of(plan, before) + " all the same"})) {
         take(ui, work, generating, plan, before);
-    note_item(ui.rects, "button:generate all the same");
+    }
     ImGui::SameLine();
-    if (ImGui::Button("Back")) generating.asking.reset();
-    note_item(ui.rects, "button:back");
+    if (button(ui, {.id = "button:back", .label = "Back"})) generating.asking.reset();
 }
 
 void draw_buttons(Ui& ui, Workspace& work, GenerateState& generating, const GeneratePlan* plan) {
     const bool usable = plan != nullptr && plan->fault.empty();
-    ImGui::BeginDisabled(!usable || plan->add.fresh.empty());
     const bool add =
-        primary_button(ui, usable ? words_of(*plan, Before::kept).c_str() : "Add patterns");
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:add candidates");
+        primary_button(ui, {.id = "button:add candidates",
+                            .label = usable ? words_of(*plan, Before::kept) : "Add patterns",
+                            .enabled = usable && !plan->add.fresh.empty()});
     bool replace = false;
     if (usable && plan->generated_before > 0) {
         ImGui::SameLine();
-        ImGui::BeginDisabled(plan->replace.fresh.empty());
-        replace = ImGui::Button(words_of(*plan, Before::replaced).c_str());
-        ImGui::EndDisabled();
-        note_item(ui.rects, "button:replace generated");
-        draw_tooltip(ui,
-                     "Patterns that were edited, renamed or locked since they were generated "
-                     "stay.");
+        replace = button(ui, {.id = "button:replace generated",
+                              .label = words_of(*plan, Before::replaced),
+                              .tip = "Patterns that were edited, renamed or locked since they were "
+                                     "generated stay.",
+                              .enabled = !plan->replace.fresh.empty()});
     }
     ImGui::SameLine();
-    const bool leave = ImGui::Button("Cancel");
-    note_item(ui.rects, "button:cancel");
-    if (add && usable) take(ui, work, generating, *plan, Before::kept);
-    if (replace && usable) take(ui, work, generating, *plan, Before::replaced);
+    const bool leave = button(ui, {.id = "button:cancel", .label = "Cancel"});
+    if (add) take(ui, work, generating, *plan, Before::kept);
+    if (replace) take(ui, work, generating, *plan, Before::replaced);
     if (leave) close(ui, generating);
 }
 
@@ -217,10 +200,10 @@ void draw_what_is_left_out(Ui& ui, const Workspace& work) {
     const Vibration* current = current_vibration(work);
     const auto* pattern = current == nullptr ? nullptr : std::get_if<Pattern>(&current->source);
     if (pattern == nullptr || !is_drawn(*pattern)) return;
-    const std::string words =
-        "Candidates have no curves and no transients: those of " + current->name + " stay its own.";
-    coloured_text(ui.theme.warning, words);
-    note_item(ui.rects, "generate:left out", words);
+    coloured_text(ui, ui.theme.warning,
+                  {.id = "generate:left out",
+                   .text = "Candidates have no curves and no transients: those of " +
+                           current->name + " stay its own."});
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
@@ -98,16 +97,15 @@ void draw_whole(Ui& ui, const std::string& id, int& value, Range allowed) {
 }
 
 bool option_chip(Ui& ui, const std::string& id, const char* text, bool lit, const char* help) {
-    const bool pressed = draw_switch(ui, id.c_str(), text, lit);
-    note_item(ui.rects, "generate:" + id, lit ? "chosen" : "");
-    draw_tooltip(ui, help);
+    const Item item{
+        .id = "generate:" + id, .label = text, .tip = help, .value = lit ? "chosen" : ""};
+    const bool pressed = toggle(ui, item, lit);
     ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     return pressed;
 }
 
 bool option_link(Ui& ui, const char* id, const char* text) {
-    const bool pressed = row_link(ui, id, text);
-    note_item(ui.rects, std::string("generate:") + id);
+    const bool pressed = row_link(ui, {.id = std::string("generate:") + id, .label = text});
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
     return pressed;
 }
@@ -130,15 +128,12 @@ void draw_remark(Ui& ui, GenerateState& generating, const std::string& id, bool 
         generating.refused.clear();
     }
     if (generating.refused != id) {
-        dim_text(ui, remark);
-        note_item(ui.rects, "generate:remark " + id, remark);
-        return;
+        return dim_text(ui, {.id = "generate:remark " + id, .text = remark});
     }
     const std::string words = fault.empty() ? "Not taken: " + generating.refusal : fault;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui.theme.error));
-    ImGui::TextUnformatted(shown_text(words).c_str());
+    plain_text(ui, {.id = "generate:fault", .text = words});
     ImGui::PopStyleColor();
-    note_item(ui.rects, "generate:fault", words);
 }
 
 }  // namespace tact

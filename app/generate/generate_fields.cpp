@@ -298,11 +298,12 @@ struct LimitRow {
 bool limit_box(Ui& ui, const char* id, const char* words, const std::string& would_be, bool on,
                const char* help) {
     bool ticked = on;
-    const std::string label = std::string(words) + (on ? "" : " " + would_be) + "###" + id;
-    const bool pressed = draw_check(ui.theme, label.c_str(), ticked);
-    note_item(ui.rects, std::string("generate:") + id, on ? "chosen" : "");
-    draw_tooltip(ui, help);
-    return pressed;
+    return check(ui,
+                 {.id = std::string("generate:") + id,
+                  .label = std::string(words) + (on ? "" : " " + would_be),
+                  .tip = help,
+                  .value = on ? "chosen" : ""},
+                 ticked);
 }
 
 void draw_limit(Ui& ui, std::optional<double>& limit, const LimitRow& row) {

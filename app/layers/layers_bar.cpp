@@ -97,14 +97,17 @@ void draw_mark(Ui& ui, Workspace& work, const LayeredPattern& layered, std::size
                bool Layer::*mark, const char* word, const char* verb, const char* help) {
     const bool on = layered.layers[k].*mark;
     ImGui::SameLine(0.0F, 0.5F * ui.theme.gap_px);
-    if (draw_switch(ui, word, word, on)) {
+    if (toggle(ui,
+               {.id = row_id((std::string("layer ") + verb + ":").c_str(), k),
+                .label = word,
+                .tip = help,
+                .value = on ? "on" : "off"},
+               on)) {
         ui.waiting.emplace_back([&ui, &work, k, mark, on, verb] {
             edit_layer(work, k, [mark, on](Layer& layer) { layer.*mark = !on; });
             commit_step(ui, work, std::string(on ? "End " : "") + verb + " of " + shown_name(work));
         });
     }
-    note_item(ui.rects, row_id((std::string("layer ") + verb + ":").c_str(), k), on ? "on" : "off");
-    draw_tooltip(ui, help);
 }
 
 // The layer's waveform where it lies within the whole.
@@ -146,13 +149,14 @@ void draw_row(Ui& ui, Workspace& work, LayersBar& bar, const LayeredPattern& lay
         ImGui::Dummy(wave.size());
         ImGui::SameLine(0.0F, 0.5F * ui.theme.gap_px);
     }
-    ImGui::BeginDisabled(layered.layers.size() < 2);
-    if (ImGui::Button("\u00D7", {remove_px, 0.0F})) {
+    if (button(ui,
+               {.id = row_id("layer remove:", k),
+                .label = "\u00D7",
+                .tip = "Remove this layer. Ctrl+Z brings it back.",
+                .enabled = layered.layers.size() > 1},
+               {remove_px, 0.0F})) {
         ui.waiting.emplace_back([&ui, &work, k] { remove_layer(ui, work, k); });
     }
-    note_item(ui.rects, row_id("layer remove:", k));
-    draw_tooltip(ui, "Remove this layer. Ctrl+Z brings it back.");
-    ImGui::EndDisabled();
     ImGui::PopID();
 }
 
@@ -222,15 +226,14 @@ void draw_layers_bar(Ui& ui, Workspace& work, LayersBar& bar, float room_px) {
 void draw_add_layer(Ui& ui, Workspace& work) {
     const LayeredPattern* layered = current_layers(work);
     const std::size_t count = layered == nullptr ? 1 : layered->layers.size();
-    ImGui::BeginDisabled(current_vibration(work)->locked || count >= limits::kMaxLayers);
-    if (ImGui::Button("Add layer")) {
+    const bool is_full = count >= limits::kMaxLayers;
+    if (button(ui, {.id = "button:add layer",
+                    .label = "Add layer",
+                    .tip = "A second vibration at the same time: notes or ticks over this one.",
+                    .why_not = is_full ? "A pattern has at most four layers." : "",
+                    .enabled = !current_vibration(work)->locked})) {
         ui.waiting.emplace_back([&ui, &work] { add_layer(ui, work); });
     }
-    note_item(ui.rects, "button:add layer");
-    draw_tooltip(ui, count >= limits::kMaxLayers
-                         ? "A pattern has at most four layers."
-                         : "A second vibration at the same time: notes or ticks over this one.");
-    ImGui::EndDisabled();
 }
 
 }  // namespace tact

@@ -88,9 +88,8 @@ bool lacks_numbers(const LessonState& state, const std::string& text) {
 void draw_text_of(Ui& ui, const LessonState& state, const LessonStep& step) {
     const std::string text = lacks_numbers(state, step.text) ? "The model computes the numbers."
                                                              : text_in(state, step.text);
-    wrapped_text(text);
+    wrapped_text(ui, {.id = "lesson:text", .text = text});
     read_out(ui, text);
-    note_item(ui.rects, "lesson:text", text);
 }
 
 std::string count_text(const LessonState& state) {
@@ -109,8 +108,7 @@ float move_px(const Ui& ui, const LessonState& state) {
 
 void draw_move(Ui& ui, LessonState& state) {
     ImGui::PushFont(lesson_fonts(ui, state).small);
-    if (link(ui, "move card", "Move")) move_card(state);
-    note_item(ui.rects, "lesson:move");
+    if (link(ui, {.id = "lesson:move", .label = "Move"})) move_card(state);
     ImGui::PopFont();
     draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
 }
@@ -128,8 +126,7 @@ void draw_lacking(Ui& ui, const LessonState& state) {
     if (state.lacking.empty() || ui.fonts_outdated) return;
     const std::string text = "No font of this computer has all letters of this step. " +
                              std::string(package_for(state.lacking)) + " has them.";
-    coloured_text(ui.theme.warning, text);
-    note_item(ui.rects, "lesson:lacking", text);
+    coloured_text(ui, ui.theme.warning, {.id = "lesson:lacking", .text = text});
 }
 
 // The editor shows the whole source.
@@ -139,11 +136,12 @@ std::string told_source(const LessonState& state, const LessonStep& step) {
 
 void draw_source_link(Ui& ui, LessonState& state, const LessonStep& step) {
     ImGui::PushFont(lesson_fonts(ui, state).small);
-    if (link(ui, "source", state.shows_source ? kHideSource : "Source")) {
-        state.shows_source = !state.shows_source;
+    const bool is_shown = state.shows_source;
+    if (link(ui, {.id = "lesson:source",
+                  .label = is_shown ? kHideSource : "Source",
+                  .value = is_shown ? told_source(state, step) : ""})) {
+        state.shows_source = !is_shown;
     }
-    note_item(ui.rects, "lesson:source",
-              state.shows_source ? told_source(state, step) : std::string());
     ImGui::PopFont();
 }
 
@@ -203,21 +201,17 @@ void draw_way(const LessonContext& context, LessonState& state, bool in_one_row)
         if (in_one_row) return ImGui::SameLine(0.0F, ui.theme.gap_px);
         flow_on(button_width(next), ui.theme.gap_px);
     };
-    ImGui::BeginDisabled(*state.step == 0);
-    if (ImGui::Button(kBack)) step_back(context, state);
-    note_item(ui.rects, "tour:back");
-    ImGui::EndDisabled();
+    if (button(ui, {.id = "tour:back", .label = kBack, .enabled = *state.step > 0}))
+        step_back(context, state);
     if (words.on != nullptr) {
         beside(words.on);
-        if (ImGui::Button(words.on)) step_on(context, state);
-        note_item(ui.rects, "tour:next", words.on);
+        if (button(ui, {.id = "tour:next", .label = words.on})) step_on(context, state);
     }
     beside(words.leave);
-    if (ImGui::Button(words.leave))
+    if (button(ui, {.id = last ? "tour:finish" : "tour:leave", .label = words.leave}))
         ui.waiting.emplace_back([context, &state] {
             before_lesson_goes(context, state, [context, &state] { leave_lesson(context, state); });
         });
-    note_item(ui.rects, last ? "tour:finish" : "tour:leave");
 }
 
 // On the line of the buttons, in smaller type.

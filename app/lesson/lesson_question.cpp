@@ -108,13 +108,12 @@ void draw_answer(Ui& ui, const LessonState& state, const LessonQuestion& questio
         text += " Right so far: " + std::to_string(score.right) + " of " +
                 std::to_string(score.asked) + ".";
     }
-    wrapped_text(text);
+    wrapped_text(ui, {.id = "lesson:answer", .text = text});
     // A short card scrolls to the answer when it is revealed.
     bool& seen = answer_seen(state);
     if (!seen) ImGui::SetScrollHereY(1.0F);
     seen = true;
     read_out(ui, text);
-    note_item(ui.rects, "lesson:answer", text);
 }
 
 void draw_small(const Ui& ui, const LessonState& state, const char* text) {

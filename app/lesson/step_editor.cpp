@@ -40,13 +40,12 @@ void draw_step_buttons(const LessonContext& context, LessonState& state) {
         const bool is_up = std::string_view(action.id) == "up";  // stands in one row with Down
         const float with_next = is_up ? gap + button_width(actions[k + 1].label) : 0.0F;
         if (k > 0) flow_on(button_width(action.label) + with_next, gap);
-        ImGui::BeginDisabled(!action.possible);
-        if (ImGui::Button(action.label)) {
+        if (button(context.ui, {.id = std::string("lesson edit:") + action.id,
+                                .label = action.label,
+                                .enabled = action.possible})) {
             context.ui.waiting.emplace_back(
                 [context, &state, act = action.act] { act(context, state); });
         }
-        ImGui::EndDisabled();
-        note_item(context.ui.rects, std::string("lesson edit:") + action.id);
     }
 }
 
@@ -56,15 +55,16 @@ void draw_camera_row(const LessonContext& context, LessonState& state, const Les
         context.ui.waiting.emplace_back(
             [context, &state, taken] { take_camera(context, state, taken); });
     };
-    if (link(context.ui, "camera",
-             step.camera ? "Camera from the screen again" : "Camera from the screen")) {
+    if (link(context.ui,
+             {.id = "lesson edit:camera",
+              .label = step.camera ? "Camera from the screen again" : "Camera from the screen",
+              .value = step.camera ? "kept" : ""})) {
         later(true);
     }
-    note_item(context.ui.rects, "lesson edit:camera", step.camera ? "kept" : "");
     if (!step.camera) return;
     ImGui::SameLine(0.0F, context.ui.theme.gap_px);
-    if (link(context.ui, "no camera", "leave it unchanged")) later(false);
-    note_item(context.ui.rects, "lesson edit:no camera");
+    if (link(context.ui, {.id = "lesson edit:no camera", .label = "leave it unchanged"}))
+        later(false);
 }
 
 void draw_undo(const LessonContext& context, LessonState& state) {
@@ -78,11 +78,12 @@ void draw_undo(const LessonContext& context, LessonState& state) {
                                    {"Redo", "redo", state.history.redo_label(), redo_lesson}}};
     for (const Way& way : ways) {
         if (way.label == nullptr) continue;
-        if (link(context.ui, way.id, menu_text(way.verb, way.label))) {
+        if (link(context.ui, {.id = std::string("lesson edit:") + way.id,
+                              .label = menu_text(way.verb, way.label),
+                              .value = *way.label})) {
             context.ui.waiting.emplace_back(
                 [context, &state, act = way.act] { act(context, state); });
         }
-        note_item(context.ui.rects, std::string("lesson edit:") + way.id, *way.label);
     }
 }
 
@@ -94,9 +95,7 @@ void draw_as_shown(Ui& ui, const LessonState& state) {
     ImGui::PushFont(ui.theme.fonts.small);
     dim_text(ui, "As shown in class");
     ImGui::PopFont();
-    const std::string text = filled(step->text, answers->numbers);
-    wrapped_text(text);
-    note_item(ui.rects, "lesson edit:shown", text);
+    wrapped_text(ui, {.id = "lesson edit:shown", .text = filled(step->text, answers->numbers)});
 }
 
 // The lesson's name and description, on its first card.
@@ -151,14 +150,12 @@ void draw_step_editor(const LessonContext& context, LessonState& state) {
     if (shows_map(step)) draw_camera_row(context, state, step);
     const std::vector<std::string> lacks = step_lacks(step, context.work.document.set);
     if (!lacks.empty()) {
-        const std::string fault = lacks[0] + ".";
-        coloured_text(context.ui.theme.error, fault);
-        note_item(context.ui.rects, "lesson edit:fault", fault);
+        coloured_text(context.ui, context.ui.theme.error,
+                      {.id = "lesson edit:fault", .text = lacks[0] + "."});
     }
     draw_step_buttons(context, state);
-    if (link(context.ui, "check", "Check the lesson"))
+    if (link(context.ui, {.id = "lesson edit:check", .label = "Check the lesson"}))
         check_lesson(context.ui, context.work, state);
-    note_item(context.ui.rects, "lesson edit:check");
     draw_undo(context, state);
 }
 
@@ -200,19 +197,22 @@ bool draw_kind(Ui& ui, std::optional<LessonQuestion>& question) {
     const bool open = ImGui::BeginCombo("##kind", question ? kKindWords[chosen()] : "No question");
     note_item(ui.rects, "lesson edit:kind", question ? kQuestionKinds[chosen()] : "none");
     if (!open) return false;
-    if (ImGui::Selectable("No question", !question) && question) {
+    if (option(ui, {.id = "lesson edit:kind:none", .label = "No question"}, !question) &&
+        question) {
         question.reset();
         changed = true;
     }
-    note_item(ui.rects, "lesson edit:kind:none");
     for (std::size_t k = 0; k < kKindWords.size(); ++k) {
         const bool is_this = question && chosen() == k;
-        if (ImGui::Selectable(kKindWords[k], is_this) && !is_this) {
+        if (option(ui,
+                   {.id = std::string("lesson edit:kind:") + kQuestionKinds[k],
+                    .label = kKindWords[k]},
+                   is_this) &&
+            !is_this) {
             if (!question) question.emplace();
             question->kind = static_cast<QuestionKind>(k);
             changed = true;
         }
-        note_item(ui.rects, std::string("lesson edit:kind:") + kQuestionKinds[k]);
     }
     ImGui::EndCombo();
     return changed;
@@ -227,15 +227,18 @@ bool edit_options(Ui& ui, TextBox& box, LessonQuestion& question) {
         question.answer = std::min(question.answer, question.options.size() - 1);
     }
     for (std::size_t k = 0; k < question.options.size(); ++k) {
-        const std::string label = "Right: " + question.options[k];
+        const bool is_right = question.answer == k;
         ImGui::PushID(static_cast<int>(k));
-        if (draw_radio(ui, label.c_str(), question.answer == k) && question.answer != k) {
+        if (radio(ui,
+                  {.id = "lesson edit:right:" + std::to_string(k + 1),
+                   .label = "Right: " + question.options[k],
+                   .value = is_right ? "right" : ""},
+                  is_right) &&
+            !is_right) {
             question.answer = k;
             changed = true;
         }
         ImGui::PopID();
-        note_item(ui.rects, "lesson edit:right:" + std::to_string(k + 1),
-                  question.answer == k ? "right" : "");
     }
     return changed;
 }
@@ -252,12 +255,10 @@ bool edit_pairs(const LessonContext& context, LessonQuestion& question) {
     Ui& ui = context.ui;
     std::optional<std::size_t> removed;
     for (std::size_t k = 0; k < question.pairs.size(); ++k) {
-        ImGui::PushID(static_cast<int>(k));
         wrapped_text(question.pairs[k].a + " and " + question.pairs[k].b);
         ImGui::SameLine(0.0F, ui.theme.gap_px);
-        if (link(ui, "remove pair", "remove")) removed = k;
-        note_item(ui.rects, "lesson edit:remove pair:" + std::to_string(k + 1));
-        ImGui::PopID();
+        const std::string id = "lesson edit:remove pair:" + std::to_string(k + 1);
+        if (link(ui, {.id = id, .label = "remove"})) removed = k;
     }
     if (removed) {
         question.pairs.erase(question.pairs.begin() + static_cast<std::ptrdiff_t>(*removed));
@@ -268,9 +269,10 @@ bool edit_pairs(const LessonContext& context, LessonQuestion& question) {
         std::ranges::find(question.pairs, *pair) != question.pairs.end()) {
         return false;
     }
-    const bool added = link(ui, "add pair", "Add " + pair->a + " and " + pair->b);
-    note_item(ui.rects, "lesson edit:add pair");
-    draw_tooltip(ui, "The pattern that is selected, and the one it is compared with");
+    const bool added =
+        link(ui, {.id = "lesson edit:add pair",
+                  .label = "Add " + pair->a + " and " + pair->b,
+                  .tip = "The pattern that is selected, and the one it is compared with"});
     if (added) question.pairs.push_back(*pair);
     return added;
 }

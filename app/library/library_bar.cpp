@@ -87,12 +87,12 @@ void draw_target_choice(Ui& ui, const Workspace& work, LibraryState& state, floa
                  "files of another program. So what can take a pattern's place there is found.");
     if (!open) return;
     const std::string before = state.target;
-    if (ImGui::Selectable("as they are", state.target.empty())) state.target.clear();
-    note_item(ui.rects, "library target:");
-    for (const TargetTraits& one : target_formats()) {
-        if (ImGui::Selectable(one.title, state.target == one.key)) state.target = one.key;
-        note_item(ui.rects, std::string("library target:") + one.key);
-    }
+    const auto choice = [&](const std::string& key, const char* words) {
+        const Item item{.id = "library target:" + key, .label = words};
+        if (option(ui, item, state.target == key)) state.target = key;
+    };
+    choice("", "as they are");
+    for (const TargetTraits& one : target_formats()) choice(one.key, one.title);
     ImGui::EndCombo();
     if (state.target != before) ask_alike_again(ui, work, state);
 }
@@ -108,24 +108,24 @@ bool is_outdated(const PatternSet& set, const AlikeRequest& request) {
 }  // namespace
 
 void draw_library_folder(Ui& ui, const Workspace& work, LibraryState& state) {
-    constexpr const char* kOpen = "Open library\u2026";
+    const Item open{.id = "library:open", .label = "Open library\u2026"};
     const bool is_first = state.folder.empty();
-    if (is_first ? primary_button(ui, kOpen) : ImGui::Button(kOpen)) {
+    if (is_first ? primary_button(ui, open) : button(ui, open)) {
         ui.waiting.emplace_back([&ui, &work] { open_library_dialog(ui, work); });
     }
-    note_item(ui.rects, "library:open");
     if (is_first) return;
     flow_on(button_width("Read again"), ui.theme.gap_px);
-    if (ImGui::Button("Read again")) read_library_again(ui, state);
-    note_item(ui.rects, "library:again");
-    draw_tooltip(ui, "Files that are new or have changed are read.");
+    if (button(ui, {.id = "library:again",
+                    .label = "Read again",
+                    .tip = "Files that are new or have changed are read."})) {
+        read_library_again(ui, state);
+    }
     if (!state.library) return;
     const std::vector<std::string> reasons = reasons_left_out(*state.library);
     std::string told = shown_text(state.library->folder.filename().string()) + ", " +
                        counted(state.library->entries.size(), "entry", "entries");
     if (!reasons.empty()) told += ", " + counted(reasons.size(), "file", "files") + " not readable";
-    dim_text_beside(ui, told);
-    note_item(ui.rects, "library:told", told);
+    dim_text_beside(ui, {.id = "library:told", .text = told});
     if (reasons.empty() || !ImGui::IsItemHovered()) return;
     constexpr std::size_t kMostLines = 12;
     std::string lines;
@@ -155,14 +155,16 @@ void draw_library_search(Ui& ui, const Workspace& work, LibraryState& state) {
     const float button_px = left_px - target_px - ui.theme.gap_px;
     const std::string words = shortened(ui.theme.fonts.regular, full,
                                         button_px - 2.0F * ImGui::GetStyle().FramePadding.x);
-    ImGui::BeginDisabled(current == nullptr);
-    if (ImGui::Button((words + "###like").c_str(), {button_px, 0.0F}) && current != nullptr) {
+    if (button(ui,
+               {.id = "library:like",
+                .label = words,
+                .tip = "The nearest first, by PM against the current pattern.",
+                .enabled = current != nullptr,
+                .value = full},
+               {button_px, 0.0F})) {
         state.drawn.clear();
         find_alike(ui, work, state, *current);
     }
-    ImGui::EndDisabled();
-    note_item(ui.rects, "library:like", full);
-    draw_tooltip(ui, "The nearest first, by PM against the current pattern.");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_target_choice(ui, work, state, target_px);
     const ImVec2 after = ImGui::GetCursorScreenPos();
@@ -198,17 +200,15 @@ void draw_library_order(Ui& ui, const Workspace& work, LibraryState& state) {
         words = "like the drawn shape, whatever the length";
     }
     if (words.empty()) return;
-    if (link(ui, "order", "Clear")) {
+    if (link(ui, {.id = "library:clear", .label = "Clear"})) {
         state.drawn.clear();
         forget_alike(state);
         if (state.by == LibraryColumn::match) state.by = LibraryColumn::file;
     }
-    note_item(ui.rects, "library:clear");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words);
+    dim_text(ui, {.id = "library:order", .text = words});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "library:order", words);
 }
 
 }  // namespace tact

@@ -232,24 +232,20 @@ void draw_foot(Ui& ui, const Workspace& work, LibraryState& state) {
     const std::vector<std::size_t> entries = chosen_entries(state);
     const std::string add =
         entries.size() < 2 ? "Add to the set" : "Add " + grouped_digits(entries.size());
-    ImGui::BeginDisabled(entries.empty());
-    if (primary_button(ui, (add + "###add").c_str())) add_entries(ui, work, state, entries);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "library:add", add);
+    if (primary_button(ui, {.id = "library:add", .label = add, .enabled = !entries.empty()}))
+        add_entries(ui, work, state, entries);
     flow_on(button_width("More like it"), ui.theme.gap_px);
-    ImGui::BeginDisabled(entries.size() != 1);
-    if (ImGui::Button("More like it") && entries.size() == 1) {
+    if (button(ui, {.id = "library:more like it",
+                    .label = "More like it",
+                    .tip = "Entries that feel most like the chosen one come first, by PM.",
+                    .enabled = entries.size() == 1})) {
         state.drawn.clear();
         find_alike_entry(ui, work, state, entries.front());
     }
-    ImGui::EndDisabled();
-    note_item(ui.rects, "library:more like it");
-    draw_tooltip(ui, "Entries that feel most like the chosen one come first, by PM.");
     const std::string told = grouped_digits(state.rows.size()) + " of " +
                              grouped_digits(state.library->entries.size()) + ", " +
                              grouped_digits(entries.size()) + " chosen";
-    dim_text_beside(ui, told);
-    note_item(ui.rects, "library:count", told);
+    dim_text_beside(ui, {.id = "library:count", .text = told});
 }
 
 }  // namespace

@@ -163,10 +163,10 @@ bool draw_head(Ui& ui, ManualState& manual) {
     const auto pressed = [](ImGuiKey which) { return ImGui::IsKeyPressed(which, false); };
     const bool enter =
         pressed(ImGuiKey_Enter) && manual.wanted_keys.empty() && !ui.rects.tab_order.is_on_button;
-    const bool opens = ImGui::Button(kManual) || (!appears && (pressed(ImGuiKey_F1) || enter));
-    note_item(ui.rects, "button:manual");
-    draw_tooltip(ui, "Every pane, format and limit, in the browser (F1 again, or Enter)");
-    return opens;
+    const Item item{.id = "button:manual",
+                    .label = kManual,
+                    .tip = "Every pane, format and limit, in the browser (F1 again, or Enter)"};
+    return button(ui, item) || (!appears && (pressed(ImGuiKey_F1) || enter));
 }
 
 }  // namespace

@@ -132,11 +132,11 @@ bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label,
         }
         for (const PatternParameter parameter : kPatternParameters) {
             if (!reach_of(shown_map, parameter)) continue;
-            if (ImGui::Selectable(traits(parameter).name, chosen == parameter)) {
-                chosen = parameter;
-                changed = true;
-            }
-            note_item(ui.rects, std::string(label) + ":" + traits(parameter).key);
+            const Item item{.id = std::string(label) + ":" + traits(parameter).key,
+                            .label = traits(parameter).name};
+            if (!option(ui, item, chosen == parameter)) continue;
+            chosen = parameter;
+            changed = true;
         }
         ImGui::EndCombo();
     }
@@ -229,9 +229,10 @@ void decorate(const MapDecor& decor, SpaceScene& scene) {
 void draw_map_look(Ui& ui, ShownMap& shown_map) {
     constexpr const char* kLook = "Look...";
     flow_on(ImGui::CalcTextSize(kLook).x, 2.0F * ui.theme.gap_px);
-    if (row_link(ui, "map look", kLook)) ImGui::OpenPopup("map look");
-    note_item(ui.rects, "link:map look");
-    draw_tooltip(ui, "Colour, lines, filter and groups of the map.");
+    const Item item{.id = "link:map look",
+                    .label = kLook,
+                    .tip = "Colour, lines, filter and groups of the map."};
+    if (row_link(ui, item)) ImGui::OpenPopup("map look");
     open_beside_pane(ui.theme, kPopupPx * ui.theme.scale);
     if (!ImGui::BeginPopup("map look")) return;
     ImGui::PushFont(ui.theme.fonts.semibold);
@@ -267,10 +268,11 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
     note_item(ui.rects, "look:groups", std::to_string(look.clusters));
     draw_tooltip(
         ui, "Patterns that are close by PM, in one colour (average linkage); 1 shows no groups.");
-    draw_check(ui.theme, "Pairs that are too close", look.show_pairs);
-    note_item(ui.rects, "look:pairs", look.show_pairs ? "on" : "off");
-    draw_check(ui.theme, "Ellipses of uncertainty", look.show_spread);
-    note_item(ui.rects, "look:spread", look.show_spread ? "on" : "off");
+    const auto draw_shown = [&ui](const char* id, const char* label, bool& on) {
+        check(ui, {.id = id, .label = label}, on);
+    };
+    draw_shown("look:pairs", "Pairs that are too close", look.show_pairs);
+    draw_shown("look:spread", "Ellipses of uncertainty", look.show_spread);
     ImGui::EndPopup();
 }
 

@@ -111,8 +111,10 @@ Rect draw_order_choice(Ui& ui, ShownMap& shown_map, Rect foot) {
     if (foot.width() < 3.0F * size.x) return foot;
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::SetCursorScreenPos({foot.max.x - size.x, foot.min.y});
-    if (link(ui, "matrix order", words)) shown_map.clustered_matrix = !shown_map.clustered_matrix;
-    note_item(ui.rects, "link:matrix order", shown_map.clustered_matrix ? "clustered" : "list");
+    bool& clustered = shown_map.clustered_matrix;
+    const Item item{
+        .id = "link:matrix order", .label = words, .value = clustered ? "clustered" : "list"};
+    if (link(ui, item)) clustered = !clustered;
     ImGui::PopFont();
     draw_tooltip(ui, "The order of the rows: a tree of clusters (average linkage), or the list's.");
     foot.max.x -= size.x + ui.theme.gap_px;

@@ -26,22 +26,25 @@ void draw_overlay_choice(Ui& ui, const Workspace& work, ShownMap& shown_map) {
     if (work.document.set.ratings.empty()) return;
     constexpr const char* kOverlay = "Overlay ratings";
     flow_on(check_width(ui.theme, kOverlay), 1.5F * ui.theme.gap_px);
-    draw_check(ui.theme, kOverlay, shown_map.show_people);
-    note_item(ui.rects, "check:overlay ratings", shown_map.show_people ? "on" : "off");
-    draw_tooltip(ui,
-                 "Lays the map of what people said over the predicted one, turned and sized to "
-                 "fit it best: rings, with a line from each to its prediction.");
+    check(ui,
+          {.id = "check:overlay ratings",
+           .label = kOverlay,
+           .tip = "Lays the map of what people said over the predicted one, turned and sized to "
+                  "fit it best: rings, with a line from each to its prediction."},
+          shown_map.show_people);
 }
 
 void draw_move_tool(Ui& ui, ShownMap& shown_map) {
     flow_on(chip_width(ui, "Move"), 1.5F * ui.theme.gap_px);
-    if (draw_switch(ui, "move tool", "Move", shown_map.move_tool)) {
-        shown_map.move_tool = !shown_map.move_tool;
-    }
-    note_item(ui.rects, "tool:move", shown_map.move_tool ? "on" : "off");
-    draw_tooltip(ui,
-                 "M: a point that is dragged is put there: its pattern is searched. Without the "
-                 "tool Alt and a drag do the same, where the window manager leaves Alt free.");
+    bool& on = shown_map.move_tool;
+    const Item item{
+        .id = "tool:move",
+        .label = "Move",
+        .tip =
+            "M: a point that is dragged is put there: its pattern is searched. Without the "
+            "tool Alt and a drag do the same, where the window manager leaves Alt free.",
+        .value = on ? "on" : "off"};
+    if (toggle(ui, item, on)) on = !on;
 }
 
 void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
@@ -55,8 +58,7 @@ void draw_controls(Ui& ui, Workspace& work, ShownMap& shown_map) {
     if (shown_map.camera == SpaceCamera{}) return;
     const float width = ImGui::CalcTextSize(kReset).x;
     flow_on(width, 2.0F * ui.theme.gap_px);
-    if (row_link(ui, "reset view", kReset)) shown_map.camera = SpaceCamera{};
-    note_item(ui.rects, "link:reset view");
+    if (row_link(ui, {.id = "link:reset view", .label = kReset})) shown_map.camera = SpaceCamera{};
 }
 
 // How far the exact map is, under the pane's title.
@@ -93,10 +95,8 @@ std::optional<Dominant> dominant(const PatternSet& set) {
 void draw_way_out(Ui& ui, Workspace& work, const Dominant& one) {
     constexpr const char* kTakeOut = "Take it out of the set";
     flow_on(ImGui::CalcTextSize(kTakeOut).x, ui.theme.gap_px);
-    const bool pressed = link(ui, "take out", kTakeOut);
-    note_item(ui.rects, "link:take out");
-    draw_tooltip(ui, "Ctrl+Z brings it back.");
-    if (!pressed) return;
+    const Item item{.id = "link:take out", .label = kTakeOut, .tip = "Ctrl+Z brings it back."};
+    if (!link(ui, item)) return;
     ui.waiting.emplace_back([&ui, &work, row = one.row] {
         select_only(work, row);
         remove_selected(ui, work);
@@ -114,14 +114,12 @@ float draw_waiting(Ui& ui, Workspace& work, ShownMap& shown_map) {
     if (words.empty()) return 0.0F;
     const float top = ImGui::GetCursorPosY();
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words);
+    dim_text(ui, {.id = "map:preview", .text = words});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "map:preview", words);
     if (!waits) return ImGui::GetCursorPosY() - top + ui.theme.gap_px;
     constexpr const char* kCompute = "Compute it";
     flow_on(ImGui::CalcTextSize(kCompute).x, ui.theme.gap_px);
-    if (link(ui, "compute exact", kCompute)) compute_exact(work, shown_map);
-    note_item(ui.rects, "link:compute exact");
+    if (link(ui, {.id = "link:compute exact", .label = kCompute})) compute_exact(work, shown_map);
     if (const auto one = dominant(set)) {
         dim_text(ui, one->words);
         draw_way_out(ui, work, *one);
@@ -167,10 +165,9 @@ void draw_nothing(Ui& ui, Workspace& work, ShownMap& shown_map, const Rect& area
                    patterns_text(count) + "." + (one ? " " + one->words : ""));
         ImGui::SetCursorScreenPos(
             {area.centre().x - 70.0F * ui.theme.scale, area.centre().y + 60.0F * ui.theme.scale});
-        if (primary_button(ui, "Compute anyway")) {
+        if (primary_button(ui, {.id = "button:compute anyway", .label = "Compute anyway"})) {
             compute_exact(work, shown_map);
         }
-        note_item(ui.rects, "button:compute anyway");
         if (one) draw_way_out(ui, work, *one);
         return;
     }

@@ -59,8 +59,8 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
     ImGui::TableNextColumn();
     const std::string name = importing.files[k].filename().string();
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(label_of(name).c_str(), importing.shown == k)) importing.shown = k;
-    note_item(ui.rects, "import:file " + std::to_string(k), name);
+    const Item item{.id = "import:file " + std::to_string(k), .label = name};
+    if (option(ui, item, importing.shown == k)) importing.shown = k;
     ImGui::TableNextColumn();
     changed |= draw_pattern_choice(ui, work, importing.patterns[k], k);
     ImGui::TableNextColumn();
@@ -78,9 +78,8 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
         (!file->fault.empty() || (file->twin && file->twin->alignment.correlation < kLeastAlike));
     if (odd) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.c_str());
+    plain_text(ui, {.id = "import:result " + std::to_string(k), .text = text});
     if (odd) ImGui::PopStyleColor();
-    note_item(ui.rects, "import:result " + std::to_string(k), text);
     draw_tooltip(ui,
                  "How alike the recording and its pattern are: 1 is the same but for "
                  "strength, below 0.3 it is hardly a recording of it.");
@@ -130,9 +129,8 @@ void draw_shown_file(Ui& ui, Workspace& work, ImportState& importing) {
         remarks += (remarks.empty() ? "" : "; ") + remark;
     }
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, remarks);
+    dim_text(ui, {.id = "import:remarks", .text = remarks});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "import:remarks", remarks);
 }
 
 // The number of twins that would come into the set; 0 while one of the recordings cannot.
@@ -161,9 +159,10 @@ bool draw_columns_button(Ui& ui, ImportState& importing) {
     const bool is_table = importing.shown < importing.files.size() &&
                           extension_of(importing.files[importing.shown]) != ".wav";
     if (!is_table) return false;
-    const bool wanted = ImGui::Button("Columns...");
-    note_item(ui.rects, "button:columns");
-    draw_tooltip(ui, "Says which column of this table is the time and which are axes.");
+    const bool wanted =
+        button(ui, {.id = "button:columns",
+                    .label = "Columns...",
+                    .tip = "Says which column of this table is the time and which are axes."});
     ImGui::SameLine();
     if (!wanted) return false;
     importing.columns_of = importing.files[importing.shown];
@@ -180,8 +179,7 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const std::size_t count = importable(importing);
     const std::string action =
         count == 1 ? "Import 1 recording" : "Import " + std::to_string(count) + " recordings";
-    const bool more = ImGui::Button("Add files...");
-    note_item(ui.rects, "button:add files");
+    const bool more = button(ui, {.id = "button:add files", .label = "Add files..."});
     ImGui::SameLine();
     if (draw_columns_button(ui, importing)) return;
     if (more) {
@@ -231,14 +229,10 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     const bool sound = is_sound(importing.actuator);
     if (changed && sound) look_at_simulation(ui, work, importing);
     draw_label(ui, "Of");
-    if (draw_switch(ui, "all", "all patterns", importing.simulate_all))
-        importing.simulate_all = true;
-    note_item(ui.rects, "import:all");
+    bool& all = importing.simulate_all;
+    if (toggle(ui, {.id = "import:all", .label = "all patterns"}, all)) all = true;
     ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
-    if (draw_switch(ui, "selected", "the selected ones", !importing.simulate_all)) {
-        importing.simulate_all = false;
-    }
-    note_item(ui.rects, "import:selected");
+    if (toggle(ui, {.id = "import:selected", .label = "the selected ones"}, !all)) all = false;
     const auto& shown = importing.simulated;
     if (shown && !shown->twins.empty()) {
         const Twin& twin = shown->twins.front();
@@ -249,7 +243,7 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
         draw_empty_overlay(ui, shown ? "No pattern selected" : "Computing\u2026",
                            shown ? "What measures another pattern has no twin itself." : "");
     }
-    const bool any = importing.simulate_all || (shown && !shown->twins.empty());
+    const bool any = all || (shown && !shown->twins.empty());
     if (draw_ends(ui, "Add synthetic twins", sound && any)) take_simulation(ui, work, importing);
 }
 

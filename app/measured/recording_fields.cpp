@@ -21,11 +21,12 @@ bool draw_unit(Ui& ui, AccelerationOptions& options) {
     draw_label(ui, "Unit");
     const auto choice = [&](const char* id, const char* text,
                             std::optional<AccelerationUnit> unit) {
-        if (draw_switch(ui, id, text, options.unit == unit) && options.unit != unit) {
+        const bool chosen = options.unit == unit;
+        const Item item{.id = std::string("import:unit ") + id, .label = text};
+        if (toggle(ui, item, chosen) && !chosen) {
             options.unit = unit;
             changed = true;
         }
-        note_item(ui.rects, std::string("import:unit ") + id);
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
     choice("file", "as the file says", std::nullopt);
@@ -57,17 +58,16 @@ bool draw_axis(Ui& ui, AccelerationOptions& options) {
     draw_label(ui, "Axis");
     constexpr std::array<const char*, 4> kNames{"all as one", "1", "2", "3"};
     for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
-        if (draw_switch(ui, kNames[axis], kNames[axis], options.axis == axis) &&
-            options.axis != axis) {
+        const bool chosen = options.axis == axis;
+        const Item item{.id = std::string("import:axis ") + kNames[axis],
+                        .label = kNames[axis],
+                        .tip = axis > 0 ? ""
+                                        : "Three axes are made one of the same energy (DFT321): "
+                                          "the skin hardly tells directions of vibration apart.",
+                        .value = chosen ? "chosen" : ""};
+        if (toggle(ui, item, chosen) && !chosen) {
             options.axis = axis;
             changed = true;
-        }
-        note_item(ui.rects, std::string("import:axis ") + kNames[axis],
-                  options.axis == axis ? "chosen" : "");
-        if (axis == 0) {
-            draw_tooltip(ui,
-                         "Three axes are made one of the same energy (DFT321): the skin "
-                         "hardly tells directions of vibration apart.");
         }
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     }

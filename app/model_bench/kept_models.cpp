@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
+#include "app/model_bench/parts.h"
 #include "app/session/session.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
@@ -134,24 +135,27 @@ std::string shown_name(const KeptModel& model) {
 
 void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel* current) {
     const bool is_published = work.document.set.model == PerceptualModelParams{};
-    if (ImGui::Selectable(kPublished, is_published))
+    if (option(ui, {.id = std::string("model option:") + kPublished, .label = kPublished},
+               is_published)) {
         use_model(ui, work, {}, "the paper's parameters");
-    note_item(ui.rects, std::string("model option:") + kPublished);
+    }
     // By value: choosing one may read the folder again.
     const std::vector<KeptModel> kept = kept_models(ui, work, model_bench);
     for (const KeptModel& one : kept) {
         const bool is_current = current != nullptr && current->file == one.file;
         ImGui::PushID(one.file.c_str());
-        if (ImGui::Selectable(label_of(shown_name(one)).c_str(), is_current)) {
+        if (option(ui,
+                   {.id = "model option:" + one.name,
+                    .label = shown_name(one),
+                    .tip = one.file.string()},
+                   is_current)) {
             use_model(ui, work, one.content, words_on(one.name, one.content));
         }
         ImGui::PopID();
-        note_item(ui.rects, "model option:" + one.name, shown_name(one));
-        draw_tooltip(ui, one.file.c_str());
     }
     draw_divider(ui.theme);
-    if (ImGui::Selectable("Load parameters...")) load_model_dialog(ui, work);
-    note_item(ui.rects, "model option:load");
+    if (option(ui, {.id = "model option:load", .label = "Load parameters..."}, false))
+        load_model_dialog(ui, work);
 }
 
 }  // namespace
@@ -183,13 +187,14 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
     ImGui::PushFont(ui.theme.fonts.small);
     const std::string provenance =
         origin.trained_on + (origin.changed_by_hand ? " Changed by hand since." : "");
-    coloured_text(ui.theme.dim_text, provenance);
+    coloured_text(ui, ui.theme.dim_text, {.id = "model:provenance", .text = provenance});
     ImGui::PopFont();
-    note_item(ui.rects, "model:provenance", provenance);
     if (!origin.synthetic) return;
     const std::string remark = remark_on_synthetic(origin);
-    coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
-    note_item(ui.rects, "model:synthetic", remark);
+    coloured_text(ui, ui.theme.warning,
+                  {.id = "model:synthetic",
+                   .text = "These parameters were " + remark + ".",
+                   .value = remark});
 }
 
 }  // namespace tact

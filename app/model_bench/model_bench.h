@@ -146,12 +146,6 @@ void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
 void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench);
 void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench);
 
-// What every field of the bench leaves free at its right, so that all end alike.
-float beside_field_px(const Ui& ui);
-// In that room, on the line of the entry of the field drawn last, as a group. True when pressed.
-bool link_beside_field(const Ui& ui, const char* id, const std::string& of,
-                       const std::string& text);
-
 // Trained parameters and where they come from, in words: for the terminal and for the window.
 
 // A weight of a grid whose steps are so long, with as many digits as that takes, at most three.

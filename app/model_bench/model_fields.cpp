@@ -155,12 +155,11 @@ void draw_knot(Ui& ui, Workspace& work, const ModelBench& model_bench, std::size
     if (edit.changed) write(value);
     if (edit.finished) commit_step(ui, work, step);
     if (!known || before == original.value[k]) return;
-    const std::string text = shown_number(field.format, original.value[k]);
-    if (link_beside_field(ui, "back", id, text.c_str())) {
+    if (link_beside_field(
+            ui, {.id = "reset:" + id, .label = shown_number(field.format, original.value[k])})) {
         write(original.value[k]);
         commit_step(ui, work, step);
     }
-    note_item(ui.rects, "reset:" + id);
 }
 
 }  // namespace
@@ -173,20 +172,20 @@ void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
         curve_of(work.document.set.model.coding.tables, state.threshold, state.type);
     const Curve& known = curve_of(original, state.threshold, state.type);
     for (std::size_t k = 0; k < curve.value.size(); ++k) draw_knot(ui, work, model_bench, k, known);
-    if (link(ui, "load tables", "Load tables from CSV\u2026")) load_tables_dialog(ui, work);
-    note_item(ui.rects, "load tables");
-    draw_tooltip(ui,
-                 "A file with columns receptor, frequency_hz and either "
-                 "slope_imp_per_s_per_log10um or threshold_log10_um_peak");
+    if (link(ui, {.id = "load tables",
+                  .label = "Load tables from CSV\u2026",
+                  .tip = "A file with columns receptor, frequency_hz and either "
+                         "slope_imp_per_s_per_log10um or threshold_log10_um_peak"})) {
+        load_tables_dialog(ui, work);
+    }
     if (curve == known) return;
     constexpr const char* kReset = "This table as it was";
     flow_on(ImGui::CalcTextSize(kReset).x, ui.theme.padding_px);
-    if (link(ui, "reset table", kReset)) {
+    if (link(ui, {.id = "reset:table", .label = kReset})) {
         curve_of(work.document.edit().model.coding.tables, state.threshold, state.type) = known;
         model_changed(work);
         commit_step(ui, work, std::string("Reset ") + traits(state.type).name + " table");
     }
-    note_item(ui.rects, "reset:table");
 }
 
 // Threshold shifts of the four types, removing one, and presets.
@@ -205,12 +204,14 @@ void set_threshold(Ui& ui, Workspace& work, Receptor type, const Curve& curve, c
 
 void draw_removal(Ui& ui, Workspace& work, Receptor type, const Curve& original) {
     const bool gone = is_removed(thresholds_of(work)[index_of(type)]);
-    if (link_beside_field(ui, "remove", traits(type).afferent, gone ? "bring back" : "remove")) {
+    if (link_beside_field(
+            ui, {.id = std::string("remove:") + traits(type).afferent,
+                 .label = gone ? "bring back" : "remove",
+                 .tip = gone ? "Its threshold as it was" : "A type that answers to nothing",
+                 .value = gone ? "removed" : ""})) {
         set_threshold(ui, work, type, gone ? original : removed(original),
                       gone ? "Bring back" : "Remove");
     }
-    note_item(ui.rects, std::string("remove:") + traits(type).afferent, gone ? "removed" : "");
-    draw_tooltip(ui, gone ? "Its threshold as it was" : "A type that answers to nothing");
 }
 
 void draw_shift(Ui& ui, Workspace& work, Receptor type, const Curve& original) {
@@ -243,19 +244,19 @@ void draw_shift(Ui& ui, Workspace& work, Receptor type, const Curve& original) {
 void draw_presets(Ui& ui, Workspace& work, const PerReceptor<Curve>& original) {
     bool first = true;
     for (const ThresholdPreset& preset : kThresholdPresets) {
-        const std::string text = std::string(preset.name) + " (guess)";
-        if (!first) flow_on(ImGui::CalcTextSize(text.c_str()).x, ui.theme.padding_px);
+        const Item item{.id = std::string("preset:") + preset.name,
+                        .label = std::string(preset.name) + " (guess)",
+                        .tip = preset.words};
+        if (!first) flow_on(ImGui::CalcTextSize(item.label.c_str()).x, ui.theme.padding_px);
         first = false;
-        if (link(ui, preset.name, text)) {
+        if (link(ui, item)) {
             for (const Receptor type : kReceptors) {
                 const std::size_t c = index_of(type);
                 thresholds_of(work)[c] = shifted(original[c], original[c], preset.db[c]);
             }
             model_changed(work);
-            commit_step(ui, work, text);
+            commit_step(ui, work, item.label);
         }
-        note_item(ui.rects, std::string("preset:") + preset.name);
-        draw_tooltip(ui, preset.words);
     }
 }
 

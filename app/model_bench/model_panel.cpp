@@ -33,12 +33,7 @@ constexpr const char* kWayBackHelp = "Changed. Click to go back to this value.";
 bool draw_way_back(Ui& ui, const char* id, bool changed, const std::string& original) {
     if (!changed) return false;
     flow_on(ImGui::CalcTextSize(original.c_str()).x, ui.theme.gap_px * 0.5F);
-    ImGui::PushID(id);
-    const bool pressed = row_link(ui, "back", original);
-    note_item(ui.rects, std::string("reset:") + id, original);
-    draw_tooltip(ui, kWayBackHelp);
-    ImGui::PopID();
-    return pressed;
+    return row_link(ui, {.id = std::string("reset:") + id, .label = original, .tip = kWayBackHelp});
 }
 
 void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& original) {
@@ -54,11 +49,9 @@ void draw_number(Ui& ui, Workspace& work, const ModelNumber& row, const Model& o
     if (edit.changed) change_model(work, [&](Model& m) { row.set(m, value); });
     if (edit.finished) commit_model(ui, work, row.field.label);
     if (before == known) return;
-    const std::string text = shown_number(row.field.format, known);
-    const bool goes_back = link_beside_field(ui, "back", row.field.id, text.c_str());
-    note_item(ui.rects, std::string("reset:") + row.field.id, text);
-    draw_tooltip(ui, kWayBackHelp);
-    if (goes_back) {
+    if (link_beside_field(ui, {.id = std::string("reset:") + row.field.id,
+                               .label = shown_number(row.field.format, known),
+                               .tip = kWayBackHelp})) {
         change_model(work, [&](Model& m) { row.set(m, known); });
         commit_model(ui, work, row.field.label);
     }
@@ -134,20 +127,18 @@ void draw_summary(Ui& ui, Workspace& work, const Model& original) {
     note_item(ui.rects, "model:changed", std::to_string(changed));
     constexpr const char* kBack = "Back to the paper's";
     flow_on(ImGui::CalcTextSize(kBack).x, ui.theme.gap_px);
-    if (link(ui, "reset model", kBack)) {
+    if (link(ui, {.id = "reset:model", .label = kBack})) {
         change_model(work, [&](Model& m) { m = original; });
         commit_model(ui, work, "the model back to the paper's");
     }
-    note_item(ui.rects, "reset:model");
     // As high as the sentence: rows stay under the pointer at the first change.
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below_px));
 }
 
 void draw_views(Ui& ui, ModelBench& model_bench) {
     const auto view = [&](ModelView which, const char* name) {
-        if (draw_chip(ui, name, name, model_bench.panel.view == which))
-            model_bench.panel.view = which;
-        note_item(ui.rects, std::string("model:") + name);
+        const Item item{.id = std::string("model:") + name, .label = name};
+        if (chip(ui, item, model_bench.panel.view == which)) model_bench.panel.view = which;
     };
     view(ModelView::parameters, "Parameters");
     flow_on(chip_width(ui, "Train on ratings"), 2.0F * ui.theme.scale);
@@ -159,14 +150,10 @@ void draw_views(Ui& ui, ModelBench& model_bench) {
 
 float beside_field_px(const Ui& ui) { return 84.0F * ui.theme.scale; }
 
-bool link_beside_field(const Ui& ui, const char* id, const std::string& of,
-                       const std::string& text) {
+bool link_beside_field(Ui& ui, const Item& item) {
     const ImVec2 end = ImGui::GetItemRectMax();
     ImGui::SetCursorScreenPos({end.x + 0.5F * ui.theme.gap_px, end.y - ImGui::GetFrameHeight()});
-    ImGui::PushID(of.c_str());
-    const bool pressed = row_link(ui, id, text);
-    ImGui::PopID();
-    return pressed;
+    return row_link(ui, item);
 }
 
 void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {

@@ -14,6 +14,11 @@
 
 namespace tact {
 
+// What every field of the bench leaves free at its right, so that all end alike.
+float beside_field_px(const Ui& ui);
+// In that room, on the line of the entry of the field drawn last, as a group. True when pressed.
+bool link_beside_field(Ui& ui, const Item& item);
+
 // The least change of each number that people are taken to feel: rows of the model bench.
 
 void draw_felt_step_fields(Ui& ui, Workspace& work);

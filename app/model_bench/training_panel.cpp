@@ -31,16 +31,13 @@ std::string size_text(const SetToFit& set) {
 
 void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
     ImGui::PushID(set.file.empty() ? "the document" : set.file.c_str());
-    draw_check(ui.theme, set.name.c_str(), takes_part);
-    note_item(ui.rects, "train on:" + set.name, takes_part ? "on" : "off");
+    check(ui, {.id = "train on:" + set.name, .label = set.name}, takes_part);
     const std::string size = size_text(set);
     flow_on(ImGui::CalcTextSize(size.c_str()).x, ui.theme.gap_px);
-    dim_text(ui, size);
-    note_item(ui.rects, "train:size", size);
+    dim_text(ui, {.id = "train:size", .text = size});
     if (removed != nullptr) {
         flow_on(ImGui::CalcTextSize("Remove").x, ui.theme.gap_px);
-        *removed = link(ui, "remove", "Remove");
-        note_item(ui.rects, "link:remove " + set.name);
+        *removed = link(ui, {.id = "link:remove " + set.name, .label = "Remove"});
     }
     ImGui::PopID();
 }
@@ -48,14 +45,16 @@ void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
 // Where the document's ratings stand for nothing to train on, why.
 void draw_no_ratings(Ui& ui, const Workspace& work, const OwnRatings& own) {
     if (!own.fault.empty()) {
-        coloured_text(ui.theme.warning, "The ratings do not fit the set: " + own.fault);
-        note_item(ui.rects, "train:fault", own.fault);
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "train:fault",
+                       .text = "The ratings do not fit the set: " + own.fault,
+                       .value = own.fault});
         return;
     }
     ImGui::TextWrapped(
         "The open set has no ratings. Load what people said, or ask some in the view of studies.");
-    if (ImGui::Button("Load ratings...")) load_ratings_dialog(ui, work);
-    note_item(ui.rects, "button:load ratings");
+    if (button(ui, {.id = "button:load ratings", .label = "Load ratings..."}))
+        load_ratings_dialog(ui, work);
 }
 
 void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
@@ -73,9 +72,11 @@ void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
         if (removed) gone = k;
     }
     if (gone) state.others.erase(state.others.begin() + static_cast<std::ptrdiff_t>(*gone));
-    if (link(ui, "add a set", "Add a set with ratings...")) add_training_set_dialog(ui, work);
-    note_item(ui.rects, "link:add a set");
-    draw_tooltip(ui, "Fits one model to several sets, each with what people said of it.");
+    if (link(ui, {.id = "link:add a set",
+                  .label = "Add a set with ratings...",
+                  .tip = "Fits one model to several sets, each with what people said of it."})) {
+        add_training_set_dialog(ui, work);
+    }
 }
 
 void draw_settings(Ui& ui, ModelBench& model_bench) {
@@ -95,11 +96,12 @@ void draw_settings(Ui& ui, ModelBench& model_bench) {
     draw_segments(ui, kSteps, state.units, "train:");
     constexpr const char* kLeaveOut = "leave each person out";
     draw_label(ui, "Also", check_width(ui.theme, kLeaveOut));
-    draw_check(ui.theme, kLeaveOut, state.leave_out_participants);
-    note_item(ui.rects, "train:leave out", state.leave_out_participants ? "on" : "off");
-    draw_tooltip(ui,
-                 "Fits without each person in turn, and tries the fit on just that person: what to "
-                 "expect of people nobody has asked.");
+    check(ui,
+          {.id = "train:leave out",
+           .label = kLeaveOut,
+           .tip = "Fits without each person in turn, and tries the fit on just that person: what "
+                  "to expect of people nobody has asked."},
+          state.leave_out_participants);
 }
 
 // What the search costs, kept while the question stays.
@@ -126,12 +128,15 @@ void draw_search(Ui& ui, ModelBench& model_bench) {
 
 void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     const TrainingRequest request = training_request(work, model_bench);
-    ImGui::BeginDisabled(request.sets.empty());
-    if (primary_button(ui, "Train")) begin_training(ui, work, model_bench);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:train", request.sets.empty() ? "disabled" : "enabled");
+    const bool has_sets = !request.sets.empty();
+    if (primary_button(ui, {.id = "button:train",
+                            .label = "Train",
+                            .enabled = has_sets,
+                            .value = has_sets ? "enabled" : "disabled"})) {
+        begin_training(ui, work, model_bench);
+    }
     std::string text = "No ratings to train on.";
-    if (!request.sets.empty()) {
+    if (has_sets) {
         const TrainingCost& cost = estimate(model_bench, request).cost;
         const double cores = thread_count(0);
         text = grouped_digits(cost.combinations) + " combinations, ";
@@ -142,8 +147,7 @@ void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     }
     flow_on(ImGui::CalcTextSize(text.c_str()).x, ui.theme.gap_px);
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, text);
-    note_item(ui.rects, "train:cost", text);
+    dim_text(ui, {.id = "train:cost", .text = text});
 }
 
 }  // namespace

@@ -52,8 +52,10 @@ void draw_headline(Ui& ui, const FoundTraining& found) {
     dim_text(ui, "was " + with_decimals(training.value_before, 3));
     const std::string remark = remark_on_synthetic({training.model, found.record});
     if (!remark.empty()) {
-        coloured_text(ui.theme.warning, "These parameters were " + remark + ".");
-        note_item(ui.rects, "train:synthetic", headline);
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "train:synthetic",
+                       .text = "These parameters were " + remark + ".",
+                       .value = headline});
     }
     const std::uint64_t equal = training.best.combinations;
     const std::string near = percent(training.share_near_best);
@@ -67,18 +69,23 @@ void draw_headline(Ui& ui, const FoundTraining& found) {
 void draw_actions(Ui& ui, Workspace& work, ModelBench& model_bench, const FoundTraining& found,
                   bool stale) {
     const bool in_use = work.document.set.model == found.training.model;
-    ImGui::BeginDisabled(stale || in_use);
-    if (primary_button(ui, "Use these parameters")) use_trained(ui, work, model_bench);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:use trained", stale ? "stale" : in_use ? "in use" : "enabled");
-    draw_tooltip(ui, "For this set, as one step that undo takes back; kept for other sets too.");
+    if (primary_button(
+            ui, {.id = "button:use trained",
+                 .label = "Use these parameters",
+                 .tip = "For this set, as one step that undo takes back; kept for other sets too.",
+                 .enabled = !stale && !in_use,
+                 .value = stale    ? "stale"
+                          : in_use ? "in use"
+                                   : "enabled"})) {
+        use_trained(ui, work, model_bench);
+    }
     flow_on(button_width("Save to file..."), ui.theme.gap_px);
-    if (ImGui::Button("Save to file...")) save_trained_dialog(ui, work, model_bench);
-    note_item(ui.rects, "button:save trained");
+    if (button(ui, {.id = "button:save trained", .label = "Save to file..."}))
+        save_trained_dialog(ui, work, model_bench);
     if (stale) {
-        coloured_text(ui.theme.warning,
-                      "The sets, ratings or choices have changed since: train again.");
-        note_item(ui.rects, "train:stale");
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "train:stale",
+                       .text = "The sets, ratings or choices have changed since: train again."});
     } else if (in_use) {
         flow_on(ImGui::CalcTextSize("In use.").x, ui.theme.gap_px);
         ImGui::AlignTextToFramePadding();
@@ -223,8 +230,10 @@ void draw_ties(Ui& ui, ModelBench& model_bench, const Training& training) {
     ImGui::Dummy({1.0F, 0.5F * ui.theme.gap_px});
     const std::string text = std::string(open ? "Hide" : "Show") + " the equally good, in " +
                              grouped_digits(training.best.classes) + " proportions";
-    if (link(ui, "ties", text)) open = !open;
-    note_item(ui.rects, "link:ties", grouped_digits(training.best.classes));
+    if (link(ui,
+             {.id = "link:ties", .label = text, .value = grouped_digits(training.best.classes)})) {
+        open = !open;
+    }
     if (!open) return;
     ImGui::PushFont(ui.theme.fonts.small);
     const std::size_t rows = std::min(training.best.points.size(), kListedTies);

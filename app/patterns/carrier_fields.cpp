@@ -50,9 +50,7 @@ void draw_leak_warning(Ui& ui, Workspace& work, const Pattern& pattern) {
                  "leaks into neighbouring bins, and the model counts each of them: rates come out "
                  "too high. Frequencies that are multiples of 1 / duration do not leak.");
     flow_on(snap, gap);
-    const bool pressed = link(ui, "snap", label);
-    note_item(ui.rects, "link:snap");
-    if (pressed) {
+    if (link(ui, {.id = "link:snap", .label = label})) {
         edit_patterns(work, [](Pattern& p) {
             for (Carrier& carrier : p.carriers) {
                 carrier.frequency_hz = snapped_hz(carrier.frequency_hz, p.duration_s);
@@ -148,23 +146,28 @@ void draw_carrier_links(Ui& ui, Workspace& work, const Pattern& pattern) {
     draw_label(ui, "", ImGui::CalcTextSize(kAdd).x);
     const bool can_add = pattern.carriers.size() < limits::kMaxCarriers;
     if (can_add) {
-        if (link(ui, "add carrier", kAdd)) add_carrier(ui, work);
-        note_item(ui.rects, "link:add carrier");
-        draw_field_tooltip(ui, "One more tone, at three times the last one's frequency");
+        if (field_link(ui, work, "link:add carrier", kAdd,
+                       "One more tone, at three times the last one's frequency")) {
+            add_carrier(ui, work);
+        }
     }
     if (pattern.carriers.size() > 1) {
         if (can_add) flow_on(ImGui::CalcTextSize("Remove").x, 2.0F * ui.theme.gap_px);
-        if (link(ui, "remove carrier", "Remove")) remove_carrier(ui, work);
-        note_item(ui.rects, "link:remove carrier");
-        draw_field_tooltip(ui, "The last carrier goes");
+        if (field_link(ui, work, "link:remove carrier", "Remove", "The last carrier goes"))
+            remove_carrier(ui, work);
     }
     draw_leak_warning(ui, work, pattern);
 }
 
 }  // namespace
 
-void draw_field_tooltip(const Ui& ui, const char* text) {
-    draw_tooltip(ui, is_item_disabled() ? "The pattern is locked. Unlock it to change it." : text);
+bool field_link(Ui& ui, const Workspace& work, const char* id, const std::string& label,
+                const char* tip) {
+    const bool is_locked = current_vibration(work)->locked;
+    return link(ui, {.id = id,
+                     .label = label,
+                     .tip = tip,
+                     .why_not = is_locked ? "The pattern is locked. Unlock it to change it." : ""});
 }
 
 double snapped_to(double value, double snap) {

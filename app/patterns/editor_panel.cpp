@@ -42,8 +42,7 @@ void draw_kind(Ui& ui, Workspace& work, const Modulation& modulation) {
     if (modulation.frequency_hz <= 0.0) return;
     const double beats = (kind == ModulationKind::product ? 2.0 : 1.0) * modulation.frequency_hz;
     const std::string words = significant_digits(beats, 4) + " beats/s";
-    dim_text_beside(ui, words);
-    note_item(ui.rects, "editor:beats", words);
+    dim_text_beside(ui, {.id = "editor:beats", .text = words});
 }
 
 void draw_modulation(Ui& ui, Workspace& work, const Pattern& pattern) {
@@ -88,13 +87,12 @@ void draw_partner(Ui& ui, const Workspace& work, const ShownMap& shown_map) {
         if (state == MapState::stale) words += ", of before the last change";
     }
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words);
+    dim_text(ui,
+             {.id = "editor:partner",
+              .text = words,
+              .tip = "The pair that is chosen. PM is a weighted rank among all pairs of the set; "
+                     "behind it stands the set's largest."});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "editor:partner", words);
-    draw_tooltip(
-        ui,
-        "The pair that is chosen. PM is a weighted rank among all pairs of the set; behind it "
-        "stands the set's largest.");
 }
 
 bool is_saved(const PatternSet& saved, const Vibration& vibration) {
@@ -145,21 +143,21 @@ void draw_lock(Ui& ui, Workspace& work, const Vibration& vibration) {
     dim_text(ui, "Locked: picked in every subset, and not edited.");
     ImGui::PopTextWrapPos();
     flow_on(ImGui::CalcTextSize("Unlock").x, ui.theme.gap_px);
-    if (link(ui, "unlock", "Unlock")) {
+    if (link(ui, {.id = "link:unlock", .label = "Unlock"})) {
         ui.waiting.emplace_back([&ui, &work] { toggle_locked(ui, work); });
     }
-    note_item(ui.rects, "link:unlock");
 }
 
 // Problems that the map reports.
 void draw_warnings(Ui& ui, const Workspace& work, const Vibration& vibration) {
     if (work.selection.too_close.contains(vibration.name)) {
-        coloured_text(ui.theme.warning, "In a pair that is listed in Subset, Too close.");
-        note_item(ui.rects, "editor:too close");
+        coloured_text(
+            ui, ui.theme.warning,
+            {.id = "editor:too close", .text = "In a pair that is listed in Subset, Too close."});
     }
     if (work.selection.unfelt.contains(vibration.name)) {
-        coloured_text(ui.theme.warning, "Not felt: no receptor answers to it.");
-        note_item(ui.rects, "editor:not felt");
+        coloured_text(ui, ui.theme.warning,
+                      {.id = "editor:not felt", .text = "Not felt: no receptor answers to it."});
     }
 }
 

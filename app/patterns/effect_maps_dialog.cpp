@@ -53,11 +53,14 @@ std::string draw_map_combo(Ui& ui, const MapInUse& use) {
     if (open) {
         for (const ActuatorMap& map : bundled_actuators()) {
             const bool is_used = map.name == use.actuators;
-            if (ImGui::Selectable(map_label(map.name, own).c_str(), is_used) && !is_used) {
+            if (option(ui,
+                       {.id = "effects map:" + map.name,
+                        .label = map_label(map.name, own),
+                        .tip = map.source},
+                       is_used) &&
+                !is_used) {
                 chosen = map.name;
             }
-            draw_tooltip(ui, map.source.c_str());
-            note_item(ui.rects, "effects map:" + map.name);
         }
         ImGui::EndCombo();
     }
@@ -84,9 +87,8 @@ void draw_no_maps(Ui& ui) {
         "to set... (.ahap, .haptic, .hjif, .haps, .he, .hla, .vibrate.json): the map that each "
         "format was read by then stands here, and another can be chosen.";
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, text);
+    dim_text(ui, {.id = "effects:none", .text = text});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "effects:none", text);
 }
 
 }  // namespace
@@ -110,12 +112,14 @@ void draw_effect_maps_line(Ui& ui, Workspace& work) {
     note_item(ui.rects, "effects:maps", all);
     draw_tooltip(ui, ("What 0 to 1 of the effect files became in Hz and g, by " + all).c_str());
     ImGui::SameLine(change);
-    if (link(ui, "change maps", "Change...")) ui.dialog = Dialog::effect_maps;
-    note_item(ui.rects, "button:change maps");
+    if (link(ui, {.id = "button:change maps", .label = "Change..."}))
+        ui.dialog = Dialog::effect_maps;
     ImGui::SameLine(right);
-    if (ImGui::SmallButton("\u00d7")) work.effects.is_told = false;
-    note_item(ui.rects, "button:hide maps");
-    draw_tooltip(ui, "File > Actuator maps... has it, too");
+    if (small_button(ui, {.id = "button:hide maps",
+                          .label = "\u00d7",
+                          .tip = "File > Actuator maps... has it, too"})) {
+        work.effects.is_told = false;
+    }
 }
 
 void draw_effect_maps_dialog(Ui& ui, Workspace& work) {

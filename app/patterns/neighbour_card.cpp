@@ -89,10 +89,11 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     const float least = 48.0F * ui.theme.scale;
     const std::string words = shortened(small, words_of(verdict), std::max(0.0F, free - least));
     const float room = free - text_size(small, words).x;
-    if (name_link(ui, "closest name",
-                  shortened(ui.theme.fonts.regular, name, std::max(1.0F, room))))
+    if (name_link(ui, {.id = "neighbour:name",
+                       .label = shortened(ui.theme.fonts.regular, name, std::max(1.0F, room)),
+                       .value = name})) {
         select_only(work, pair.place);
-    note_item(ui.rects, "neighbour:name", name);
+    }
     if (ImGui::IsItemHovered()) work.selection.hovered_pair = {work.selection.current, pair.place};
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_small(ui, colour_of(ui, verdict), words, right);
@@ -149,9 +150,8 @@ std::optional<NeighbourAction> draw_neighbour_card(Ui& ui, Workspace& work,
     const auto action = [&](const char* id, const char* words, NeighbourChoice what,
                             const char* help, bool first) {
         if (!first) flow_on(ImGui::CalcTextSize(words).x, 1.5F * ui.theme.gap_px);
-        if (link(ui, id, words)) done = NeighbourAction{what, pair.place};
-        note_item(ui.rects, std::string("neighbour:") + id);
-        draw_tooltip(ui, help);
+        if (link(ui, {.id = std::string("neighbour:") + id, .label = words, .tip = help}))
+            done = NeighbourAction{what, pair.place};
     };
     action("play both", kPlay, NeighbourChoice::play_both, "This one, then the closest one.", true);
     action("why closest", kWhy, NeighbourChoice::why, "In what the two differ, to the model.",

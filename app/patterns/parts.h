@@ -51,8 +51,9 @@ void edit_number(Ui& ui, Workspace& work, const Number& number, const Field& fie
         });
 }
 
-// A tooltip on a button among the fields, or the reason why it is disabled.
-void draw_field_tooltip(const Ui& ui, const char* text);
+// A link among the fields, which a locked pattern disables. True if pressed.
+bool field_link(Ui& ui, const Workspace& work, const char* id, const std::string& label,
+                const char* tip);
 
 // The nearest step above 0; without steps, the value itself.
 double snapped_to(double value, double snap);

@@ -61,15 +61,12 @@ void draw_source(Ui& ui, const Workspace& work, const Measurement& measurement) 
                         significant(peak_g(*measurement.waveform)) + " g";
     if (has_file) words += ", " + significant(measurement.scale_g) + " g at full scale";
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words);
+    dim_text(ui, {.id = "recording", .text = words});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "recording", words);
     if (!measurement.measures.empty()) {
         const std::string& name = current_vibration(work)->name;
         const std::string since = words_on_twin(work.stale, name);
-        const std::string measures = "Measures " + measurement.measures + since;
-        ImGui::TextWrapped("%s", shown_text(measures).c_str());
-        note_item(ui.rects, "measures", measures);
+        wrapped_text(ui, {.id = "measures", .text = "Measures " + measurement.measures + since});
     }
 }
 
@@ -229,20 +226,18 @@ void draw_trace_fields(Ui& ui, Workspace& work, RecordingEditor& editor,
     if (edit.changed) editor.most_points = static_cast<std::size_t>(std::lround(points));
     constexpr const char* kMake = "Make parametric";
     draw_label(ui, "", button_width(kMake));
-    ImGui::BeginDisabled(answer == nullptr);
-    const bool pressed = primary_button(ui, kMake);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:make parametric");
-    draw_tooltip(ui,
-                 "A new pattern beside the recording: its amplitude and its strongest frequency as "
-                 "curves of one carrier. Phase, noise and further frequencies are lost; PM between "
-                 "the two tells whether that is felt.");
+    const bool pressed = primary_button(
+        ui,
+        {.id = "button:make parametric",
+         .label = kMake,
+         .tip = "A new pattern beside the recording: its amplitude and its strongest frequency as "
+                "curves of one carrier. Phase, noise and further frequencies are lost; PM between "
+                "the two tells whether that is felt.",
+         .enabled = answer != nullptr});
     if (answer == nullptr) return;
-    const std::string words = trace_words(answer->traced);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words);
+    dim_text(ui, {.id = "traced", .text = trace_words(answer->traced)});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "traced", words);
     if (pressed) make_parametric(ui, work, editor, answer->traced);
 }
 

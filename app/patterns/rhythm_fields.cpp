@@ -105,9 +105,7 @@ void draw_rhythm_grid(Ui& ui, Workspace& work, PatternPanes& pattern_panes, cons
     if (steps > kMostCells) {
         const std::string words =
             grouped_digits(steps) + " steps: edit the text, or notes in the strip";
-        coloured_text(theme.dim_text, words);
-        note_item(ui.rects, "rhythm:long", words);
-        return;
+        return coloured_text(ui, theme.dim_text, {.id = "rhythm:long", .text = words});
     }
     const float width = ImGui::GetContentRegionAvail().x;
     const float cell = std::min(20.0F * theme.scale, width / static_cast<float>(steps));
@@ -189,27 +187,32 @@ void draw_rhythm_links(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     const float gap_px = 2.0F * ui.theme.gap_px;
     draw_label(ui, "", px(kList) + gap_px + px(kTap) + (none ? px(kGrid) + gap_px : 0.0F));
     if (none) {
-        if (link(ui, "make grid", kGrid)) set_rhythm(ui, work, "x=--x=--");
-        note_item(ui.rects, "link:make a rhythm");
-        draw_field_tooltip(ui, "A grid of steps to click notes into");
+        if (field_link(ui, work, "link:make a rhythm", kGrid,
+                       "A grid of steps to click notes into")) {
+            set_rhythm(ui, work, "x=--x=--");
+        }
         flow_on(px(kList), gap_px);
     }
-    if (link(ui, "rhythm list", kList)) ImGui::OpenPopup("rhythm list");
-    note_item(ui.rects, "link:rhythms");
-    draw_field_tooltip(ui, "Rhythms of a length and number of notes to pick from");
+    if (field_link(ui, work, "link:rhythms", kList,
+                   "Rhythms of a length and number of notes to pick from")) {
+        ImGui::OpenPopup("rhythm list");
+    }
     draw_rhythm_popup(ui, work, pattern_panes, pattern);
     flow_on(px(kTap), gap_px);
-    if (link(ui, "tap rhythm", kTap)) open_tapping(ui, pattern_panes.tapping);
-    note_item(ui.rects, "link:tap");
-    draw_field_tooltip(ui, "T: each press is a note, as long as the key is held");
+    if (field_link(ui, work, "link:tap", kTap,
+                   "T: each press is a note, as long as the key is held")) {
+        open_tapping(ui, pattern_panes.tapping);
+    }
     if (none) return;
     const std::string summary = rhythm_summary(pattern.rhythm.text);
     flow_on(px(summary.c_str()), gap_px);
-    dim_text(ui, shortened(ui.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x));
-    note_item(ui.rects, "rhythm summary", summary);
-    draw_tooltip(ui,
-                 "Evenness is 1 where all notes are equally far apart, as the rhythm repeats, and "
-                 "less the more they crowd.");
+    dim_text(
+        ui,
+        {.id = "rhythm summary",
+         .text = shortened(ui.theme.fonts.regular, summary, ImGui::GetContentRegionAvail().x),
+         .tip = "Evenness is 1 where all notes are equally far apart, as the rhythm repeats, and "
+                "less the more they crowd.",
+         .value = summary});
 }
 
 void draw_tempo(Ui& ui, Workspace& work, const Rhythm& rhythm) {
@@ -271,13 +274,10 @@ void draw_overrun(Ui& ui, Workspace& work, const Pattern& pattern) {
     const double to_s = std::min(whole_s, limits::kDurationS.high);
     const std::string lengthen = "Lengthen to " + significant_digits(to_s, 4) + " s";
     draw_label(ui, "", ImGui::CalcTextSize(words.c_str()).x);
-    coloured_text(ui.theme.warning, words);
-    note_item(ui.rects, "rhythm:overrun", words);
+    coloured_text(ui, ui.theme.warning, {.id = "rhythm:overrun", .text = words});
     flow_on(ImGui::CalcTextSize(lengthen.c_str()).x, 2.0F * ui.theme.gap_px);
-    const bool pressed = link(ui, "lengthen", lengthen);
-    note_item(ui.rects, "link:lengthen", lengthen);
-    draw_field_tooltip(ui, "The pattern lasts as long as its rhythm");
-    if (!pressed) return;
+    if (!field_link(ui, work, "link:lengthen", lengthen, "The pattern lasts as long as its rhythm"))
+        return;
     edit_patterns(work, [](Pattern& p) {
         const double end_s = std::min(length_s(p.rhythm), limits::kDurationS.high);
         if (end_s > p.duration_s) p = with_duration(std::move(p), end_s);

@@ -70,23 +70,26 @@ void draw_count(Ui& ui, const char* id, const char* label, int normal, int& valu
     reset_by_label(ui, normal, value);
 }
 
-bool chip(Ui& ui, const char* text, bool lit, const char* help) {
-    const bool pressed = draw_switch(ui, text, text, lit);
-    note_item(ui.rects, std::string("rhythm list:") + text, lit ? "chosen" : "");
-    draw_tooltip(ui, help);
-    return pressed;
+bool choice_toggle(Ui& ui, const char* text, bool lit, const char* help) {
+    return toggle(ui,
+                  {.id = std::string("rhythm list:") + text,
+                   .label = text,
+                   .tip = help,
+                   .value = lit ? "chosen" : ""},
+                  lit);
 }
 
 void draw_kind(Ui& ui, RhythmChoice& choice) {
     const float gap = 2.0F * ui.theme.scale;
-    if (chip(ui, "Necklaces", choice.list == RhythmList::necklaces,
-             "All rhythms with this number of steps and notes; rotations of one another count "
-             "once.")) {
+    if (choice_toggle(
+            ui, "Necklaces", choice.list == RhythmList::necklaces,
+            "All rhythms with this number of steps and notes; rotations of one another count "
+            "once.")) {
         choice.list = RhythmList::necklaces;
     }
     ImGui::SameLine(0.0F, gap);
-    if (chip(ui, "Euclidean", choice.list == RhythmList::euclidean,
-             "For every number of notes the rhythm that spreads them most evenly.")) {
+    if (choice_toggle(ui, "Euclidean", choice.list == RhythmList::euclidean,
+                      "For every number of notes the rhythm that spreads them most evenly.")) {
         choice.list = RhythmList::euclidean;
     }
     draw_count(ui, "steps", "steps", RhythmChoice{}.steps, choice.steps,
@@ -101,8 +104,8 @@ void draw_kind(Ui& ui, RhythmChoice& choice) {
         {"1 step", 1}, {"2 steps", 2}, {"3 steps", 3}, {"as long as can be", 0}};
     for (const auto& [text, steps] : lengths) {
         flow_on(chip_width(ui, text), steps == 1 ? ui.theme.gap_px : gap);
-        if (chip(ui, text, choice.note_steps == steps,
-                 "Every note is held so long, but never into the next.")) {
+        if (choice_toggle(ui, text, choice.note_steps == steps,
+                          "Every note is held so long, but never into the next.")) {
             choice.note_steps = steps;
         }
     }
@@ -212,9 +215,10 @@ RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& p
     draw_kind(ui, choice);
     keep_texts(choice);
     const std::uint64_t size = size_of(choice);
-    dim_text(ui, grouped_digits(size) + (size == 1 ? " rhythm" : " rhythms") +
-                     ", the most even first; evenness at the right");
-    note_item(ui.rects, "rhythm list:count", grouped_digits(size));
+    dim_text(ui, {.id = "rhythm list:count",
+                  .text = grouped_digits(size) + (size == 1 ? " rhythm" : " rhythms") +
+                          ", the most even first; evenness at the right",
+                  .value = grouped_digits(size)});
     RhythmListAction action;
     draw_rows(ui, choice, chosen, action);
     Pattern shown = pattern;
@@ -224,10 +228,8 @@ RhythmListAction draw_rhythm_list(Ui& ui, RhythmChoice& choice, const Pattern& p
                                   ? std::string("one note throughout")
                                   : shown.rhythm.text + "   " + rhythm_summary(shown.rhythm.text);
     dim_text(ui, shortened(ui.theme.fonts.regular, words, ImGui::GetContentRegionAvail().x));
-    if (!all.empty() && !choice.texts.empty()) {
-        action.all = link(ui, "all rhythms", all);
-        note_item(ui.rects, "link:all rhythms");
-    }
+    if (!all.empty() && !choice.texts.empty())
+        action.all = link(ui, {.id = "link:all rhythms", .label = all});
     // Without keyboard navigation ImGui leaves an open list to the mouse.
     const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     if (escape && !ImGui::IsAnyItemActive()) ImGui::CloseCurrentPopup();

@@ -76,11 +76,10 @@ void draw_scale_switch(Ui& ui, Workspace& work) {
     bool& own = work.own_heights;
     const std::string text = scale_text(work);
     flow_on(chip_width(ui, text.c_str()), ui.theme.gap_px);
-    if (draw_switch(ui, "heights", text.c_str(), !own)) own = !own;
-    note_item(ui.rects, "button:heights", text);
-    draw_tooltip(ui, own ? "Each waveform fills its row. Press to draw all of them on one scale."
-                         : "All waveforms are drawn on this one scale, so that what is stronger "
-                           "looks stronger. Press to draw each to its own height.");
+    const char* tip = own ? "Each waveform fills its row. Press to draw all of them on one scale."
+                          : "All waveforms are drawn on this one scale, so that what is stronger "
+                            "looks stronger. Press to draw each to its own height.";
+    if (toggle(ui, {.id = "button:heights", .label = text, .tip = tip}, !own)) own = !own;
 }
 
 constexpr float kLeastSearchPx = 72.0F;
@@ -115,22 +114,29 @@ ToolbarParts toolbar_parts(const Ui& ui, const Workspace& work) {
 
 void draw_toolbar(Ui& ui, Workspace& work) {
     const ToolbarParts parts = toolbar_parts(ui, work);
-    if (primary_button(ui, "New")) add_pattern(ui, work);
-    note_item(ui.rects, "button:new");
-    draw_tooltip(ui, "Add a pattern (Ctrl+N)");
+    if (primary_button(ui, {.id = "button:new", .label = "New", .tip = "Add a pattern (Ctrl+N)"})) {
+        add_pattern(ui, work);
+    }
     flow_on(button_width("Duplicate"), ui.theme.gap_px);
-    ImGui::BeginDisabled(work.document.set.vibrations.empty());
-    if (ImGui::Button("Duplicate")) duplicate_selected(ui, work);
-    note_item(ui.rects, "button:duplicate");
-    draw_tooltip(ui, "Copy the selected patterns (Ctrl+D)");
-    ImGui::EndDisabled();
+    if (button(ui, {.id = "button:duplicate",
+                    .label = "Duplicate",
+                    .tip = "Copy the selected patterns (Ctrl+D)",
+                    .enabled = !work.document.set.vibrations.empty()})) {
+        duplicate_selected(ui, work);
+    }
     if (parts.heights) draw_scale_switch(ui, work);
     if (parts.picked) {
         flow_on(chip_width(ui, "picked"), ui.theme.gap_px);
         bool& only = work.selection.only_picked;
-        if (draw_switch(ui, "only picked", "picked", only)) only = !only;
-        note_item(ui.rects, "button:only picked", only ? "on" : "off");
-        draw_tooltip(ui, "Only those of the most distinct subset, which have a bar at their left.");
+        if (toggle(
+                ui,
+                {.id = "button:only picked",
+                 .label = "picked",
+                 .tip = "Only those of the most distinct subset, which have a bar at their left.",
+                 .value = only ? "on" : "off"},
+                only)) {
+            only = !only;
+        }
     }
     flow_on(kLeastSearchPx * ui.theme.scale, ui.theme.gap_px);
     ImGui::SetNextItemWidth(-1.0F);

@@ -103,9 +103,10 @@ std::optional<StartAction> draw_recent(Ui& ui, const StartPage& page) {
             dim_text(ui, "Opened lately");
         }
         const std::string name = file.path.filename().string();
-        if (name_link(ui, file.path.c_str(), name))
+        ImGui::PushID(file.path.c_str());
+        if (name_link(ui, {.id = "start:recent " + name, .label = name}))
             done = StartAction{StartAction::Way::recent, file.path};
-        note_item(ui.rects, "start:recent " + name);
+        ImGui::PopID();
     }
     return done;
 }
@@ -131,16 +132,13 @@ std::optional<StartAction> draw_start_page(Ui& ui, Workspace& work, StartPage& p
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float cards_px = draw_cards(ui, work, page);
     ImGui::SetCursorScreenPos({corner.x, corner.y + cards_px + 2.0F * theme.gap_px});
-    if (primary_button(ui, "New pattern")) {
+    if (primary_button(ui, {.id = "button:new pattern", .label = "New pattern"})) {
         ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
     }
-    note_item(ui.rects, "button:new pattern");
     const auto way = [&](const char* words, const char* noted, StartAction::Way what,
                          const char* help) {
         flow_on(button_width(words), theme.gap_px);
-        if (ImGui::Button(words)) done = StartAction{what};
-        note_item(ui.rects, noted);
-        draw_tooltip(ui, help);
+        if (button(ui, {.id = noted, .label = words, .tip = help})) done = StartAction{what};
     };
     way("Open...", "start:open", StartAction::Way::open,
         "A set, a recording, an effect file, or a folder of them (Ctrl+O). They can be dropped "

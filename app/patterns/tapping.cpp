@@ -113,11 +113,11 @@ void draw_step_field(Ui& ui, TappingState& tapping) {
                                       step_ms);
     if (edit.changed) tapping.step_s = step_ms / 1000.0;
     draw_label(ui, "", ImGui::CalcTextSize("Start over").x);
-    if (link(ui, "start over", "Start over")) tapping = {};
-    note_item(ui.rects, "link:start over");
+    if (link(ui, {.id = "link:start over", .label = "Start over"})) tapping = {};
     if (!tapping.step_s) return;
     flow_on(ImGui::CalcTextSize("Estimate the step").x, 2.0F * ui.theme.gap_px);
-    if (link(ui, "estimate step", "Estimate the step")) tapping.step_s.reset();
+    if (link(ui, {.id = "link:estimate step", .label = "Estimate the step"}))
+        tapping.step_s.reset();
 }
 
 void take(Ui& ui, Workspace& work, const TappedRhythm& tapped) {

@@ -36,10 +36,10 @@ void draw_networks(Ui& ui, PhonesState& state) {
     draw_tooltip(ui, "The network that the phones are in, too");
     if (!open) return;
     for (const NetworkInterface& one : state.interfaces) {
-        if (ImGui::Selectable(label_of(words(one)).c_str(), one.address == state.host)) {
+        if (option(ui, {.id = "phones network:" + one.address, .label = words(one)},
+                   one.address == state.host)) {
             state.host = one.address;
         }
-        note_item(ui.rects, "phones network:" + one.address);
     }
     ImGui::EndCombo();
 }
@@ -52,8 +52,8 @@ void draw_off(Ui& ui, PlayState& play, PhonesState& state) {
     ImGui::Spacing();
     draw_networks(ui, state);
     ImGui::Spacing();
-    if (primary_button(ui, "Serve the page")) serve_phones(ui, play, state);
-    note_item(ui.rects, "button:serve phones");
+    if (primary_button(ui, {.id = "button:serve phones", .label = "Serve the page"}))
+        serve_phones(ui, play, state);
     if (!state.fault.empty()) coloured_text(ui.theme.warning, state.fault);
 }
 
@@ -79,11 +79,10 @@ void draw_code(const Ui& ui, const QrCode& code) {
 
 void draw_address(Ui& ui, const PhonesState& state) {
     const std::string address = state.server->address();
-    ImGui::TextUnformatted(address.c_str());
-    note_item(ui.rects, "phones:address", address);
+    plain_text(ui, {.id = "phones:address", .text = address});
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (link(ui, "copy address", "Copy the address")) ImGui::SetClipboardText(address.c_str());
-    note_item(ui.rects, "link:copy address");
+    if (link(ui, {.id = "link:copy address", .label = "Copy the address"}))
+        ImGui::SetClipboardText(address.c_str());
 }
 
 std::string latency_words(const ConnectedPhone& phone) {
@@ -110,33 +109,32 @@ void draw_phone(Ui& ui, PhonesState& state, const ConnectedPhone& phone, PhonesA
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(shown_text(phone.nickname).c_str());
-    note_item(ui.rects, "phone:" + number, phone.nickname);
+    plain_text(ui, {.id = "phone:" + number, .text = shown_text(phone.nickname)});
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, latency_words(phone));
-    note_item(ui.rects, "phone " + number + " state", latency_words(phone));
+    dim_text(ui, {.id = "phone " + number + " state", .text = latency_words(phone)});
     ImGui::TableNextColumn();
     draw_side(ui, state, phone);
     ImGui::TableNextColumn();
-    ImGui::BeginDisabled(!phone.vibrates || state.rating.has_value());
-    if (row_link(ui, "trials", "Tell apart...")) actions.trials_on = phone.number;
-    note_item(ui.rects, "phone " + number + " trials");
-    ImGui::EndDisabled();
-    draw_tooltip(ui,
-                 "Which of three is another one? Trials on this phone, of the pairs that PM "
-                 "puts closest: what may be confused on it, and by this person.");
+    if (row_link(ui,
+                 {.id = "phone " + number + " trials",
+                  .label = "Tell apart...",
+                  .tip = "Which of three is another one? Trials on this phone, of the pairs "
+                         "that PM puts closest: what may be confused on it, and by this person.",
+                  .enabled = phone.vibrates && !state.rating})) {
+        actions.trials_on = phone.number;
+    }
     ImGui::SameLine();
-    if (row_link(ui, "close phone", "Close")) state.server->close_phone(phone.number);
-    note_item(ui.rects, "phone " + number + " close");
-    draw_tooltip(ui, "The page on this phone ends");
+    if (row_link(ui, {.id = "phone " + number + " close",
+                      .label = "Close",
+                      .tip = "The page on this phone ends"})) {
+        state.server->close_phone(phone.number);
+    }
     ImGui::PopID();
 }
 
 void draw_phones(Ui& ui, PhonesState& state, PhonesActions& actions) {
-    const std::string words = phones_words(state);
-    ImGui::TextUnformatted(words.c_str());
-    note_item(ui.rects, "phones:here", words);
+    plain_text(ui, {.id = "phones:here", .text = phones_words(state)});
     if (state.phones.empty()) {
         ImGui::PushTextWrapPos(0.0F);
         dim_text(ui, "Scan the code with a phone that is in the same network.");
@@ -162,11 +160,10 @@ void draw_playing(Ui& ui, Timeline& timeline, PlayState& play) {
     wrapped_text(plays ? "Play, A|B and the keys of the window play on the phones."
                        : "Phones feel what is tapped on them. To play there from the window:");
     if (plays) return;
-    if (ImGui::Button("Play on the phones")) {
+    if (button(ui, {.id = "button:play on phones", .label = "Play on the phones"})) {
         choose_device(ui, timeline, play, remembered_choice(play, kPhonesId));
         play.level = 1.0;  // a phone's motor is weak: nobody is startled, and 10 % is not felt
     }
-    note_item(ui.rects, "button:play on phones");
 }
 
 constexpr std::array kTimes{Choice{1, "once"}, Choice{2, "twice"}, Choice{4, "four times"}};
@@ -181,14 +178,14 @@ std::string rating_obstacle(const Workspace& work) {
 void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesActions& actions) {
     if (!state.rating) {
         const std::string obstacle = rating_obstacle(work);
-        ImGui::BeginDisabled(!obstacle.empty() || state.phones.empty());
-        actions.rate_together = ImGui::Button("Rate together");
-        note_item(ui.rects, "button:rate together", obstacle);
-        ImGui::EndDisabled();
-        draw_tooltip(ui, obstacle.empty()
-                             ? "Every phone rates all pairs of the study's patterns, in an order "
-                               "of its own. The answers are a study as any other."
-                             : obstacle.c_str());
+        actions.rate_together =
+            button(ui, {.id = "button:rate together",
+                        .label = "Rate together",
+                        .tip = "Every phone rates all pairs of the study's patterns, in an order "
+                               "of its own. The answers are a study as any other.",
+                        .why_not = obstacle,
+                        .enabled = !state.phones.empty(),
+                        .value = obstacle});
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         dim_text(ui, "each pair");
         ImGui::SameLine(0.0F, ui.theme.gap_px);
@@ -199,14 +196,11 @@ void draw_rating(Ui& ui, const Workspace& work, PhonesState& state, PhonesAction
     const std::string words = counted(progress.raters, "phone rates", "phones rate") + ", " +
                               std::to_string(progress.finished) + " to the end, " +
                               counted(progress.answers, "answer", "answers");
-    wrapped_text(words);
-    note_item(ui.rects, "phones:rating", words);
+    wrapped_text(ui, {.id = "phones:rating", .text = words});
     if (!state.rating->fault.empty()) coloured_text(ui.theme.warning, state.rating->fault);
-    actions.show_answers = ImGui::Button("Show the answers");
-    note_item(ui.rects, "button:show rating");
+    actions.show_answers = button(ui, {.id = "button:show rating", .label = "Show the answers"});
     ImGui::SameLine();
-    if (ImGui::Button("End the rating")) end_rating(ui, state);
-    note_item(ui.rects, "button:end rating");
+    if (button(ui, {.id = "button:end rating", .label = "End the rating"})) end_rating(ui, state);
 }
 
 constexpr std::array kCounts{Choice{10, "10"}, Choice{20, "20"}, Choice{40, "40"}};
@@ -218,11 +212,8 @@ void draw_trials(Ui& ui, PhonesState& state) {
         draw_segments(ui, kCounts, state.trials_asked, "phones trials:");
         return;
     }
-    const std::string words = words_on(state.trials->trials);
-    wrapped_text(words);
-    note_item(ui.rects, "phones:trials", words);
-    if (link(ui, "end trials", "Stop the trials")) end_trials(ui, state);
-    note_item(ui.rects, "link:end trials");
+    wrapped_text(ui, {.id = "phones:trials", .text = words_on(state.trials->trials)});
+    if (link(ui, {.id = "link:end trials", .label = "Stop the trials"})) end_trials(ui, state);
 }
 
 void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, PhonesState& state,
@@ -244,9 +235,11 @@ void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Phone
     draw_rating(ui, work, state, actions);
     draw_trials(ui, state);
     ImGui::Spacing();
-    if (link(ui, "stop phones", "Close the page")) stop_phones(ui, timeline, play, state);
-    note_item(ui.rects, "link:stop phones");
-    draw_tooltip(ui, "No phone plays or answers any more; what was answered is kept.");
+    if (link(ui, {.id = "link:stop phones",
+                  .label = "Close the page",
+                  .tip = "No phone plays or answers any more; what was answered is kept."})) {
+        stop_phones(ui, timeline, play, state);
+    }
 }
 
 }  // namespace

@@ -169,8 +169,12 @@ void draw_rival(Ui& ui, Metric& rival) {
     if (!open) return;
     for (const Metric metric : kMetrics) {
         if (metric == Metric::pm) continue;
-        if (ImGui::Selectable(traits(metric).name, metric == rival)) rival = metric;
-        note_item(ui.rects, std::string("plan rival:") + traits(metric).key);
+        if (option(ui,
+                   {.id = std::string("plan rival:") + traits(metric).key,
+                    .label = traits(metric).name},
+                   metric == rival)) {
+            rival = metric;
+        }
     }
     ImGui::EndCombo();
 }
@@ -251,9 +255,12 @@ void draw_studies(Ui& ui, const SetPlan& plan, std::optional<std::size_t>& chose
         const PlannedStudy& one = plan.studies[k];
         ImGui::TableNextColumn();
         const std::string people = std::to_string(one.people);
-        if (draw_radio(ui, people.c_str(), chosen == k)) chosen = k;
-        note_item(ui.rects, "plan row:" + people,
-                  percent(one.power[static_cast<std::size_t>(Resampled::both)]));
+        const double power_over_both = one.power[static_cast<std::size_t>(Resampled::both)];
+        if (radio(ui,
+                  {.id = "plan row:" + people, .label = people, .value = percent(power_over_both)},
+                  chosen == k)) {
+            chosen = k;
+        }
         for (const double half : one.half_width) {
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
@@ -300,16 +307,15 @@ void draw_plan(Ui& ui, Workspace& work, PlanState& planning, const SetPlan& plan
         wrapped_text("PM and " + std::string(traits(plan.rival).name) + " disagree most on: " +
                      names + ". rho between the two " + stepped(plan.decided->rho, 0.01) +
                      ", of all patterns " + stepped(plan.decided->rho_all, 0.01) + ".");
-        if (link(ui, "use planned patterns", "Ask about these in the study")) {
+        if (link(ui,
+                 {.id = "link:use planned patterns", .label = "Ask about these in the study"})) {
             use_planned_patterns(ui, work, plan);
         }
-        note_item(ui.rects, "link:use planned patterns");
     }
     ImGui::Spacing();
     draw_studies(ui, plan, planning.chosen);
     ImGui::Spacing();
-    wrapped_text(verdict(plan));
-    note_item(ui.rects, "plan:verdict", verdict(plan));
+    wrapped_text(ui, {.id = "plan:verdict", .text = verdict(plan)});
     dim_text(ui,
              "rho: half of its 95 % interval. Told: the share of studies that find PM's rho above "
              "the other's, p < .05.");
@@ -325,9 +331,8 @@ void draw_answer(Ui& ui, Workspace& work, PlanState& planning) {
     if (draw_failure(ui, "plan", planning.job.failure())) return;
     if (!live || live->request.document != work.document_number) return;
     if (!live->plan) {
-        coloured_text(ui.theme.warning, live->plan.error().message + ".");
-        note_item(ui.rects, "plan:fault", live->plan.error().message);
-        return;
+        return coloured_text(ui, ui.theme.warning,
+                             {.id = "plan:fault", .text = live->plan.error().message + "."});
     }
     const bool stale = !is_plan_current(work, planning);
     if (stale) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5F);
@@ -360,18 +365,17 @@ void draw_plan_dialog(Ui& ui, Workspace& work, PlanState& planning) {
     draw_divider(ui.theme);
     if (!obstacle.empty()) coloured_text(ui.theme.warning, obstacle);
     const bool current = is_plan_current(work, planning);
-    ImGui::BeginDisabled(!obstacle.empty() || is_planning(planning) || current);
-    if (primary_button(ui, "Simulate")) simulate_plan(ui, work, planning);
-    note_item(ui.rects, "button:simulate plan");
-    ImGui::EndDisabled();
+    if (primary_button(ui, {.id = "button:simulate plan",
+                            .label = "Simulate",
+                            .enabled = obstacle.empty() && !is_planning(planning) && !current})) {
+        simulate_plan(ui, work, planning);
+    }
     ImGui::SameLine();
-    ImGui::BeginDisabled(!current || !planning.chosen);
-    const bool freezes = ImGui::Button("Preregister...");
-    note_item(ui.rects, "button:preregister");
-    draw_tooltip(ui,
-                 "Choose a number of people in the table; the plan is then frozen in a folder.");
-    ImGui::EndDisabled();
-    if (freezes) {
+    if (button(ui, {.id = "button:preregister",
+                    .label = "Preregister...",
+                    .tip = "Choose a number of people in the table; the plan is then frozen in a "
+                           "folder.",
+                    .enabled = current && planning.chosen})) {
         give_way(ui);
         return choose_preregistration_folder(ui, work);
     }

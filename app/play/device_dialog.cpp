@@ -32,10 +32,11 @@ void draw_device_row(Ui& ui, Timeline& timeline, PlayState& play, const DeviceIn
     const Theme& theme = ui.theme;
     const bool chosen = device.id == play.choice.id;
     ImGui::PushID(device.id.c_str());
-    if (draw_radio(ui, device.name.c_str(), chosen) && !chosen) {
+    const Item item{
+        .id = "choose:" + device.id, .label = device.name, .value = chosen ? "chosen" : ""};
+    if (radio(ui, item, chosen) && !chosen) {
         choose_device(ui, timeline, play, remembered_choice(play, device.id));
     }
-    note_item(ui.rects, "choose:" + device.id, chosen ? "chosen" : "");
     ImGui::PopID();
     ImGui::Indent(18.0F * theme.scale);
     ImGui::PushTextWrapPos(0.0F);
@@ -43,19 +44,17 @@ void draw_device_row(Ui& ui, Timeline& timeline, PlayState& play, const DeviceIn
     const std::string trouble = chosen ? device_trouble(play) : device.trouble;
     if (!trouble.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme.warning);
-        ImGui::TextUnformatted(shown_lines(trouble).c_str());
+        plain_text(ui, {.id = "device trouble", .text = trouble});
         ImGui::PopStyleColor();
-        note_item(ui.rects, "device trouble", trouble);
     }
     ImGui::PopTextWrapPos();
     ImGui::Unindent(18.0F * theme.scale);
 }
 
 void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
-    if (draw_radio(ui, "No device: the playhead moves, nothing is felt", play.choice.id.empty())) {
-        choose_device(ui, timeline, play, {});
-    }
-    note_item(ui.rects, "choose:silent");
+    const Item silent{.id = "choose:silent",
+                      .label = "No device: the playhead moves, nothing is felt"};
+    if (radio(ui, silent, play.choice.id.empty())) choose_device(ui, timeline, play, {});
     if (play.listed) {
         const auto listed = play.listed;
         for (const DeviceInfo& device : *listed) draw_device_row(ui, timeline, play, device);
@@ -66,9 +65,8 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     if (!is_missing && !is_none && !has_cards_fault) return;
     ImGui::PushTextWrapPos(0.0F);
     if (is_missing) ImGui::TextUnformatted(shown_text(device_text(play)).c_str());
-    dim_text(ui, device_trouble(play));
+    dim_text(ui, {.id = "device advice", .text = device_trouble(play)});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "device advice", device_trouble(play));
 }
 
 // A combo of a few names.
@@ -80,11 +78,10 @@ bool draw_combo(Ui& ui, const char* label, const char* id, const std::vector<std
     bool changed = false;
     if (ImGui::BeginCombo(id, at < names.size() ? label_of(names[at]).c_str() : "")) {
         for (std::size_t k = 0; k < names.size(); ++k) {
-            if (ImGui::Selectable(label_of(names[k]).c_str(), k == at)) {
-                chosen = static_cast<int>(k);
-                changed = true;
-            }
-            note_item(ui.rects, std::string("choose:") + (id + 2) + " " + names[k]);
+            const std::string name = std::string("choose:") + (id + 2) + " " + names[k];
+            if (!option(ui, {.id = name, .label = names[k]}, k == at)) continue;
+            chosen = static_cast<int>(k);
+            changed = true;
         }
         ImGui::EndCombo();
     }
@@ -154,15 +151,18 @@ constexpr Field kFullScale{
 
 void draw_calibration_links(Ui& ui, const Workspace& work, const PlayState& play) {
     if (can_be_calibrated(play)) {
-        if (link(ui, "calibrate", "Calibrate...")) ui.dialog = Dialog::calibrate;
-        note_item(ui.rects, "link:calibrate");
-        draw_tooltip(ui, "With an accelerometer on the actuator: how many g it gives");
+        if (link(ui, {.id = "link:calibrate",
+                      .label = "Calibrate...",
+                      .tip = "With an accelerometer on the actuator: how many g it gives"})) {
+            ui.dialog = Dialog::calibrate;
+        }
         ImGui::SameLine(0.0F, ui.theme.padding_px);
     }
-    if (link(ui, "load calibration", "Load calibration..."))
+    if (link(ui, {.id = "link:load calibration",
+                  .label = "Load calibration...",
+                  .tip = "A file that an earlier calibration of this actuator has left"})) {
         load_calibration_dialog(ui, work, play);
-    note_item(ui.rects, "link:load calibration");
-    draw_tooltip(ui, "A file that an earlier calibration of this actuator has left");
+    }
 }
 
 // The strength of drives: from a calibration, or from the full scale in g.
@@ -171,13 +171,11 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     const std::string calibrated = calibration_text(play);
     if (!calibrated.empty()) {
         ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(shown_text(calibrated).c_str());
+        plain_text(ui, {.id = "calibrated", .text = calibrated});
         ImGui::PopTextWrapPos();
-        note_item(ui.rects, "calibrated", calibrated);
         dim_text(ui, "at a level of 100 % patterns have the strength they say");
-        if (link(ui, "no calibration", "Use none"))
+        if (link(ui, {.id = "link:no calibration", .label = "Use none"}))
             use_calibration(ui, work, timeline, rendered, play, {});
-        note_item(ui.rects, "link:no calibration");
         ImGui::SameLine(0.0F, ui.theme.padding_px);
         draw_calibration_links(ui, work, play);
         return;
@@ -186,16 +184,18 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
     full_scale.normal = PlayState{}.full_scale_g;
     if (draw_field(ui, full_scale, play.full_scale_g).changed) begin_softly(play);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    ImGui::TextUnformatted("Uncalibrated");
+    plain_text(ui, {.id = "uncalibrated", .text = "Uncalibrated"});
     ImGui::PopStyleColor();
-    note_item(ui.rects, "uncalibrated");
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     dim_text(ui, "what is felt in g is not known");
-    if (draw_check(ui.theme, "Protect the actuator", play.is_protected)) begin_softly(play);
-    note_item(ui.rects, "check:protect", play.is_protected ? "on" : "off");
-    draw_tooltip(ui,
-                 "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
-                 "stops after a minute on end. Without it an actuator may be harmed.");
+    const Item protect{
+        .id = "check:protect",
+        .label = "Protect the actuator",
+        .tip =
+            "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
+            "stops after a minute on end. Without it an actuator may be harmed.",
+        .value = play.is_protected ? "on" : "off"};
+    if (check(ui, protect, play.is_protected)) begin_softly(play);
     draw_calibration_links(ui, work, play);
 }
 
@@ -231,14 +231,14 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     draw_list(ui, timeline, play);
     draw_choice(ui, work, timeline, rendered, play);
     ImGui::Spacing();
-    ImGui::BeginDisabled(!can_sound(play));
-    if (ImGui::Button("Test buzz")) play_test_buzz(ui, timeline, play);
-    note_item(ui.rects, "button:test buzz");
-    draw_tooltip(ui, "150 Hz for 0.3 s, at the playback level");
-    ImGui::EndDisabled();
+    if (button(ui, {.id = "button:test buzz",
+                    .label = "Test buzz",
+                    .tip = "150 Hz for 0.3 s, at the playback level",
+                    .enabled = can_sound(play)})) {
+        play_test_buzz(ui, timeline, play);
+    }
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (ImGui::Button("Refresh")) refresh_devices(ui, play);
-    note_item(ui.rects, "button:refresh");
+    if (button(ui, {.id = "button:refresh", .label = "Refresh"})) refresh_devices(ui, play);
     if (play.list_job.busy()) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         dim_text(ui, "looking...");

@@ -41,12 +41,13 @@ void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
     if (ImGui::BeginCombo("##kind", shown, ImGuiComboFlags_HeightLargest)) {
         for (const ActuatorKind kind : kActuatorKinds) {
             const bool chosen = rendered.by.kind == kind;
-            if (ImGui::Selectable(traits(kind).name, chosen) && !chosen) {
+            const Item item{.id = std::string("choose:") + traits(kind).key,
+                            .label = traits(kind).name,
+                            .tip = std::string("Keeps ") + traits(kind).keeps + "."};
+            if (option(ui, item, chosen) && !chosen) {
                 rendered.by.kind = kind;
                 if (rendered.on) predictions_changed(work);
             }
-            note_item(ui.rects, std::string("choose:") + traits(kind).key);
-            draw_tooltip(ui, (std::string("Keeps ") + traits(kind).keeps + ".").c_str());
         }
         ImGui::EndCombo();
     }
@@ -56,11 +57,14 @@ void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
 void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
     constexpr const char* kLabel = "Predict from this";
     flow_on(check_width(ui.theme, kLabel), 1.5F * ui.theme.gap_px);
-    if (draw_check(ui.theme, kLabel, rendered.on)) predictions_changed(work);
-    note_item(ui.rects, "rendered", rendered.on ? "on" : "off");
-    draw_tooltip(ui,
-                 "Stages, matrix, map and metrics of what the device plays, instead of what was "
-                 "meant. Titles say so; the document does not change.");
+    const Item item{
+        .id = "rendered",
+        .label = kLabel,
+        .tip =
+            "Stages, matrix, map and metrics of what the device plays, instead of what was "
+            "meant. Titles say so; the document does not change.",
+        .value = rendered.on ? "on" : "off"};
+    if (check(ui, item, rendered.on)) predictions_changed(work);
 }
 
 void draw_full_scale(Ui& ui, Workspace& work, RenderingState& rendered) {
@@ -87,15 +91,17 @@ void take_level(Workspace& work, RenderingState& rendered, double level) {
 }
 
 void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlayState& play) {
-    const std::string words = "At the playback level, " + exact_percent(play.level);
-    if (draw_check(ui.theme, (words + "###level").c_str(), rendered.at_bar_level)) {
+    const Item item{
+        .id = "rendering:at bar level",
+        .label = "At the playback level, " + exact_percent(play.level),
+        .tip =
+            "As strong as it is played now, by the level at the top of the window: a weak "
+            "motor's dead zone included. When it is off, patterns are taken at "
+            "full level, with the strength that they say.",
+        .value = rendered.at_bar_level ? "on" : "off"};
+    if (check(ui, item, rendered.at_bar_level)) {
         take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
     }
-    note_item(ui.rects, "rendering:at bar level", rendered.at_bar_level ? "on" : "off");
-    draw_tooltip(ui,
-                 "As strong as it is played now, by the level at the top of the window: a weak "
-                 "motor's dead zone included. When it is off, patterns are taken at "
-                 "full level, with the strength that they say.");
 }
 
 // The larger peak of both, so that the weaker looks weaker.
@@ -150,8 +156,8 @@ void draw_band(Ui& ui, const BandEnergy& band, double whole_g2, bool is_last) {
         band.intended_g2 > 1e-4 * whole_g2 ? percent(band.share_lost) : "\u2013";
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(band_words(band, is_last).c_str());
-    note_item(ui.rects, "band:" + band_words(band, is_last), lost);
+    const std::string words = band_words(band, is_last);
+    plain_text(ui, {.id = "band:" + words, .text = words, .value = lost});
     cell(percent(band.intended_g2 / whole_g2));
     cell(percent(band.rendered_g2 / whole_g2));
     const bool much = band.share_lost > 0.5 && band.intended_g2 > 0.05 * whole_g2;
@@ -223,8 +229,7 @@ void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
     }
     text += ".";
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(unbroken(text).c_str());
-    note_item(ui.rects, "rendering:summary", text);
+    plain_text(ui, {.id = "rendering:summary", .text = unbroken(text), .value = text});
     ImGui::PushFont(ui.theme.fonts.small);
     for (const std::string& remark : remarks_on(rendering)) dim_text(ui, remark);
     const std::string origin =
@@ -233,8 +238,7 @@ void draw_summary(Ui& ui, const Rendering& rendering, bool at_bar_level) {
                                      : ". Computed from how it is told, not measured") +
         ", at a level of " + exact_percent(rendering.by.level) +
         (at_bar_level ? ", the playback level." : ", not the playback level.");
-    dim_text(ui, unbroken(origin));
-    note_item(ui.rects, "rendering:origin", origin);
+    dim_text(ui, {.id = "rendering:origin", .text = unbroken(origin), .value = origin});
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
 }
@@ -283,11 +287,9 @@ void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingSta
     draw_switch(ui, work, rendered);
     draw_level(ui, work, rendered, play);
     if (is_calibrated(rendered.by)) {
-        const std::string text = calibration_text(play);
         ImGui::PushTextWrapPos(0.0F);
-        dim_text(ui, text);
+        dim_text(ui, {.id = "rendering:calibrated", .text = calibration_text(play)});
         ImGui::PopTextWrapPos();
-        note_item(ui.rects, "rendering:calibrated", text);
     } else {
         draw_full_scale(ui, work, rendered);
     }

@@ -35,10 +35,11 @@ float meter_share(double of_full_scale) {
 
 void draw_device_item(Ui& ui, Timeline& timeline, PlayState& play, const DeviceInfo& device) {
     const bool chosen = device.id == play.choice.id;
-    if (ImGui::MenuItem(label_of(device.name).c_str(), device.interface.c_str(), chosen)) {
+    const Item item{
+        .id = "device:" + device.id, .label = device.name, .value = chosen ? "chosen" : ""};
+    if (menu_item(ui, item, device.interface.c_str(), chosen)) {
         choose_device(ui, timeline, play, remembered_choice(play, device.id));
     }
-    note_item(ui.rects, "device:" + device.id, chosen ? "chosen" : "");
 }
 
 void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
@@ -47,22 +48,20 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     const std::string trouble = device_trouble(play);
     if (!trouble.empty()) {
         ImGui::PushTextWrapPos(320.0F * ui.theme.scale);
-        dim_text(ui, trouble);
+        dim_text(ui, {.id = "device advice", .text = trouble});
         ImGui::PopTextWrapPos();
-        note_item(ui.rects, "device advice", trouble);
         draw_divider(ui.theme);
     }
-    if (ImGui::MenuItem("No device", nullptr, !is_device_chosen(play)))
+    const Item silent{.id = "device:silent", .label = "No device"};
+    if (menu_item(ui, silent, nullptr, !is_device_chosen(play)))
         choose_device(ui, timeline, play, {});
-    note_item(ui.rects, "device:silent");
     const auto listed = play.listed;  // a copy: choosing may change it
     for (std::size_t k = 0; listed && k < listed->size(); ++k)
         draw_device_item(ui, timeline, play, (*listed)[k]);
     draw_divider(ui.theme);
-    if (ImGui::MenuItem("Refresh devices")) refresh_devices(ui, play);
-    note_item(ui.rects, "device:refresh");
-    if (ImGui::MenuItem("Devices...")) ui.dialog = Dialog::devices;
-    note_item(ui.rects, "device:dialog");
+    if (menu_item(ui, {.id = "device:refresh", .label = "Refresh devices"}))
+        refresh_devices(ui, play);
+    if (menu_item(ui, {.id = "device:dialog", .label = "Devices..."})) ui.dialog = Dialog::devices;
     ImGui::EndPopup();
 }
 
@@ -74,11 +73,13 @@ void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) 
     const Theme& theme = ui.theme;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{device_width(ui, wide), ImGui::GetFrameHeight()};
-    if (ImGui::Button("##device", size)) ImGui::OpenPopup("device menu");
     const std::string text = device_text(play);
-    note_item(ui.rects, "device", text);
     const std::string trouble = device_trouble(play);
-    draw_tooltip(ui, (text + ". " + (trouble.empty() ? kPlays : trouble)).c_str());
+    const Item item{.id = "device",
+                    .label = "",
+                    .tip = text + ". " + (trouble.empty() ? kPlays : trouble),
+                    .value = text};
+    if (button(ui, item, size)) ImGui::OpenPopup("device menu");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
     // Looks and stands like a combo of ImGui.

@@ -53,10 +53,12 @@ void draw_speeds(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& sh
     for (const Speed& speed : kSpeeds) {
         const bool chosen = timeline.playhead.speed == speed.speed;
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, faded(ui.theme.accent, 0.35F));
-        if (ImGui::Button(speed.text)) set_speed(ui, work, timeline, shown_map, play, speed.speed);
+        const Item item{.id = std::string("speed:") + speed.text,
+                        .label = speed.text,
+                        .tip = speed.tip,
+                        .value = chosen ? "chosen" : ""};
+        if (button(ui, item)) set_speed(ui, work, timeline, shown_map, play, speed.speed);
         if (chosen) ImGui::PopStyleColor();
-        note_item(ui.rects, std::string("speed:") + speed.text, chosen ? "chosen" : "");
-        draw_tooltip(ui, speed.tip);
         ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     }
 }
@@ -198,26 +200,22 @@ void draw_time(Ui& ui, const Workspace& work, Timeline& timeline, const BarParts
     const TimeTexts time = time_texts(work, timeline);
     ImGui::PushFont(ui.theme.fonts.semibold);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(time.at.c_str());
+    plain_text(ui, {.id = "playhead", .text = time.at});
     ImGui::PopFont();
-    note_item(ui.rects, "playhead", time.at);
     const float rest_px = time_slot(ui, time) - ImGui::GetItemRectSize().x;
     ImGui::SameLine(0.0F, 0.0F);
     ImGui::Dummy({rest_px, 1.0F});
     if (parts.whole) {
         ImGui::SameLine(0.0F, ui.theme.gap_px * 0.75F);
-        dim_text(ui, time.whole);
-        note_item(ui.rects, "bar:whole");
+        dim_text(ui, {.id = "bar:whole", .text = time.whole});
     }
     if (time.range.empty()) return;
     ImGui::SameLine(0.0F, ui.theme.padding_px);
     if (parts.range) {
-        dim_text(ui, time.range);
-        note_item(ui.rects, "bar:range");
+        dim_text(ui, {.id = "bar:range", .text = time.range});
         ImGui::SameLine(0.0F, ui.theme.gap_px);
     }
-    if (row_link(ui, "show all", kShowAll)) timeline.range = {};
-    note_item(ui.rects, "show all");
+    if (row_link(ui, {.id = "show all", .label = kShowAll})) timeline.range = {};
 }
 
 void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
@@ -229,10 +227,9 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
     const float width =
         ImGui::CalcTextSize(text.c_str()).x + ImGui::CalcTextSize(texts.action).x + ui.theme.gap_px;
     ImGui::SameLine(right - width);
-    dim_text(ui, text);
-    note_item(ui.rects, "bar:computing", text);
+    dim_text(ui, {.id = "bar:computing", .text = text});
     ImGui::SameLine(0.0F, ui.theme.gap_px);
-    if (row_link(ui, "map action", texts.action)) {
+    if (row_link(ui, {.id = std::string("map:") + texts.action, .label = texts.action})) {
         if (shown_map.progress) {
             shown_map.full_job.cancel();
             shown_map.preview_job.cancel();
@@ -241,7 +238,6 @@ void draw_computing(Ui& ui, const Workspace& work, ShownMap& shown_map,
             request_maps(ui, work, shown_map, rendered);
         }
     }
-    note_item(ui.rects, std::string("map:") + texts.action);
 }
 
 const char* play_tip(const Timeline& timeline, const PlayState& play) {

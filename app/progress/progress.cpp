@@ -37,18 +37,13 @@ void place_cancel(const Ui& ui, const ProgressLine& line, float begin_px, float 
 }  // namespace
 
 bool draw_progress(Ui& ui, const ProgressLine& line, bool beside_buttons) {
-    const std::string text = progress_text(ui, line);
     const float begin_px = ImGui::GetCursorPosX();
     const float room_px = ImGui::GetContentRegionAvail().x;
     if (beside_buttons) ImGui::AlignTextToFramePadding();
-    dim_text(ui, text);
-    note_item(ui.rects, std::string("progress:") + line.cancels, text);
+    dim_text(ui, {.id = std::string("progress:") + line.cancels, .text = progress_text(ui, line)});
     place_cancel(ui, line, begin_px, room_px);
-    const std::string id = std::string("cancel ") + line.cancels;
-    const bool cancelled =
-        beside_buttons ? row_link(ui, id.c_str(), line.word) : link(ui, id.c_str(), line.word);
-    note_item(ui.rects, "link:" + id);
-    return cancelled;
+    const Item cancel{.id = std::string("link:cancel ") + line.cancels, .label = line.word};
+    return beside_buttons ? row_link(ui, cancel) : link(ui, cancel);
 }
 
 namespace {
@@ -85,9 +80,11 @@ std::string estimate_text(double seconds) {
 
 bool draw_failure(Ui& ui, const char* pane, const std::string& failure) {
     if (failure.empty()) return false;
-    coloured_text(ui.theme.error, "This could not be computed: " + failure +
-                                      ". The next change asks for it again.");
-    note_item(ui.rects, std::string("failed:") + pane, failure);
+    coloured_text(
+        ui, ui.theme.error,
+        {.id = std::string("failed:") + pane,
+         .text = "This could not be computed: " + failure + ". The next change asks for it again.",
+         .value = failure});
     return true;
 }
 

@@ -161,8 +161,8 @@ void draw_sound_rows(Ui& ui, SoundsState& sounds, const SoundsAnswer* answer) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const std::string name = files[k].filename().string();
-        if (ImGui::Selectable(label_of(name).c_str(), sounds.shown == k)) sounds.shown = k;
-        note_item(ui.rects, "sounds:file " + std::to_string(k), name);
+        const Item item{.id = "sounds:file " + std::to_string(k), .label = name};
+        if (option(ui, item, sounds.shown == k)) sounds.shown = k;
         ImGui::TableNextColumn();
         const SoundMade* made = answer == nullptr ? nullptr : &answer->sounds[k];
         const bool is_bad = made != nullptr && !made->fault.empty();
@@ -187,11 +187,9 @@ void draw_actuator_choice(Ui& ui, SoundsRequest& wanted) {
     note_item(ui.rects, "sounds:actuator", map.name);
     if (open) {
         for (const ActuatorMap& one : bundled_actuators()) {
-            if (ImGui::Selectable(one.name.c_str(), one.name == wanted.actuator)) {
-                wanted.actuator = one.name;
-            }
-            draw_tooltip(ui, one.source.c_str());
-            note_item(ui.rects, "sounds actuator:" + one.name);
+            const Item item{
+                .id = "sounds actuator:" + one.name, .label = one.name, .tip = one.source};
+            if (option(ui, item, one.name == wanted.actuator)) wanted.actuator = one.name;
         }
         ImGui::EndCombo();
     }
@@ -201,10 +199,9 @@ void draw_actuator_choice(Ui& ui, SoundsRequest& wanted) {
                              chosen.source;
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, band);
+    dim_text(ui, {.id = "sounds:band", .text = band});
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
-    note_item(ui.rects, "sounds:band", band);
 }
 
 void draw_sound_fields(Ui& ui, SoundsRequest& wanted) {
@@ -215,9 +212,11 @@ void draw_sound_fields(Ui& ui, SoundsRequest& wanted) {
     draw_number_row(ui, {"sounds:full scale", "Full scale", 0.0, kSoundFullScaleG, usual.c_str()},
                     wanted.full_scale_g);
     draw_label(ui, "");
-    draw_check(ui.theme, "Onsets become accents", wanted.accents);
-    note_item(ui.rects, "sounds:accents", wanted.accents ? "on" : "off");
-    draw_tooltip(ui, "What begins suddenly and is over within some 10 ms is drawn as a burst.");
+    check(ui,
+          {.id = "sounds:accents",
+           .label = "Onsets become accents",
+           .tip = "What begins suddenly and is over within some 10 ms is drawn as a burst."},
+          wanted.accents);
 }
 
 void draw_made(Ui& ui, const SoundsState& sounds, const SoundsAnswer* answer) {

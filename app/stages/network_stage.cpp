@@ -93,15 +93,14 @@ Rect draw_network_choice(Ui& ui, Physiology& physiology, const Rect& area) {
     const float room = (area.width() - 3.0F * gap) / 4.0F - chip_width(ui, "");
     ImGui::SetCursorScreenPos(area.min);
     for (const Receptor type : kReceptors) {
-        const std::string id = std::string("network:") + traits(type).afferent;
         const char* const name = traits(type).name;
-        const std::string text = in_full ? name : shortened(ui.theme.fonts.small, name, room);
-        if (draw_chip(ui, id.c_str(), text.c_str(), state.network == type)) {
+        const Item item{.id = std::string("network:") + traits(type).afferent,
+                        .label = in_full ? name : shortened(ui.theme.fonts.small, name, room),
+                        .tip = in_full ? "" : name};
+        if (chip(ui, item, state.network == type)) {
             state.network = type;
             state.network_chosen = true;
         }
-        note_item(ui.rects, id);
-        if (!in_full) draw_tooltip(ui, name);
         ImGui::SameLine(0.0F, gap);
     }
     const float words_px = font_or_current(ui.theme.fonts.small).FontSize;

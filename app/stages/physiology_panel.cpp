@@ -215,11 +215,12 @@ StagesAction draw_physiology_row(Ui& ui, Workspace& work, Timeline& timeline,
     ImGui::SetCursorScreenPos({rest.max.x - links, rest.min.y});
     ImGui::BeginGroup();
     StagesAction action = physiology.view.open ? StagesAction::unfold : StagesAction::none;
-    if (link(ui, "unfold", "All stages")) action = StagesAction::unfold;
-    note_item(ui.rects, "stages:unfold");
-    if (link(ui, "close stages", "Close")) action = StagesAction::close;
-    note_item(ui.rects, "stages:close");
-    draw_tooltip(ui, "They come back by Stages in one row, in the View menu");
+    if (link(ui, {.id = "stages:unfold", .label = "All stages"})) action = StagesAction::unfold;
+    if (link(ui, {.id = "stages:close",
+                  .label = "Close",
+                  .tip = "They come back by Stages in one row, in the View menu"})) {
+        action = StagesAction::close;
+    }
     ImGui::EndGroup();
     return action;
 }

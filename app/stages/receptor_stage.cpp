@@ -140,11 +140,11 @@ void draw_view_choice(Ui& ui, Physiology& physiology, ImVec2 corner) {
     ImGui::SetCursorScreenPos(corner);
     PhysiologyState& state = physiology.view;
     const auto choose = [&](const char* name, bool tilted) {
-        if (draw_switch(ui, name, name, state.tilted == tilted) && state.tilted != tilted) {
+        const bool chosen = state.tilted == tilted;
+        if (toggle(ui, {.id = std::string("view:") + name, .label = name}, chosen) && !chosen) {
             state.tilted = tilted;
             state.tilt_since_s = ui.time_s;
         }
-        note_item(ui.rects, std::string("view:") + name);
         ImGui::SameLine(0.0F, 2.0F * ui.theme.scale);
     };
     choose(kFromAbove, false);

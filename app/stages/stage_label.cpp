@@ -94,17 +94,15 @@ void draw_measured_facts(const Ui& ui, const std::string& key) {
 
 void draw_way(Ui& ui, Physiology& physiology, Stage stage) {
     const std::size_t at = index_of(stage);
-    ImGui::BeginDisabled(at == 0);
-    if (ImGui::Button("Previous stage")) physiology.view.explained = kStages[at - 1];
-    ImGui::EndDisabled();
+    const auto to = [&](const char* id, const char* label, bool enabled, std::size_t next) {
+        if (button(ui, {.id = id, .label = label, .enabled = enabled}))
+            physiology.view.explained = kStages[next];
+    };
+    to("explain:previous", "Previous stage", at > 0, at - 1);
     flow_on(button_width("Next stage"), ui.theme.gap_px);
-    ImGui::BeginDisabled(at + 1 == kStages.size());
-    if (ImGui::Button("Next stage")) physiology.view.explained = kStages[at + 1];
-    note_item(ui.rects, "explain:next");
-    ImGui::EndDisabled();
+    to("explain:next", "Next stage", at + 1 < kStages.size(), at + 1);
     flow_on(button_width("Close"), ui.theme.gap_px);
-    if (ImGui::Button("Close")) physiology.view.explained.reset();
-    note_item(ui.rects, "explain:close");
+    if (button(ui, {.id = "explain:close", .label = "Close"})) physiology.view.explained.reset();
 }
 
 }  // namespace

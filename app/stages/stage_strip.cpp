@@ -12,11 +12,10 @@ namespace {
 
 constexpr const char* kAllStages = "All stages";
 
-// A stage in the strip; below it, the distance of two patterns at this stage.
-void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char* text, bool lit,
+// A stage in the strip, or all of them; below it, the distance of two patterns at this stage.
+void draw_stage_chip(Ui& ui, Physiology& physiology, const Item& item, std::optional<Stage> stage,
                      std::optional<double> difference) {
-    const bool pressed = draw_chip(ui, key, text, lit);
-    note_item(ui.rects, std::string("stage:") + key);
+    const bool pressed = chip(ui, item, physiology.view.open == stage);
     if (difference) {
         const Theme& theme = ui.theme;
         const ImVec2 corner{ImGui::GetItemRectMin().x,
@@ -29,7 +28,6 @@ void draw_stage_chip(Ui& ui, Physiology& physiology, const char* key, const char
                            difference_colour(theme));
     }
     if (!pressed) return;
-    const std::optional<Stage> stage = stage_named(key);
     physiology.view.open = physiology.view.open == stage ? std::nullopt : stage;
 }
 
@@ -42,11 +40,7 @@ std::string compare_words(const Ui& ui, const Workspace& work) {
 
 constexpr const char* kUnpin = "\u00d7";
 constexpr const char* kFold = "Fold";
-constexpr const char* kFoldHelp = "The stages in one row, and room for the map";
 constexpr const char* kTextbook = "Textbook";
-constexpr const char* kTextbookHelp =
-    "What was measured in skin, fibres, brain and people, with its sources, over each stage, and "
-    "where the model parts from it";
 constexpr const char* kMore = "More\u2026";
 constexpr const char* kHint =
     "Space plays silently, in slow motion; drag in any plot to move through time; a stage's name "
@@ -68,43 +62,43 @@ void open_below(const Theme& theme, const Rect& asked) {
 void draw_patterns_to_compare(Ui& ui, Workspace& work) {
     for (const Vibration& vibration : work.document.set.vibrations) {
         if (&vibration == current_vibration(work)) continue;
-        if (ImGui::Selectable(label_of(vibration.name).c_str(),
-                              work.selection.pinned == vibration.name)) {
+        const Item item{.id = "pin:" + vibration.name, .label = vibration.name};
+        if (option(ui, item, work.selection.pinned == vibration.name))
             work.selection.pinned = vibration.name;
-        }
-        note_item(ui.rects, "pin:" + vibration.name);
     }
 }
 
 StagesAction draw_links(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun,
                         float gap_px) {
     StagesAction action = StagesAction::none;
-    draw_check(ui.theme, kTextbook, physiology.view.textbook);
-    note_item(ui.rects, "textbook");
-    draw_tooltip(ui, kTextbookHelp);
-    flow_on(words_px(compare_words(ui, work)), gap_px);
-    if (row_link(ui, "compare", compare_words(ui, work))) ImGui::OpenPopup("compare with");
-    note_item(ui.rects, "compare with");
+    check(
+        ui,
+        {.id = "textbook",
+         .label = kTextbook,
+         .tip = "What was measured in skin, fibres, brain and people, with its sources, over each "
+                "stage, and where the model parts from it"},
+        physiology.view.textbook);
+    const std::string compare = compare_words(ui, work);
+    flow_on(words_px(compare), gap_px);
+    if (row_link(ui, {.id = "compare with", .label = compare})) ImGui::OpenPopup("compare with");
     if (!work.selection.pinned.empty()) {
         ImGui::SameLine();
-        if (row_link(ui, "unpin", kUnpin)) work.selection.pinned.clear();
-        note_item(ui.rects, "unpin");
-        draw_tooltip(ui, "Show one pattern again");
+        const Item unpin{.id = "unpin", .label = kUnpin, .tip = "Show one pattern again"};
+        if (row_link(ui, unpin)) work.selection.pinned.clear();
     }
-    flow_on(words_px(tour_words(tour_begun)), gap_px);
-    if (row_link(ui, "tour", tour_words(tour_begun))) action = StagesAction::tour;
-    note_item(ui.rects, "start tour");
+    const char* tour = tour_words(tour_begun);
+    flow_on(words_px(tour), gap_px);
+    if (row_link(ui, {.id = "start tour", .label = tour})) action = StagesAction::tour;
     flow_on(words_px(kFold), gap_px);
-    if (row_link(ui, "fold", kFold)) action = StagesAction::fold;
-    note_item(ui.rects, "stages:fold");
-    draw_tooltip(ui, kFoldHelp);
+    const Item fold{
+        .id = "stages:fold", .label = kFold, .tip = "The stages in one row, and room for the map"};
+    if (row_link(ui, fold)) action = StagesAction::fold;
     return action;
 }
 
 // The links as a menu, for a pane without room for them.
 StagesAction draw_more(Ui& ui, Workspace& work, Physiology& physiology, bool tour_begun) {
-    if (link(ui, "more", kMore)) ImGui::OpenPopup("more of the stages");
-    note_item(ui.rects, "stages:more");
+    if (link(ui, {.id = "stages:more", .label = kMore})) ImGui::OpenPopup("more of the stages");
     if (!ImGui::IsPopupOpen("more of the stages")) return StagesAction::none;
     open_below(ui.theme, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
     if (!ImGui::BeginPopup("more of the stages")) return StagesAction::none;
@@ -142,13 +136,15 @@ StagesAction draw_strip(Ui& ui, Workspace& work, Physiology& physiology, bool to
     for (const Stage stage : kStages) all_px += gap + chip_width(ui, text_of(stage).short_name);
     const bool in_line = all_px <= ImGui::GetContentRegionAvail().x;
     if (in_line && !physiology.view.open) draw_hint(ui, "physiology", kHint);
-    draw_stage_chip(ui, physiology, "all", kAllStages, !physiology.view.open, std::nullopt);
+    draw_stage_chip(ui, physiology, {.id = "stage:all", .label = kAllStages}, {}, {});
     for (const Stage stage : kStages) {
         const StageText& text = text_of(stage);
         flow_on(chip_width(ui, text.short_name), gap);
-        draw_stage_chip(ui, physiology, text.key, text.short_name, physiology.view.open == stage,
+        const Item item{.id = std::string("stage:") + text.key,
+                        .label = text.short_name,
+                        .tip = std::string(text.name) + ": " + text.detail};
+        draw_stage_chip(ui, physiology, item, stage,
                         difference.a ? difference.stages[index_of(stage)] : std::nullopt);
-        draw_tooltip(ui, (std::string(text.name) + ": " + text.detail).c_str());
     }
     if (ui.presenting) return StagesAction::none;
 

@@ -30,8 +30,7 @@ void draw_choice(Ui& ui, StudyState& studying) {
     draw_segments(ui, kShown, studying.show, "study show:");
     if (!studying.shown) return;
     flow_on(ImGui::CalcTextSize("Show the mean").x, 2.0F * ui.theme.gap_px);
-    if (row_link(ui, "show mean", "Show the mean")) studying.shown.reset();
-    note_item(ui.rects, "link:show mean");
+    if (row_link(ui, {.id = "link:show mean", .label = "Show the mean"})) studying.shown.reset();
 }
 
 bool has_map(const PerceptualSpace& space, std::size_t patterns) {

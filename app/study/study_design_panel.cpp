@@ -64,26 +64,22 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
         const DeviceInfo& device = (*listed)[k];
         if (device.kind != DeviceKind::audio) continue;
         const bool is_actuator = is_actuators(play, device);
-        const std::string label = device.name + (is_actuator ? " (the actuator's)" : "");
-        ImGui::PushID(device.id.c_str());
-        if (ImGui::Selectable(label_of(label).c_str(), device.id == design.headphones,
-                              is_actuator ? ImGuiSelectableFlags_Disabled : 0)) {
+        if (option(ui,
+                   {.id = "study headphones:" + device.id,
+                    .label = device.name + (is_actuator ? " (the actuator's)" : ""),
+                    .enabled = !is_actuator,
+                    .value = is_actuator ? "the actuator's" : ""},
+                   device.id == design.headphones)) {
             change_at_once(ui, work, "study: headphones",
                            [id = device.id](StudyDesign& d) { d.headphones = id; });
         }
-        ImGui::PopID();
-        note_item(ui.rects, "study headphones:" + device.id, is_actuator ? "the actuator's" : "");
     }
     if (is_open) ImGui::EndCombo();
     const Expected<DeviceInfo> output = masking_output(play, work.document.set.study.headphones);
     if (output) return;
-    const std::string why = "No masking noise: " + output.error().message + ".";
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(why.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    note_item(ui.rects, "study:no masking", why);
+    coloured_text(
+        ui, ui.theme.warning,
+        {.id = "study:no masking", .text = "No masking noise: " + output.error().message + "."});
 }
 
 void draw_kind(Ui& ui, StudyState& studying) {
@@ -115,15 +111,11 @@ void draw_chance(Ui& ui, const StudyDesign& design) {
     const std::string text = words_on_chance(design.attention_pairs, design.attention) +
                              " would pass the identical pairs" +
                              (is_weak ? ": more of them, or fewer to miss, let fewer pass." : ".");
-    ImGui::PushStyleColor(ImGuiCol_Text, is_weak ? ui.theme.warning : ui.theme.dim_text);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    note_item(ui.rects, "study:chance", text);
-    draw_tooltip(ui,
-                 "Binomial, exact: each whole number of the slider as likely, each identical pair "
-                 "for itself.");
+    coloured_text(ui, is_weak ? ui.theme.warning : ui.theme.dim_text,
+                  {.id = "study:chance",
+                   .text = text,
+                   .tip = "Binomial, exact: each whole number of the slider as likely, each "
+                          "identical pair for itself."});
 }
 
 // "20 min"; of more than three hours "337 h".
@@ -152,14 +144,16 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
                minutes_text(minutes);
     }
     ImGui::PushFont(ui.theme.fonts.large);
-    wrapped_text(text);
+    wrapped_text(ui, {.id = "study:prediction", .text = text});
     ImGui::PopFont();
-    note_item(ui.rects, "study:prediction", text);
     draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");
     if (studying.kind != StudyKind::pairwise) return;
-    if (link(ui, "plan", "How many people?")) ui.dialog = Dialog::plan;
-    note_item(ui.rects, "link:plan");
-    draw_tooltip(ui, "Simulates studies: how sure would this one be, and which patterns decide?");
+    if (link(ui, {.id = "link:plan",
+                  .label = "How many people?",
+                  .tip = "Simulates studies: how sure would this one be, and which patterns "
+                         "decide?"})) {
+        ui.dialog = Dialog::plan;
+    }
     draw_chance(ui, design);
 }
 
@@ -212,9 +206,9 @@ void draw_patterns(Ui& ui, Workspace& work) {
     const std::set<std::string_view> taking_part(chosen.begin(), chosen.end());
     for (const std::string& name : all) {
         bool takes_part = taking_part.contains(name);
-        if (draw_check(ui.theme, name.c_str(), takes_part))
+        if (check(ui, {.id = "study pattern:" + name, .label = name}, takes_part)) {
             toggle_pattern(ui, work, name, takes_part);
-        note_item(ui.rects, "study pattern:" + name, takes_part ? "on" : "off");
+        }
     }
 }
 
@@ -242,20 +236,18 @@ void draw_text_row(Ui& ui, Workspace& work, StudyState& studying, const TextRow&
     ImGui::PushID(row.id);
     dim_text(ui, row.title);
     bool is_edited = studying.edited_text == row.id;
-    const char* toggle = is_edited ? "Done" : "Edit";
     ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
-    if (link(ui, "edit", toggle)) {
+    if (link(ui,
+             {.id = std::string("study:edit ") + row.id, .label = is_edited ? "Done" : "Edit"})) {
         is_edited = !is_edited;
         studying.edited_text = is_edited ? row.id : "";
     }
-    note_item(ui.rects, std::string("study:edit ") + row.id);
     if (!(work.document.set.study.*row.text).empty()) {
         ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
-        if (link(ui, "standard", "Standard text")) {
+        if (link(ui, {.id = std::string("study:standard ") + row.id, .label = "Standard text"})) {
             change_at_once(ui, work, std::string("study: ") + row.id,
                            [&](StudyDesign& design) { (design.*row.text).clear(); });
         }
-        note_item(ui.rects, std::string("study:standard ") + row.id);
     }
     if (is_edited) {
         draw_text_field(ui, work, row, shown);

@@ -8,7 +8,6 @@
 #include "app/study/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
-#include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
@@ -176,8 +175,7 @@ bool draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     draw_entry(ui, "Gender", "gender", studying.gender, "");
     draw_entry(ui, "Writing hand", "hand", studying.hand, "left or right");
     ImGui::Spacing();
-    draw_check(ui.theme, "I agree and take part", studying.agrees);
-    note_item(ui.rects, "check:agree", studying.agrees ? "on" : "off");
+    check(ui, {.id = "check:agree", .label = "I agree and take part"}, studying.agrees);
     ImGui::EndGroup();
     return studying.agrees && fault.empty();
 }
@@ -245,11 +243,11 @@ PageWords words_of(const StudyState& studying) {
 void draw_asking_buttons(Ui& ui, const Workspace& work, const PlayState& play, StudyState& studying,
                          std::span<const KeyPress> pressed) {
     const ImVec2 size = go_on_size(ui.theme);
-    const bool stays = primary_button(ui, "Go on", size) || was_pressed(pressed, key::kEnter);
-    note_item(ui.rects, "button:stay");
+    const bool stays = primary_button(ui, {.id = "button:stay", .label = "Go on"}, size) ||
+                       was_pressed(pressed, key::kEnter);
     ImGui::SameLine(0.0F, ui.theme.padding_px);
-    const bool leaves = ImGui::Button("Leave the study", size) || was_typed(pressed, U'q');
-    note_item(ui.rects, "button:leave");
+    const bool leaves = button(ui, {.id = "button:leave", .label = "Leave the study"}, size) ||
+                        was_typed(pressed, U'q');
     if (stays) {
         act(ui, work, play, studying, {What::stay, 0, 0.0, {}, {}});
     } else if (leaves) {
@@ -279,8 +277,7 @@ void draw_column(Ui& ui, const Workspace& work, const PlayState& play, StudyStat
     draw_text(*ImGui::GetWindowDrawList(), theme.fonts.large, corner, theme.text, words.title);
     ImGui::SetCursorScreenPos({corner.x, corner.y + title});
     ImGui::PushTextWrapPos(edge + width);
-    ImGui::TextUnformatted(words.text.c_str());
-    note_item(ui.rects, "study:text", shown_text(words.text));
+    plain_text(ui, {.id = "study:text", .text = words.text});
     ImGui::PopTextWrapPos();
     const ImVec2 below{corner.x, corner.y + title + text};
     ImGui::SetCursorScreenPos(below);

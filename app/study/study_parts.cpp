@@ -67,11 +67,14 @@ void draw_go_on(Ui& ui, const Workspace& work, const PlayState& play, StudyState
                 const Rect& area, const char* label) {
     ImGui::SetCursorScreenPos(area.min);
     const bool may = studying.run && may_go_on(*studying.run, ui.time_s);
-    ImGui::BeginDisabled(!may);
-    const bool pressed = primary_button(ui, label, go_on_size(ui.theme));
-    ImGui::EndDisabled();
-    note_item(ui.rects, "study:go on", may ? "ready" : "waiting");
-    if (pressed) act(ui, work, play, studying, {StudyEvent::What::go_on, 0, 0.0, {}, {}});
+    if (primary_button(ui,
+                       {.id = "study:go on",
+                        .label = label,
+                        .enabled = may,
+                        .value = may ? "ready" : "waiting"},
+                       go_on_size(ui.theme))) {
+        act(ui, work, play, studying, {StudyEvent::What::go_on, 0, 0.0, {}, {}});
+    }
 }
 
 }  // namespace tact

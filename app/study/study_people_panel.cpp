@@ -26,34 +26,34 @@ void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted
 
 void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                   PlayState& play, StudyState& studying) {
-    // What cannot be says why, in the place of its help.
     const std::string nobody = participant_obstacle(work, play, studying);
-    ImGui::BeginDisabled(!nobody.empty());
-    if (primary_button(ui, "Run a participant..."))
+    if (primary_button(ui, {.id = "button:run participant",
+                            .label = "Run a participant...",
+                            .tip = "Fills the window: consent, instructions, training, trials.",
+                            .why_not = nobody,
+                            .value = nobody})) {
         begin_participant(ui, work, timeline, play, studying);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:run participant", nobody);
-    draw_tooltip(ui, nobody.empty() ? "Fills the window: consent, instructions, training, trials."
-                                    : nobody.c_str());
+    }
     const std::string no_map = simulation_obstacle(work, studying, shown_map);
     flow_on(button_width("Simulate one"), ui.theme.gap_px);
-    ImGui::BeginDisabled(!no_map.empty());
-    if (ImGui::Button("Simulate one")) simulate_participant(ui, work, shown_map, play, studying);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:simulate", no_map);
-    draw_tooltip(ui, no_map.empty()
-                         ? "A simulated participant: it answers as the model predicts, with noise. "
-                           "Labelled synthetic in its file and wherever it is shown."
-                         : no_map.c_str());
-    const std::string folder = study_folder(work, studying).filename().string();
-    flow_on(ImGui::CalcTextSize(folder.c_str()).x, 2.0F * ui.theme.gap_px);
-    if (row_link(ui, "study folder", folder.empty() ? "Choose a folder..." : folder)) {
+    if (button(ui, {.id = "button:simulate",
+                    .label = "Simulate one",
+                    .tip = "A simulated participant: it answers as the model predicts, with noise. "
+                           "Labelled synthetic in its file and wherever it is shown.",
+                    .why_not = no_map,
+                    .value = no_map})) {
+        simulate_participant(ui, work, shown_map, play, studying);
+    }
+    const std::filesystem::path folder = study_folder(work, studying);
+    const std::string name = folder.filename().string();
+    flow_on(ImGui::CalcTextSize(name.c_str()).x, 2.0F * ui.theme.gap_px);
+    if (row_link(ui, {.id = "link:study folder",
+                      .label = name.empty() ? "Choose a folder..." : name,
+                      .tip = "Participants' files are in " + folder.string() +
+                             ". Click to choose another folder.",
+                      .value = folder.string()})) {
         choose_study_folder(ui, work, studying);
     }
-    note_item(ui.rects, "link:study folder", study_folder(work, studying).string());
-    draw_tooltip(ui, ("Participants' files are in " + study_folder(work, studying).string() +
-                      ". Click to choose another folder.")
-                         .c_str());
 }
 
 // What it would be felt by, if by anything.
@@ -141,15 +141,17 @@ float foot_px(const Ui& ui, const StudyState& studying) {
 
 void draw_rule(Ui& ui, StudyState& studying) {
     CollectRule& rule = studying.rule;
-    draw_check(ui.theme, kUnfinished, rule.unfinished_too);
-    note_item(ui.rects, "check:unfinished", rule.unfinished_too ? "on" : "off");
+    check(ui, {.id = "check:unfinished", .label = kUnfinished}, rule.unfinished_too);
     flow_on(segments_width(ui, kScalings), 1.5F * ui.theme.gap_px);
     draw_segments(ui, kScalings, rule.scaling, "study scaling:");
     const std::string rules = conduct_summary(rule.who.conduct);
     flow_on(ImGui::CalcTextSize(rules.c_str()).x, 1.5F * ui.theme.gap_px);
-    if (row_link(ui, "conduct rules", rules)) ui.dialog = Dialog::conduct_rules;
-    note_item(ui.rects, "link:conduct rules", rules);
-    draw_tooltip(ui, "Speed, agreement of repetitions, replays: who does not count by them.");
+    if (row_link(
+            ui, {.id = "link:conduct rules",
+                 .label = rules,
+                 .tip = "Speed, agreement of repetitions, replays: who does not count by them."})) {
+        ui.dialog = Dialog::conduct_rules;
+    }
 }
 
 void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, Comparing& comparing,
@@ -180,16 +182,19 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
     ImGui::EndChild();
     draw_rule(ui, studying);
     if (is_one_line) ImGui::SameLine(0.0F, 2.0F * ui.theme.gap_px);
-    const bool counts = !answers.results->study.judgements.empty();
-    ImGui::BeginDisabled(!counts);
-    if (ImGui::Button(kUse)) use_as_ratings(ui, work, layout, comparing, studying);
-    note_item(ui.rects, "button:use as ratings");
-    ImGui::EndDisabled();
-    draw_tooltip(ui, "Compare then shows which metric agrees with them best. One undo step.");
+    if (button(ui, {.id = "button:use as ratings",
+                    .label = kUse,
+                    .tip = "Compare then shows which metric agrees with them best. One undo step.",
+                    .enabled = !answers.results->study.judgements.empty()})) {
+        use_as_ratings(ui, work, layout, comparing, studying);
+    }
     flow_on(button_width(kExport), ui.theme.gap_px);
-    if (ImGui::Button(kExport)) export_study_dialog(ui, work, studying);
-    note_item(ui.rects, "button:export study");
-    draw_tooltip(ui, "A line an answer, those who are not counted marked: for R and Python.");
+    if (button(ui,
+               {.id = "button:export study",
+                .label = kExport,
+                .tip = "A line an answer, those who are not counted marked: for R and Python."})) {
+        export_study_dialog(ui, work, studying);
+    }
 }
 
 // A design that is another than the first participant's, and the two ways on.
@@ -197,15 +202,17 @@ void draw_design_changes(Ui& ui, Workspace& work, StudyState& studying) {
     const auto changes = design_changes(work, studying);
     if (changes.empty()) return;
     small_text(ui, ui.theme.warning, another_study_words(changes), "study:another design");
-    if (link(ui, "another study", "Begin another study")) {
+    if (link(ui, {.id = "link:another study",
+                  .label = "Begin another study",
+                  .tip = "Its participants go into a folder of their own beside this one."})) {
         begin_another_study(ui, work, studying);
     }
-    note_item(ui.rects, "link:another study");
-    draw_tooltip(ui, "Its participants go into a folder of their own beside this one.");
     flow_on(ImGui::CalcTextSize("Take the design back").x, 2.0F * ui.theme.gap_px);
-    if (link(ui, "design back", "Take the design back")) take_design_back(ui, work, studying);
-    note_item(ui.rects, "link:design back");
-    draw_tooltip(ui, "Asks as the first participant was asked. One undo step.");
+    if (link(ui, {.id = "link:design back",
+                  .label = "Take the design back",
+                  .tip = "Asks as the first participant was asked. One undo step."})) {
+        take_design_back(ui, work, studying);
+    }
 }
 
 void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,

@@ -75,19 +75,24 @@ void draw_row_link(Ui& ui, const Workspace& work, Timeline& timeline, PlayState&
                    StudyState& studying, const StudyRecord& record,
                    const ParticipantSummary& person) {
     const std::string& code = person.code;
+    const auto pressed = [&](const char* what, const char* label, const char* tip) {
+        const std::string id = std::string("link:") + what + " " + code;
+        return link(ui, {.id = id, .label = label, .tip = tip});
+    };
     if (!record.excluded.empty()) {
-        if (link(ui, "count again", "Count again")) count_again(ui, work, studying, code);
-        note_item(ui.rects, "link:count again " + code);
-        draw_tooltip(ui, "Takes the record of why they were left out from the study's folder.");
+        if (pressed("count again", "Count again",
+                    "Takes the record of why they were left out from the study's folder.")) {
+            count_again(ui, work, studying, code);
+        }
     } else if (person.answers < person.wanted && !person.synthetic) {
-        if (link(ui, "go on", "Go on"))
+        if (pressed("go on", "Go on", "Takes the study up again at the trial where it was left.")) {
             resume_participant(ui, work, timeline, play, studying, record);
-        note_item(ui.rects, "link:go on " + code);
-        draw_tooltip(ui, "Takes the study up again at the trial where it was left.");
+        }
     } else if (person.excluded.empty()) {
-        if (link(ui, "leave out", "Leave out...")) ask_to_leave_out(ui, studying, code);
-        note_item(ui.rects, "link:leave out " + code);
-        draw_tooltip(ui, "For a reason, which the study's folder keeps. They can count again.");
+        if (pressed("leave out", "Leave out...",
+                    "For a reason, which the study's folder keeps. They can count again.")) {
+            ask_to_leave_out(ui, studying, code);
+        }
     }
 }
 
@@ -127,8 +132,7 @@ void draw_weights_cell(Ui& ui, const StudyAnswers& answers, const std::string& c
         corner.x += row_px + ui.theme.gap_px;
         ImGui::SetCursorScreenPos(corner);
     }
-    ImGui::TextUnformatted(words.c_str());
-    note_item(ui.rects, "goes by:" + code, words);
+    plain_text(ui, {.id = "goes by:" + code, .text = words});
     if (ImGui::IsItemHovered()) draw_tooltip(ui, weights_text(answers, *person).c_str());
 }
 
@@ -142,9 +146,8 @@ void draw_star_legend(Ui& ui) {
     const ImVec2 size = text_size(font, text);
     if (size.x > room.x || size.y > room.y) return;
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, text);
+    dim_text(ui, {.id = "study:stars", .text = text});
     ImGui::PopFont();
-    note_item(ui.rects, "study:stars", text);
 }
 
 void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& person, float row_px,
@@ -163,15 +166,14 @@ void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& p
     const bool is_odd = !person.excluded.empty() || person.is_outlier;
     ImGui::PushStyleColor(ImGuiCol_Text, is_odd ? ui.theme.warning : ui.theme.dim_text);
     const float room = ImGui::GetContentRegionAvail().x;
-    const std::string shown = fitting(ui.theme.fonts.regular, state, room);
-    ImGui::TextUnformatted(shown.c_str());
+    plain_text(ui, {.id = "shown status:" + person.code,
+                    .text = fitting(ui.theme.fonts.regular, state, room)});
     ImGui::PopStyleColor();
     draw_tooltip(ui, person.is_outlier
                          ? "Agrees with the others far less than they do among themselves "
                            "(below Tukey's lower fence). Counted all the same."
                          : state.c_str());
     note_item(ui.rects, "status:" + person.code, state);
-    note_item(ui.rects, "shown status:" + person.code, shown);
 }
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,
@@ -191,13 +193,15 @@ void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play
     constexpr ImGuiSelectableFlags kRow =
         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap;
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0.0F, 0.5F));
-    if (ImGui::Selectable(label_of(code).c_str(), studying.shown == k, kRow, {0.0F, row_px})) {
+    if (option(ui,
+               {.id = "participant:" + code,
+                .label = code,
+                .value = std::to_string(person->answers) + " of " + std::to_string(person->wanted) +
+                         ", " + state_of(*person)},
+               studying.shown == k, kRow, {0.0F, row_px})) {
         studying.shown = studying.shown == k ? std::nullopt : std::optional(k);
     }
     ImGui::PopStyleVar();
-    note_item(ui.rects, "participant:" + code,
-              std::to_string(person->answers) + " of " + std::to_string(person->wanted) + ", " +
-                  state_of(*person));
     draw_cells(ui, answers, *person, row_px, has_stars);
     next_cell(row_px);
     draw_row_link(ui, work, timeline, play, studying, record, *person);
@@ -297,11 +301,10 @@ struct RuleRow {
 
 void draw_rule_row(Ui& ui, const RuleRow& row, std::optional<double>& value) {
     bool is_on = value.has_value();
-    if (draw_check(ui.theme, row.label, is_on)) {
+    if (check(ui, {.id = std::string("check:") + row.limit.id, .label = row.label, .tip = row.tip},
+              is_on)) {
         value = is_on ? std::optional(row.limit.normal) : std::nullopt;
     }
-    note_item(ui.rects, std::string("check:") + row.limit.id, is_on ? "on" : "off");
-    draw_tooltip(ui, row.tip);
     if (value) draw_limit(ui, row.limit, *value);
 }
 

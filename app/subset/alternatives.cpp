@@ -103,17 +103,19 @@ void draw_alternative(Ui& ui, SubsetState& picking, const Pick& pick, std::size_
     const Alternative one = alternative_of(theme, pick, k, width);
     const float line = ImGui::GetTextLineHeight();
     const float value_px = text_size(font, one.value).x;
-    ImGui::PushID(static_cast<int>(k));
-    if (ImGui::Selectable("##alternative", picking.alternative == k, 0, {0.0F, height_px(one)})) {
+    const std::string whole = one.words + ": " + one.value;
+    if (option(ui,
+               {.id = "alternative:" + std::to_string(k + 1),
+                .label = "",
+                .tip = one.is_one_line ? "" : whole,
+                .value = whole},
+               picking.alternative == k, 0, {0.0F, height_px(one)})) {
         picking.alternative = k;
     }
-    ImGui::PopID();
-    note_item(ui.rects, "alternative:" + std::to_string(k + 1), one.words + ": " + one.value);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float last_y = corner.y + height_px(one) - line;
     draw_text(list, font, {corner.x + width - value_px, last_y}, theme.dim_text, one.value);
     if (one.is_one_line) return draw_text(list, font, corner, theme.text, one.words);
-    draw_tooltip(ui, (one.words + ": " + one.value).c_str());
     draw_text(list, font, corner, theme.text, fitting(font, one.exchange.in, width));
     const float for_px = text_size(font, kFor).x;
     draw_text(list, font, {corner.x, last_y}, theme.dim_text, kFor);
@@ -148,8 +150,8 @@ void draw_alternatives(Ui& ui, SubsetState& picking, const Pick& pick) {
     dim_text(ui, title + (is_by_sum(pick) ? ", by the sum" : ", by the weakest pair"));
     ImGui::PopFont();
     if (picking.alternative) {
-        if (ImGui::Selectable("Back to the best")) picking.alternative.reset();
-        note_item(ui.rects, "alternative:0");
+        if (option(ui, {.id = "alternative:0", .label = "Back to the best"}, false))
+            picking.alternative.reset();
     }
     for (std::size_t k = 0; k < all.size(); ++k) draw_alternative(ui, picking, pick, k);
 }

@@ -27,8 +27,7 @@ bool is_of_preview(const FoundGroups& found) { return found.request.map->request
 
 void draw_group_count(Ui& ui, SubsetState& picking, const CutGroups& cut) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Groups");
-    note_item(ui.rects, "groups label:count");
+    plain_text(ui, {.id = "groups label:count", .text = "Groups"});
     if (ImGui::IsItemHovered() && is_reset_asked(ui)) {
         picking.group_count = 0;
         picking.cut.reset();
@@ -89,16 +88,15 @@ void draw_keep(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& 
     constexpr const char* kKeep = "Keep one of each";
     flow_on(button_width(kKeep), 1.5F * ui.theme.gap_px);
     const std::string obstacle = keep_obstacle(work, shown_map, found);
-    ImGui::BeginDisabled(!obstacle.empty());
-    const bool pressed = primary_button(ui, kKeep);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:keep groups", obstacle);
-    draw_tooltip(ui, obstacle.empty()
-                         ? "Locks the most central pattern of each group, unless one of the group "
-                           "is locked, and shows them as the subset: to be exported, reported, "
-                           "played."
-                         : obstacle.c_str());
-    if (pressed) keep_groups(ui, work, shown_map, picking);
+    if (primary_button(
+            ui, {.id = "button:keep groups",
+                 .label = kKeep,
+                 .tip = "Locks the most central pattern of each group, unless one of the group is "
+                        "locked, and shows them as the subset: to be exported, reported, played.",
+                 .why_not = obstacle,
+                 .value = obstacle})) {
+        keep_groups(ui, work, shown_map, picking);
+    }
 }
 
 std::string summary_of(const CutGroups& cut) {
@@ -123,9 +121,7 @@ std::string summary_of(const CutGroups& cut) {
 
 void draw_summary(Ui& ui, const Workspace& work, const ShownMap& shown_map, const CutGroups& cut) {
     ImGui::PushFont(ui.theme.fonts.small);
-    const std::string text = summary_of(cut);
-    reading_text(ui.theme.dim_text, text);
-    note_item(ui.rects, "groups:summary", text);
+    reading_text(ui, ui.theme.dim_text, {.id = "groups:summary", .text = summary_of(cut)});
     std::string warning;
     if (is_of_preview(*cut.of)) {
         warning = "A preview, by coarse envelopes; grouped again once the map is exact.";
@@ -133,8 +129,7 @@ void draw_summary(Ui& ui, const Workspace& work, const ShownMap& shown_map, cons
         warning = "From before the last change.";
     }
     if (!warning.empty()) {
-        reading_text(ui.theme.warning, warning);
-        note_item(ui.rects, "groups:warning", warning);
+        reading_text(ui, ui.theme.warning, {.id = "groups:warning", .text = warning});
     }
     ImGui::PopFont();
 }
@@ -183,16 +178,17 @@ void draw_group_row(Ui& ui, Workspace& work, const CutGroups& cut, std::size_t k
     const float s = ui.theme.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::PushID(static_cast<int>(k));
-    if (ImGui::Selectable("##group", is_selected(work, found, group))) {
+    if (option(ui,
+               {.id = "group:" + name,
+                .label = "",
+                .tip = members_text(found, group),
+                .value = std::to_string(group.members.size())},
+               is_selected(work, found, group))) {
         select_group(work, found, group);
     }
-    note_item(ui.rects, "group:" + name, std::to_string(group.members.size()));
-    draw_tooltip(ui, members_text(found, group).c_str());
     if (ImGui::IsItemHovered()) {
         work.selection.hovered = place_named(work.document.set, name);
     }
-    ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
     draw_pattern_mark(list, ui.theme, {corner.x + 8.0F * s, corner.y + 0.5F * line}, 5.0F * s,

@@ -33,15 +33,18 @@ PatternAction draw_member(Ui& ui, Workspace& work, const std::string& name, std:
     const float width = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float height = member_row_px(ui, width) - gap;
-    ImGui::PushID(static_cast<int>(number));
-    if (ImGui::Selectable("##member", work.selection.current == *place, 0, {0.0F, height}))
-        select_only(work, *place);
-    note_item(ui.rects, "member:" + name, vibration.locked ? "locked" : "");
-    if (ImGui::IsItemActive()) note_pressed(work, vibration);
     const bool has_key = number <= kPlayKeys;
     const std::string key = has_key ? std::to_string(number) : std::string();
-    draw_tooltip(ui,
-                 ((has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp).c_str());
+    ImGui::PushID(static_cast<int>(number));
+    if (option(ui,
+               {.id = "member:" + name,
+                .label = "",
+                .tip = (has_key ? "Key " + key + " plays it. " : std::string()) + kHoldHelp,
+                .value = vibration.locked ? "locked" : ""},
+               work.selection.current == *place, 0, {0.0F, height})) {
+        select_only(work, *place);
+    }
+    if (ImGui::IsItemActive()) note_pressed(work, vibration);
     if (ImGui::IsItemHovered()) work.selection.hovered = place;
     // What only a member has is its number, which is the key that plays it, as far as keys go.
     const PatternAction action = draw_row_menu(ui, work, *place, key.c_str());

@@ -17,6 +17,10 @@ namespace tact {
 namespace {
 
 constexpr const char* kTestVariants = "Test 100 variants";
+constexpr std::size_t kVariants = 100;
+constexpr const char* kTestHelp =
+    "Thresholds of each receptor type within 6 dB, choices the paper leaves open, weights near the "
+    "trained ones: 100 models, and what each would pick.";
 
 // Why variants of the model say nothing of a subset; empty where they do.
 std::string obstacle_to_asking(const Pick* pick) {
@@ -29,23 +33,16 @@ std::string obstacle_to_asking(const Pick* pick) {
     return pick->is_so_far ? "The search for the subset is not at its end: see Pick." : "";
 }
 
-// Takes the click on the button, which was drawn last.
-void take_ask(Ui& ui, SubsetState& picking, bool pressed) {
-    if (pressed) ask_for_stability(ui, picking, 100);
-    note_item(ui.rects, "button:draw models");
-    draw_tooltip(ui,
-                 "Thresholds of each receptor type within 6 dB, choices the paper leaves open, "
-                 "weights near the trained ones: 100 models, and what each would pick.");
-}
-
 void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
     const bool busy = picking.stability_job.busy();
     const Pick* pick = shown_pick(shown_map, picking);
-    const bool possible = obstacle_to_asking(pick).empty();
-    ImGui::BeginDisabled(busy || !possible);
-    const bool pressed = primary_button(ui, kTestVariants);
-    ImGui::EndDisabled();
-    take_ask(ui, picking, pressed);
+    const std::string obstacle = obstacle_to_asking(pick);
+    if (primary_button(ui, {.id = "button:draw models",
+                            .label = kTestVariants,
+                            .tip = kTestHelp,
+                            .enabled = !busy && obstacle.empty()})) {
+        ask_for_stability(ui, picking, kVariants);
+    }
     if (busy) {
         ImGui::SameLine();
         if (draw_progress(ui, {"Testing variants", picking.stability_job.progress(), "stability"},
@@ -54,10 +51,8 @@ void draw_ask(Ui& ui, const ShownMap& shown_map, SubsetState& picking) {
         }
     } else if (draw_failure(ui, "stability", picking.stability_job.failure())) {
         return;
-    } else if (!possible) {
-        const std::string why = obstacle_to_asking(pick);
-        reading_text(ui.theme.dim_text, why);
-        note_item(ui.rects, "stability obstacle", why);
+    } else if (!obstacle.empty()) {
+        reading_text(ui, ui.theme.dim_text, {.id = "stability obstacle", .text = obstacle});
     }
 }
 
@@ -113,7 +108,10 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
             "The model has numbers nobody knows exactly. Vary them at random, and see who stays "
             "picked and how far each point moves.";
         if (first) {
-            take_ask(ui, picking, draw_empty_with(ui, area, kTitle, kReason, kTestVariants));
+            if (draw_empty_with(ui, area, kTitle, kReason, kTestVariants))
+                ask_for_stability(ui, picking, kVariants);
+            note_item(ui.rects, "button:draw models");
+            draw_tooltip(ui, kTestHelp);
         } else {
             draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, kTitle, kReason);
         }
@@ -124,12 +122,11 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
                              percent(stability->share_weakest) +
                              ". In the map, each ellipse holds half of the draws of its point.";
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(ui.theme.dim_text, text);
+    reading_text(ui, ui.theme.dim_text, {.id = "subset:stability", .text = text});
     if (is_pick_stale(work, shown_map, picking)) {
         reading_text(ui.theme.warning, "These numbers are of the subset before the last change.");
     }
     ImGui::PopFont();
-    note_item(ui.rects, "subset:stability", text);
     draw_shares(ui, picking, *stability);
 }
 

@@ -28,16 +28,18 @@ void draw_views(Ui& ui, const Workspace& work, const ShownMap& shown_map, Subset
                                      {SubsetView::stability, "How sure"}}) {
         if (!is_first) flow_on(chip_width(ui, name), 2.0F * ui.theme.scale);
         is_first = false;
-        if (draw_chip(ui, name, name, picking.view == view)) picking.view = view;
-        note_item(ui.rects, std::string("subset:") + name);
+        if (chip(ui, {.id = std::string("subset:") + name, .label = name}, picking.view == view))
+            picking.view = view;
     }
     if (shown_pick(shown_map, picking) == nullptr) return;
     flow_on(ImGui::CalcTextSize("Export...").x, 2.0F * ui.theme.gap_px);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x, corner.y + 2.0F * ui.theme.scale});
-    if (link(ui, "export subset", "Export...")) export_subset_dialog(ui, work, shown_map, picking);
-    note_item(ui.rects, "link:export subset");
-    draw_tooltip(ui, "The picked patterns as a set, with a page of tables and the map.");
+    if (link(ui, {.id = "link:export subset",
+                  .label = "Export...",
+                  .tip = "The picked patterns as a set, with a page of tables and the map."})) {
+        export_subset_dialog(ui, work, shown_map, picking);
+    }
 }
 
 // Where there are fewer than are to be picked.
@@ -47,18 +49,16 @@ void draw_grow(Ui& ui, const Workspace& work, SubsetState& picking) {
     if (there == 0 || there >= picking.count) return;
     const std::string words = "Grow to " + std::to_string(picking.count);
     flow_on(ImGui::CalcTextSize(words.c_str()).x, ui.theme.gap_px);
-    picking.grow_asked = row_link(ui, "grow", words);
-    note_item(ui.rects, "link:grow");
-    draw_tooltip(
-        ui,
-        "Adds as many as are missing, each as far from all others as can be: from the set's "
-        "design space, or from patterns drawn around these.");
+    picking.grow_asked = row_link(
+        ui, {.id = "link:grow",
+             .label = words,
+             .tip = "Adds as many as are missing, each as far from all others as can be: from the "
+                    "set's design space, or from patterns drawn around these."});
 }
 
 void draw_count(Ui& ui, SubsetState& picking) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Pick");
-    note_item(ui.rects, "subset label:count");
+    plain_text(ui, {.id = "subset label:count", .text = "Pick"});
     reset_by_label(ui, SubsetState{}.count, picking.count);
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     enter_whole_with_buttons(ui,
@@ -92,14 +92,17 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
     if (ImGui::BeginCombo("##source", shown)) {
         for (const Metric metric : kMetrics) {
             const bool chosen = !picking.by_ratings && picking.metric == metric;
-            if (ImGui::Selectable(traits(metric).name, chosen)) {
+            if (option(ui,
+                       {.id = std::string("subset source:") + traits(metric).key,
+                        .label = traits(metric).name,
+                        .tip = metric_help(metric)},
+                       chosen)) {
                 picking.metric = metric;
                 picking.by_ratings = false;
             }
-            draw_tooltip(ui, metric_help(metric).c_str());
         }
-        if (has_ratings && ImGui::Selectable("Ratings", picking.by_ratings))
-            picking.by_ratings = true;
+        const Item ratings{.id = "subset source:ratings", .label = "Ratings"};
+        if (has_ratings && option(ui, ratings, picking.by_ratings)) picking.by_ratings = true;
         ImGui::EndCombo();
     }
     note_item(ui.rects, "subset:source", shown);
@@ -142,9 +145,8 @@ void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(colour, text);
+    reading_text(ui, colour, {.id = "subset:proof", .text = text});
     ImGui::PopFont();
-    note_item(ui.rects, "subset:proof", text);
 }
 
 // What can be done with the two that are most alike.
@@ -159,27 +161,32 @@ void draw_weakest_pair(Ui& ui, Workspace& work, Timeline& timeline, const ShownM
     }
     const std::string shown =
         shortened(ui.theme.fonts.regular, names, ImGui::GetContentRegionAvail().x);
-    if (name_link(ui, "weakest pair", shown)) open_pair(work, picking, a, b);
-    note_item(ui.rects, "link:weakest pair", a + "|" + b);
-    draw_tooltip(ui, (names + ": shows the two in every pane.").c_str());
+    if (name_link(ui, {.id = "link:weakest pair",
+                       .label = shown,
+                       .tip = names + ": shows the two in every pane.",
+                       .value = a + "|" + b})) {
+        open_pair(work, picking, a, b);
+    }
     const auto first = place_named(work.document.set, a);
     const auto second = place_named(work.document.set, b);
     if (!first || !second) return;
     const bool plays = timeline.playhead.playing;
     const char* act = plays ? "Stop" : "Play both";
     flow_on(ImGui::CalcTextSize(act).x, 1.5F * ui.theme.gap_px);
-    if (link(ui, "play pair", act))
+    if (link(ui, {.id = "link:play pair",
+                  .label = act,
+                  .tip = "One after the other; without a device silently, the first alone."})) {
         plays ? stop_playing(timeline, play) : play_pair(ui, work, timeline, play, *first, *second);
-    note_item(ui.rects, "link:play pair", act);
-    draw_tooltip(ui, "One after the other; without a device silently, the first alone.");
+    }
     if (pick.request.by_ratings || pick.request.metric != Metric::pm) return;
     constexpr const char* kAsk = "What would separate them?";
     flow_on(ImGui::CalcTextSize(kAsk).x, 1.5F * ui.theme.gap_px);
-    if (link(ui, "separate pair", kAsk)) ask_about_picked(ui, work, shown_map, picking, a, b);
-    note_item(ui.rects, "link:separate pair");
-    draw_tooltip(ui,
-                 "The smallest change of one number that brings one of the two farther from all "
-                 "others of the subset.");
+    if (link(ui, {.id = "link:separate pair",
+                  .label = kAsk,
+                  .tip = "The smallest change of one number that brings one of the two farther "
+                         "from all others of the subset."})) {
+        ask_about_picked(ui, work, shown_map, picking, a, b);
+    }
 }
 
 // What the subset is worth by what was asked for, large: its weakest pair, or its sum.
@@ -211,15 +218,17 @@ void draw_unfelt_choice(Ui& ui, SubsetState& picking) {
                                   ? std::to_string(count) + " not felt may be picked."
                                   : left_out_words(count) + ": nobody could tell it from nothing.";
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(picking.with_unfelt ? ui.theme.warning : ui.theme.dim_text, words);
+    reading_text(ui, picking.with_unfelt ? ui.theme.warning : ui.theme.dim_text,
+                 {.id = "subset:unfelt", .text = words});
     ImGui::PopFont();
-    note_item(ui.rects, "subset:unfelt", words);
     const char* act = picking.with_unfelt ? "Leave out" : "Include";
     flow_on(ImGui::CalcTextSize(act).x, ui.theme.gap_px);
-    if (link(ui, "include unfelt", act)) picking.with_unfelt = !picking.with_unfelt;
-    note_item(ui.rects, "link:include unfelt", act);
-    draw_tooltip(ui,
-                 "No receptor of the model answers to them. Locked ones are picked in any case.");
+    if (link(ui, {.id = "link:include unfelt",
+                  .label = act,
+                  .tip = "No receptor of the model answers to them. Locked ones are picked in any "
+                         "case."})) {
+        picking.with_unfelt = !picking.with_unfelt;
+    }
 }
 
 // True where there is a subset to draw.
@@ -231,8 +240,7 @@ bool draw_pick_state(Ui& ui, const Workspace& work, const ShownMap& shown_map,
     } else if (picking.cancelled) {
         dim_text(ui, "Cancelled.");
         ImGui::SameLine();
-        if (link(ui, "pick again", "Pick again")) picking.asked = {};
-        note_item(ui.rects, "link:pick again");
+        if (link(ui, {.id = "link:pick again", .label = "Pick again"})) picking.asked = {};
     }
     const bool failed = draw_failure(ui, "subset", picking.pick_job.failure());
     (void)draw_failure(ui, "curve", picking.curve_job.failure());

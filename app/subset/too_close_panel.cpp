@@ -40,14 +40,13 @@ void draw_reference(Ui& ui, const Workspace& work, const ShownMap& shown_map,
                     SubsetState& picking) {
     if (const auto pair = chosen_pair(work, shown_map)) {
         flow_on(button_width("Take the chosen pair"), ui.theme.gap_px);
-        if (ImGui::Button("Take the chosen pair")) {
+        if (button(ui, {.id = "button:reference",
+                        .label = "Take the chosen pair",
+                        .tip = "A pair you know: people tell these two apart just so. All that are "
+                               "no farther apart are listed."})) {
             picking.reference_a = work.document.set.vibrations[pair->current].name;
             picking.reference_b = work.document.set.vibrations[pair->partner].name;
         }
-        note_item(ui.rects, "button:reference");
-        draw_tooltip(ui,
-                     "A pair you know: people tell these two apart just so. All that are no "
-                     "farther apart are listed.");
     }
     ImGui::PushFont(ui.theme.fonts.small);
     dim_text(ui, picking.reference_a.empty()
@@ -140,9 +139,14 @@ void draw_pair(Ui& ui, Workspace& work, SubsetState& picking, const TooClosePair
     const float begin = column_px + 1.5F * ui.theme.gap_px;
     const std::string shown =
         shortened(font, names, std::max(1.0F, ImGui::GetContentRegionAvail().x - begin));
-    if (ImGui::Selectable("##pair", open)) open_pair(work, picking, a, b);
-    note_item(ui.rects, "too close:" + a + "|" + b, value + "   " + names);
-    if (shown != names) draw_tooltip(ui, names.c_str());
+    if (option(ui,
+               {.id = "too close:" + a + "|" + b,
+                .label = "",
+                .tip = shown == names ? "" : names,
+                .value = value + "   " + names},
+               open)) {
+        open_pair(work, picking, a, b);
+    }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, font, {corner.x + column_px - text_size(font, value).x, corner.y},
               ui.theme.text, value);
@@ -186,9 +190,8 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
         return note_rect(ui.rects, "too close", area.min, area.max, summary);
     }
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(ui.theme.dim_text, summary);
+    reading_text(ui, ui.theme.dim_text, {.id = "too close", .text = summary});
     ImGui::PopFont();
-    note_item(ui.rects, "too close", summary);
     const auto opened = opened_rows(shown_map, picking);
     const float column_px = value_column_px(ui, pairs);
     draw_unit(ui, pairs, column_px);
@@ -197,11 +200,9 @@ void draw_pair_list(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     clipper.Begin(static_cast<int>(pairs.pairs.size()));
     while (clipper.Step()) {
         for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
-            ImGui::PushID(k);
             const ConfusablePair& pair = pairs.pairs[static_cast<std::size_t>(k)];
             draw_pair(ui, work, picking, pairs, pair, column_px,
                       opened == std::pair(pair.a, pair.b));
-            ImGui::PopID();
         }
     }
     ImGui::EndChild();
@@ -240,8 +241,9 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
     const Separation& separation = found.all[k];
     const ParameterTraits& about = traits(separation.parameter);
     const PatternSet& set = *found.request.map->request.set;
-    ImGui::PushID(static_cast<int>(k));
-    if (ImGui::SmallButton("Apply")) {
+    const std::string text = std::string(about.name) + " " + number(separation.from, about.unit) +
+                             " \u2192 " + number(separation.to, about.unit);
+    if (small_button(ui, {.id = "apply:" + std::to_string(k), .label = "Apply", .value = text})) {
         const auto place =
             place_named(work.document.set, set.vibrations[found.request.changed].name);
         if (place) apply_separation(ui, work, *place, separation);
@@ -251,9 +253,6 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
             picking.applied = AppliedChange{changed, changed == a ? b : a, work.revision};
         }
     }
-    const std::string text = std::string(about.name) + " " + number(separation.from, about.unit) +
-                             " \u2192 " + number(separation.to, about.unit);
-    note_item(ui.rects, "apply:" + std::to_string(k), text);
     bool rested = ImGui::IsItemHovered();
     ImGui::SameLine();
     ImGui::TextUnformatted(text.c_str());
@@ -268,7 +267,6 @@ void draw_separation(Ui& ui, Workspace& work, SubsetState& picking, const FoundS
                                         set.vibrations[separation.nearest_to].name + ", PM " +
                                         grouped(separation.nearest));
     ImGui::PopFont();
-    ImGui::PopID();
 }
 
 void draw_search(Ui& ui, SubsetState& picking) {
@@ -280,10 +278,12 @@ void draw_found(Ui& ui, Workspace& work, SubsetState& picking, const SeparationR
     const std::shared_ptr<const FoundSeparations> found = picking.separations;
     if (!found || found->request != asked) return;
     if (found->all.empty()) {
-        reading_text(ui.theme.dim_text,
-                     "No change of a single number is enough, up to 16 felt steps of it. Change "
-                     "the rhythm, or add a carrier.");
-        note_item(ui.rects, "separations", "none");
+        reading_text(
+            ui, ui.theme.dim_text,
+            {.id = "separations",
+             .text = "No change of a single number is enough, up to 16 felt steps of it. Change "
+                     "the rhythm, or add a carrier.",
+             .value = "none"});
         return;
     }
     note_rect(ui.rects, "separations", ImGui::GetCursorScreenPos(), ImGui::GetCursorScreenPos(),
@@ -316,7 +316,6 @@ void draw_both(Ui& ui, Workspace& work, const ShownMap& shown_map,
 // The open pair: which to change, and the changes that would do.
 void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetState& picking,
                     std::pair<std::size_t, std::size_t> rows) {
-    constexpr const char* kAsk = "What would separate them?";
     const float room = ImGui::GetContentRegionAvail().y;
     if (room > 300.0F * ui.theme.scale) draw_both(ui, work, shown_map, rows);
     draw_change_choice(ui, work, shown_map, picking, rows);
@@ -324,18 +323,19 @@ void draw_open_pair(Ui& ui, Workspace& work, const ShownMap& shown_map, SubsetSt
     const SeparationRequest asked = separation_request(shown_map, picking, row);
     if (picking.separation_job.busy()) return draw_search(ui, picking);
     const std::string obstacle = separation_obstacle(work, shown_map, picking, row);
-    ImGui::BeginDisabled(!obstacle.empty());
-    if (primary_button(ui, kAsk)) ask_for_separation(ui, work, shown_map, picking, row);
-    note_item(ui.rects, "button:separate", obstacle);
-    ImGui::EndDisabled();
     const std::string from = asked.from.empty() ? "all others" : "the other picked ones";
-    draw_tooltip(ui, ("The smallest change of one number that brings the pattern farther than " +
-                      worth_text(asked.threshold) + " from " + from +
-                      ". PM depends on the set: it is ranked again with each change.")
-                         .c_str());
+    if (primary_button(
+            ui, {.id = "button:separate",
+                 .label = "What would separate them?",
+                 .tip = "The smallest change of one number that brings the pattern farther than " +
+                        worth_text(asked.threshold) + " from " + from +
+                        ". PM depends on the set: it is ranked again with each change.",
+                 .enabled = obstacle.empty(),
+                 .value = obstacle})) {
+        ask_for_separation(ui, work, shown_map, picking, row);
+    }
     if (!obstacle.empty()) {
-        reading_text(ui.theme.dim_text, obstacle);
-        note_item(ui.rects, "separation obstacle", obstacle);
+        reading_text(ui, ui.theme.dim_text, {.id = "separation obstacle", .text = obstacle});
     }
     (void)draw_failure(ui, "separation", picking.separation_job.failure());
     draw_found(ui, work, picking, asked);

@@ -31,27 +31,24 @@ bool draw_choice(Ui& ui, const char* label, const std::pair<const char*, Value> 
     for (const auto& [text, one] : choices) {
         if (&one != &choices[0].second) flow_on(chip_width(ui, text), 2.0F * ui.theme.scale);
         const bool is_on = value == one;
-        if (draw_switch(ui, text, text, is_on) && !is_on) {
-            value = one;
-            changed = true;
-        }
-        note_item(ui.rects, std::string("table:") + label + " " + text, is_on ? "chosen" : "");
+        const Item item{.id = std::string("table:") + label + " " + text,
+                        .label = text,
+                        .value = is_on ? "chosen" : ""};
+        if (!toggle(ui, item, is_on) || is_on) continue;
+        value = one;
+        changed = true;
     }
     return changed;
 }
 
 bool draw_how_it_is_written(Ui& ui, TableWords& words) {
     using Sign = std::optional<char>;
-    ImGui::PushID("separator");
     bool changed = draw_choice<Sign>(
         ui, "Between cells",
         {{"as found", {}}, {"commas", ','}, {"semicolons", ';'}, {"tabs", '\t'}, {"blanks", ' '}},
         words.written.separator);
-    ImGui::PopID();
-    ImGui::PushID("decimal");
     changed |= draw_choice<Sign>(ui, "Decimals", {{"as found", {}}, {"0.5", '.'}, {"0,5", ','}},
                                  words.written.decimal);
-    ImGui::PopID();
     return changed;
 }
 
@@ -63,7 +60,6 @@ bool draw_of_its_kind(Ui& ui, TableWords& words) {
                                          {"alike", RatingScale::similarity}},
                                         words.scale);
     }
-    ImGui::PushID("times");
     bool changed = draw_choice<std::optional<TimeUnit>>(ui, "Times in",
                                                         {{"as named", {}},
                                                          {"s", TimeUnit::s},
@@ -71,8 +67,6 @@ bool draw_of_its_kind(Ui& ui, TableWords& words) {
                                                          {"us", TimeUnit::us},
                                                          {"ns", TimeUnit::ns}},
                                                         words.time_unit);
-    ImGui::PopID();
-    ImGui::PushID("values");
     changed |=
         draw_choice<std::optional<AccelerationUnit>>(ui, "Values in",
                                                      {{"as named", {}},
@@ -80,7 +74,6 @@ bool draw_of_its_kind(Ui& ui, TableWords& words) {
                                                       {"m/s\u00b2", AccelerationUnit::m_per_s2},
                                                       {"V", AccelerationUnit::volt}},
                                                      words.unit);
-    ImGui::PopID();
     return changed;
 }
 
@@ -96,11 +89,10 @@ bool draw_use(Ui& ui, const TableAnswer& answer, std::size_t column, std::string
     bool changed = false;
     if (is_open) {
         const auto offer = [&](const char* text, const std::string& use) {
-            if (ImGui::Selectable(text, use == now) && use != now) {
-                chosen = use;
-                changed = true;
-            }
-            note_item(ui.rects, std::string("table:offer ") + text);
+            const Item item{.id = std::string("table:offer ") + text, .label = text};
+            if (!option(ui, item, use == now) || use == now) return;
+            chosen = use;
+            changed = true;
         };
         offer(kNotRead, "");
         for (const char* use : table_uses(answer.request.words.kind)) offer(use, use);
@@ -170,9 +162,8 @@ void draw_outcome(Ui& ui, const TableState& table, bool is_newest) {
     const bool is_bad = !answer->fault.empty();
     const std::string text = is_bad ? answer->fault : answer->outcome + ".";
     if (is_bad) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    wrapped_text(text);
+    wrapped_text(ui, {.id = "table:outcome", .text = text});
     if (is_bad) ImGui::PopStyleColor();
-    note_item(ui.rects, "table:outcome", text);
     for (const std::string& remark : answer->remarks) wrapped_text(remark + ".");
 }
 

@@ -153,8 +153,9 @@ void draw_kind(Ui& ui, TransformState& state) {
     if (ImGui::BeginCombo("##kind", traits(state.kind).label, ImGuiComboFlags_HeightLarge)) {
         for (std::size_t k = 0; k < kEditKindCount; ++k) {
             const auto kind = static_cast<EditKind>(k);
-            if (ImGui::Selectable(traits(kind).label, kind == state.kind)) state.kind = kind;
-            note_item(ui.rects, std::string("transform:kind:") + traits(kind).key);
+            const Item item{.id = std::string("transform:kind:") + traits(kind).key,
+                            .label = traits(kind).label};
+            if (option(ui, item, kind == state.kind)) state.kind = kind;
         }
         ImGui::EndCombo();
     }
@@ -190,10 +191,8 @@ void draw_other(Ui& ui, const PatternSet& set, std::string& name) {
     const std::string shown = shortened(ui.theme.fonts.regular, name, room);
     if (ImGui::BeginCombo("##other", label_of(shown).c_str())) {
         for (const Vibration& vibration : set.vibrations) {
-            if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == name)) {
-                name = vibration.name;
-            }
-            note_item(ui.rects, "transform:other:" + vibration.name);
+            const Item item{.id = "transform:other:" + vibration.name, .label = vibration.name};
+            if (option(ui, item, vibration.name == name)) name = vibration.name;
         }
         ImGui::EndCombo();
     }
@@ -254,8 +253,8 @@ void draw_outcome(Ui& ui, const TransformState& state, const Transformed* made) 
     if (made == nullptr && draw_failure(ui, "transform", state.job.failure())) return;
     const std::string words = made == nullptr ? "..." : outcome(*made);
     const bool failed = made != nullptr && made->left > 0;
-    coloured_text(failed ? ui.theme.warning : ui.theme.text, words);
-    note_item(ui.rects, "transform:outcome", words);
+    coloured_text(ui, failed ? ui.theme.warning : ui.theme.text,
+                  {.id = "transform:outcome", .text = words});
 }
 
 }  // namespace
@@ -272,13 +271,11 @@ void draw_transform_dialog(Ui& ui, Workspace& work, TransformState& state) {
     coloured_text(ui.theme.dim_text, sentence_of(about.help));
     ImGui::Spacing();
     draw_label(ui, "Changes");
-    wrapped_text(transformed_words(work));
-    note_item(ui.rects, "transform:changes", transformed_words(work));
+    wrapped_text(ui, {.id = "transform:changes", .text = transformed_words(work)});
     const std::string obstacle = transform_obstacle(work, state);
     const auto made = current_transform(work, state);
     if (!obstacle.empty()) {
-        coloured_text(ui.theme.dim_text, obstacle);
-        note_item(ui.rects, "transform:obstacle", obstacle);
+        coloured_text(ui, ui.theme.dim_text, {.id = "transform:obstacle", .text = obstacle});
     } else {
         draw_outcome(ui, state, made.get());
     }

@@ -263,8 +263,7 @@ FieldEdit draw_short_field(Ui& ui, const Field& field, float width_px, double& v
     ImGui::PushID(field.id);
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, field.label);
-    note_item(ui.rects, std::string("field label:") + field.id);
+    dim_text(ui, {.id = std::string("field label:") + field.id, .text = field.label});
     if (draw_label_help(ui, field)) {
         edit.changed = edit.finished = value != *field.normal;
         value = *field.normal;

@@ -240,13 +240,18 @@ void draw_tooltip(const Ui& ui, const char* text) {
     if (ImGui::GetIO().MouseDown[0] || ui.has_pressed) return;
     if (ImGui::IsItemActive()) return;  // the person who types needs to see the neighbourhood
     if (ui.time_s - ui.hover_since_s < kRestS) return;
+    // It looks the same over items that are disabled, coloured or in small letters.
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.text);
+    ImGui::PushFont(ui.theme.fonts.regular);
     place_tooltip(ui.theme, text);
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // on disabled items, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTooltipPx * ui.theme.scale);
     ImGui::TextUnformatted(shown_lines(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 }
 
@@ -261,7 +266,7 @@ bool primary_button(Ui& ui, const char* label, ImVec2 size) {
     ImGui::PushStyleColor(ImGuiCol_Text, readable_on(theme.accent));
     const bool pressed = ImGui::Button(label, size);
     ImGui::PopStyleColor(4);
-    note_item(ui.rects, std::string("primary:") + label);
+    note_item(ui.rects, "primary:" + std::string(label, ImGui::FindRenderedTextEnd(label)));
     return pressed;
 }
 

@@ -182,6 +182,60 @@ bool flow_on(float width_px, float gap_px);
 // A tooltip on the last item, shown after a moment's rest.
 void draw_tooltip(const Ui& ui, const char* text);
 
+// Widgets that say themselves: each notes its place for tests, lessons and Tab, and carries its
+// tooltip. A reason not to be pressed disables it, and is its tooltip then.
+
+struct Item {
+    std::string id;         // its name for tests, lessons and Tab; unique in its window
+    std::string label;      // its words
+    std::string tip{};      // a sentence or two
+    std::string why_not{};  // not empty: disabled, for this reason
+    bool enabled = true;    // false: disabled for a reason that is in sight
+    std::optional<std::string> value{};  // noted with its place; default: the label
+};
+
+// True if pressed.
+bool button(Ui& ui, const Item& item, ImVec2 size = {0.0F, 0.0F});
+bool small_button(Ui& ui, const Item& item);
+
+// The main action of a dialog or a pane, which has only one.
+bool primary_button(Ui& ui, const Item& item, ImVec2 size = {0.0F, 0.0F});
+
+// An action within a text or a row of small items; in a line of fields, as high as they are; and a
+// name that a press goes to.
+bool link(Ui& ui, const Item& item);
+bool row_link(Ui& ui, const Item& item);
+bool name_link(Ui& ui, const Item& item);
+
+// A word that chooses a view; a setting in a row of fields; a box with words, noted as on or off;
+// a ring with its word; one option of a row.
+bool chip(Ui& ui, const Item& item, bool lit);
+bool toggle(Ui& ui, const Item& item, bool on);
+bool check(Ui& ui, Item item, bool& on);
+bool radio(Ui& ui, const Item& item, bool chosen);
+bool segment(Ui& ui, const Item& item, bool chosen);
+
+// A row of a list or a drop-down, and of a menu.
+bool option(Ui& ui, const Item& item, bool chosen, ImGuiSelectableFlags flags = 0,
+            ImVec2 size = {0.0F, 0.0F});
+bool menu_item(Ui& ui, const Item& item, const char* keys = nullptr, bool checked = false);
+
+// A text that is noted.
+struct Said {
+    std::string id;
+    std::string text;
+    std::string tip{};
+    std::optional<std::string> value{};  // noted with its place; default: the text
+};
+void plain_text(Ui& ui, const Said& said);
+void dim_text(Ui& ui, const Said& said);
+void dim_text_beside(Ui& ui, const Said& said);
+void wrapped_text(Ui& ui, const Said& said);
+void coloured_text(Ui& ui, ImU32 colour, const Said& said);
+
+// Notes the last item, and draws its tooltip.
+void say_of_last_item(Ui& ui, const Said& said);
+
 // One option of a list: a ring and its word. True if pressed.
 bool draw_radio(const Ui& ui, const char* label, bool chosen);
 float radio_width(const Ui& ui, const char* label);

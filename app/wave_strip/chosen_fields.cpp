@@ -184,17 +184,14 @@ void draw_note_kind(Ui& ui, Workspace& work, StripState& strip, const Pattern& p
 void draw_note_actions(Ui& ui, Workspace& work, StripState& strip) {
     ImGui::TableNextColumn();
     const std::size_t count = strip.notes.onsets.size();
-    const std::string words = counted(count, "note", "notes");
     ImGui::AlignTextToFramePadding();
-    dim_text(ui, words);
-    note_item(ui.rects, "notes chosen", words);
+    dim_text(ui, {.id = "notes chosen", .text = counted(count, "note", "notes")});
     for (const auto& [label, times, help] :
          {std::tuple{"Double", 2, "Ctrl+D: the notes once more, right after themselves."},
           std::tuple{"Repeat 4 times", kRepeats, "R: the notes four times in all."}}) {
         flow_on(button_width(label), ui.theme.gap_px);
-        if (ImGui::Button(label)) (void)repeat_notes(ui, work, strip, times);
-        note_item(ui.rects, std::string("notes:") + label);
-        draw_tooltip(ui, help);
+        if (button(ui, {.id = std::string("notes:") + label, .label = label, .tip = help}))
+            (void)repeat_notes(ui, work, strip, times);
         if (strip.notes.empty()) return;
     }
 }

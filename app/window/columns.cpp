@@ -242,15 +242,17 @@ void draw_pane_buttons(App& app, const Rect& row) {
     const float gap = app.ui.theme.splitter_px;
     const auto count = static_cast<float>(kPaneButtons.size());
     const ImVec2 size{std::floor((row.width() - (count - 1.0F) * gap) / count), row.height()};
-    for (const PaneButton& button : kPaneButtons) {
-        const bool chosen = app.in_use.pane == button.pane;
+    for (const auto& [pane, words] : kPaneButtons) {
+        const bool chosen = app.in_use.pane == pane;
         // Under the mouse as well, which a finger leaves where it was lifted.
         for (const ImGuiCol part : {ImGuiCol_Button, ImGuiCol_ButtonHovered}) {
             if (chosen) ImGui::PushStyleColor(part, faded(app.ui.theme.accent, kChosenFill));
         }
-        if (ImGui::Button(button.words, size)) app.in_use.pane = button.pane;
+        const Item item{.id = std::string("pane button:") + words,
+                        .label = words,
+                        .value = chosen ? "chosen" : ""};
+        if (button(app.ui, item, size)) app.in_use.pane = pane;
         if (chosen) ImGui::PopStyleColor(2);
-        note_item(app.ui.rects, std::string("pane button:") + button.words, chosen ? "chosen" : "");
         ImGui::SameLine(0.0F, gap);
     }
 }

@@ -74,13 +74,12 @@ float draw_error_sign(const Theme& theme, ImVec2 left_middle) {
 }
 
 void draw_dismissal(Ui& ui, ImVec2 left_middle) {
-    const float button = ImGui::GetFrameHeight();
-    ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * button});
+    const float side = ImGui::GetFrameHeight();
+    ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * side});
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
     ImGui::PushStyleColor(ImGuiCol_Border, 0);
-    const bool away = ImGui::Button("\u00d7", {button, button});
+    const bool away = button(ui, {.id = "status:dismiss", .label = "\u00d7"}, {side, side});
     ImGui::PopStyleColor(2);
-    note_item(ui.rects, "status:dismiss");
     draw_tooltip(ui, "Dismiss (Esc)");
     if (away) ui.status = {};
 }
@@ -90,8 +89,8 @@ float draw_more(Ui& ui, ImVec2 left_middle) {
     if (ui.status.more.empty()) return 0.0F;
     const ImVec2 size = text_size(ui.theme.fonts.regular, ui.status.more);
     ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * size.y});
-    if (link(ui, "status more", ui.status.more)) ui.waiting.push_back(ui.status.show_more);
-    note_item(ui.rects, "link:status more");
+    if (link(ui, {.id = "link:status more", .label = ui.status.more}))
+        ui.waiting.push_back(ui.status.show_more);
     return size.x + ui.theme.gap_px;
 }
 

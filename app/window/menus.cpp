@@ -90,13 +90,11 @@ void draw_history(App& app) {
     const std::size_t first = last > kMost ? last - kMost : 0;
     std::optional<std::size_t> wanted;
     for (std::size_t k = last; k > first; --k) {
-        ImGui::PushID(static_cast<int>(k));
-        if (ImGui::MenuItem(label_of(history.label(k - 1)).c_str(), nullptr, k == done)) wanted = k;
-        note_item(app.ui.rects, "history:" + std::to_string(k), history.label(k - 1));
-        ImGui::PopID();
+        const Item step{.id = "history:" + std::to_string(k), .label = history.label(k - 1)};
+        if (menu_item(app.ui, step, nullptr, k == done)) wanted = k;
     }
-    if (first == 0 && ImGui::MenuItem("As it was opened", nullptr, done == 0)) wanted = 0;
-    if (first == 0) note_item(app.ui.rects, "history:0");
+    const Item opened{.id = "history:0", .label = "As it was opened"};
+    if (first == 0 && menu_item(app.ui, opened, nullptr, done == 0)) wanted = 0;
     ImGui::EndMenu();
     if (!wanted) return;
     app.ui.waiting.emplace_back([&app, step = *wanted] {
@@ -109,11 +107,11 @@ void draw_own_workspaces(App& app) {
     if (!ImGui::BeginMenu("My workspaces", !app.workspaces.own.empty())) return;
     std::string forgotten;
     for (const auto& [name, layout] : app.workspaces.own) {
-        if (ImGui::MenuItem(label_of(name).c_str(), nullptr, app.workspaces.shown == name)) {
+        const Item item{.id = "workspace:" + name, .label = name};
+        if (menu_item(app.ui, item, nullptr, app.workspaces.shown == name)) {
             close_study(app.studying);
             show_own(name, app.layout, app.workspaces);
         }
-        note_item(app.ui.rects, "workspace:" + name);
     }
     draw_divider(app.ui.theme);
     for (const auto& [name, layout] : app.workspaces.own) {
@@ -151,12 +149,14 @@ void draw_languages(App& app) {
     };
     for (std::size_t k = 0; k < lesson.languages.size(); ++k) {
         const std::string& code = lesson.languages[k];
-        if (ImGui::MenuItem(language_name(code).c_str(), k == 0 ? "first" : nullptr, k == shown)) {
+        const Item item{.id = "language:" + code,
+                        .label = language_name(code),
+                        .value = k == shown ? "shown" : ""};
+        if (menu_item(app.ui, item, k == 0 ? "first" : nullptr, k == shown)) {
             later([code](const LessonContext& context, LessonState& s) {
                 choose_language(context.ui, s, code);
             });
         }
-        note_item(app.ui.rects, "language:" + code, k == shown ? "shown" : "");
     }
     if (!lesson.languages.empty() && state.editing) draw_divider(app.ui.theme);
     const bool adds = state.editing && ImGui::BeginMenu("Add a language");
@@ -167,19 +167,19 @@ void draw_languages(App& app) {
                 std::ranges::find(lesson.languages, one.code) != lesson.languages.end();
             const bool is_english = lesson.languages.empty() && one.code == std::string_view("en");
             if (is_there || is_english) continue;  // the default is English
-            if (ImGui::MenuItem(one.name)) {
+            const Item item{.id = std::string("add language:") + one.code, .label = one.name};
+            if (menu_item(app.ui, item)) {
                 later([code = one.code](const LessonContext& context, LessonState& s) {
                     add_language(context, s, code);
                 });
             }
-            note_item(app.ui.rects, std::string("add language:") + one.code);
         }
         ImGui::EndMenu();
     }
     if (state.editing && lesson.languages.size() > 1 && shown > 0) {
-        const std::string label = "Remove " + language_name(lesson.languages[shown]);
-        if (ImGui::MenuItem(label.c_str())) later(remove_language);
-        note_item(app.ui.rects, "remove language");
+        const Item item{.id = "remove language",
+                        .label = "Remove " + language_name(lesson.languages[shown])};
+        if (menu_item(app.ui, item)) later(remove_language);
     }
     ImGui::EndMenu();
 }

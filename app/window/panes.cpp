@@ -218,11 +218,8 @@ PaneTitle title_of(const App& app, Pane pane) {
 
 void draw_bench_tabs(App& app) {
     const auto tab = [&app](BenchTab which, const char* name) {
-        // The word alone could be an item within the tab.
-        const std::string id = std::string("tab ") + name;
-        if (draw_chip(app.ui, id.c_str(), name, app.layout.bench == which))
-            app.layout.bench = which;
-        note_item(app.ui.rects, std::string("tab:") + name);
+        const Item item{.id = std::string("tab:") + name, .label = name};
+        if (chip(app.ui, item, app.layout.bench == which)) app.layout.bench = which;
     };
     // In the arrangement to select, the others are in the View menu.
     const bool selects = app.layout.arrangement == Arrangement::select;
