@@ -31,9 +31,7 @@ std::string name_of(const OpeningRequest& request) {
 
 OpeningAnswer read_files(const OpeningRequest& request, const std::stop_token& stop,
                          std::atomic<float>& progress) {
-    OpeningAnswer answer{request, {}, {}};
-    // Before it is read: whoever writes it in between is noticed.
-    if (is_json(request.paths[0])) answer.file_mark = content_mark(request.paths[0]);
+    OpeningAnswer answer{request, {}};
     LoadOptions options;
     options.partly = request.partly;
     options.stop = stop;
@@ -81,7 +79,7 @@ void show_read(Ui& ui, Workspace& work, Opening& opening, const OpeningAnswer& a
     document.saved = document.set;
     if (request.paths.size() == 1) {
         document.path = fs::absolute(request.paths[0]);
-        document.file_mark = answer.file_mark;
+        document.file_mark = loaded.mark;
     }
     const std::string text = told("Opened ", document.set.vibrations.size(), loaded);
     const std::vector<Vibration> read = document.set.vibrations;

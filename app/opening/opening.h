@@ -31,7 +31,6 @@ struct OpeningAnswer {
     OpeningRequest request;
     // Whoever puts it into the document takes it away: recordings of a set may have a GB.
     std::shared_ptr<Expected<Loaded>> loaded;
-    std::optional<std::uint64_t> file_mark;  // of a set file, before it was read
 };
 
 struct Opening {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <span>
 #include <utility>
 
 #include "model/common/fingerprint.h"
@@ -27,7 +26,7 @@ std::filesystem::path lock_file_of(const Session& session, const std::filesystem
 std::optional<std::uint64_t> content_mark(const std::filesystem::path& file) {
     const Expected<std::string> text = read_text_file(file);
     if (!text) return std::nullopt;
-    return mixed(0, std::span<const char>(*text));
+    return fingerprint(*text);
 }
 
 bool hold_document(Session& session, const std::filesystem::path& file) {

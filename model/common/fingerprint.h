@@ -44,8 +44,12 @@ inline std::string fingerprint_text(std::uint64_t number) {
     return digits;
 }
 
+inline std::uint64_t fingerprint(std::string_view bytes) {
+    return mixed(0, std::span<const char>(bytes.data(), bytes.size()));
+}
+
 inline std::string fingerprint_text(std::string_view text) {
-    return fingerprint_text(mixed(0, std::span<const char>(text.data(), text.size())));
+    return fingerprint_text(fingerprint(text));
 }
 
 }  // namespace tact

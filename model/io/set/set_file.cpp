@@ -122,7 +122,9 @@ Expected<Loaded> read_set_file(const fs::path& path) {
     return with_enough_memory(path.string(), [&]() -> Expected<Loaded> {
         const auto text = read_text_file(path);
         if (!text) return text.error();
-        return loaded_from(*text, path.string(), path.parent_path());
+        auto loaded = loaded_from(*text, path.string(), path.parent_path());
+        if (loaded) loaded->mark = fingerprint(*text);
+        return loaded;
     });
 }
 

@@ -31,19 +31,19 @@ struct SlowDisk {
 
     SlowDisk() {
         begin_jobs(app);
-        app.opening.job.begin([is_read = is_read](
-                                  const OpeningRequest& request, const std::stop_token& stop,
-                                  std::atomic<float>& progress) -> std::optional<OpeningAnswer> {
-            progress = 0.4F;
-            while (!*is_read && !stop.stop_requested()) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-            if (stop.stop_requested()) return {};
-            LoadOptions options;
-            options.partly = request.partly;
-            return OpeningAnswer{
-                request, std::make_shared<Expected<Loaded>>(load_sets(request.paths, options)), {}};
-        });
+        app.opening.job.begin(
+            [is_read = is_read](const OpeningRequest& request, const std::stop_token& stop,
+                                std::atomic<float>& progress) -> std::optional<OpeningAnswer> {
+                progress = 0.4F;
+                while (!*is_read && !stop.stop_requested()) {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
+                if (stop.stop_requested()) return {};
+                LoadOptions options;
+                options.partly = request.partly;
+                return OpeningAnswer{
+                    request, std::make_shared<Expected<Loaded>>(load_sets(request.paths, options))};
+            });
     }
 
     std::filesystem::path set_of(std::size_t count) {
