@@ -95,7 +95,7 @@ Expected<Done> run(const RenderCommand& command);
 
 struct ExportCommand {
     CommonOptions common;
-    std::string format;                 // a key of model/io/effects_out/write_effect.h
+    std::string format;                 // a key of model/io/formats/write_effect.h
     std::vector<std::string> patterns;  // by name; empty: all
     std::string onto;                   // an actuator map, its name or file; empty: the format's
     std::optional<double> rate_hz;      // of WAV and CSV; none: the format's

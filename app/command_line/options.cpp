@@ -7,7 +7,7 @@
 #include "devices/calibration/rendering.h"
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/text/described.h"
 #include "model/text/numbers.h"
 

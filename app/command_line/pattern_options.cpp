@@ -10,7 +10,7 @@
 #include "app/pictures/pictures.h"
 #include "model/export/exported_files.h"
 #include "model/io/effects/actuator_map.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/text/numbers.h"
 
 namespace tact {

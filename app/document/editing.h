@@ -205,7 +205,7 @@ bool is_autosaving(const Workspace& work);
 
 // Effects of one format in the document.
 struct MapInUse {
-    std::string format;     // a key of model/io/effects/read_effects.h
+    std::string format;     // a key of model/io/formats/read_effects.h
     std::string actuators;  // "quest"; "core-haptics, quest" where there are several
     std::size_t patterns = 0;
     bool has_files = false;  // that can be read again

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/document/workspace.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/set/load.h"
 
 namespace tact {

@@ -13,7 +13,7 @@
 #include "app/library/library_parts.h"
 #include "app/progress/progress.h"
 #include "app/ui/widgets.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"

@@ -9,7 +9,7 @@
 #include "devices/rumble/actuator_kind.h"
 #include "model/evaluation/metric.h"
 #include "model/io/effects/actuator_map.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/pattern/pattern_numbers.h"
 #include "model/perceptual_model/model_numbers.h"
 #include "model/physiology/mechanoreceptor.h"

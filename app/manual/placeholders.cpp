@@ -8,7 +8,7 @@
 #include "app/report/report.h"
 #include "assets/assets.h"
 #include "model/evaluation/metric.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/io/set/set_file.h"
 #include "model/map/isotonic.h"
 #include "model/perceptual_model/perceptual_model.h"

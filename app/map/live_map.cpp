@@ -254,7 +254,7 @@ std::shared_ptr<const PatternSet> LiveMapWork::played(const LiveMapRequest& requ
 
 namespace {
 
-constexpr std::size_t kMostAtOnce = 300;  // whose map is there before one could follow it
+constexpr std::size_t kMostInOneGo = 300;  // whose map is there before one could follow it
 constexpr std::chrono::milliseconds kBetweenParts{500};
 
 // The map that these points are.
@@ -434,7 +434,7 @@ std::optional<LiveMap> LiveMapWork::full(Run& run) {
     params.threads = threads_;
     std::function<void(const Eigen::MatrixXd&)> lower;
     auto told = std::chrono::steady_clock::now();
-    if (in_parts && pm.size > kMostAtOnce) {
+    if (in_parts && pm.size > kMostInOneGo) {
         lower = [&](const Eigen::MatrixXd& points) {
             if (std::chrono::steady_clock::now() - told < kBetweenParts) return;
             LiveMap on_its_way = map;

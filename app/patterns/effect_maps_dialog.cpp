@@ -6,7 +6,7 @@
 #include "app/document/editing.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 
@@ -19,7 +19,7 @@ constexpr float kMapComboPx = 270.0F;
 constexpr float kFormatPx = 208.0F;
 
 const char* name_of_format(const MapInUse& use) {
-    const EffectFormatTraits* format = format_named(use.format);
+    const EffectFormat* format = format_named(use.format);
     return format != nullptr ? format->name : use.format.c_str();
 }
 
@@ -30,7 +30,7 @@ const ActuatorMap* known_map(const std::string& name) {
 }
 
 std::string own_map(const MapInUse& use) {
-    const EffectFormatTraits* format = format_named(use.format);
+    const EffectFormat* format = format_named(use.format);
     return format != nullptr ? format->map : "";
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -44,7 +44,7 @@ ExportTarget usual_target(TargetFormat format, const PatternSet& set) {
     for (const Vibration& one : set.vibrations) {
         if (one.effect.actuator.empty()) continue;
         if (read_by != nullptr && read_by->actuator != one.effect.actuator) return target;
-        const EffectFormatTraits* from = format_named(one.effect.format);
+        const EffectFormat* from = format_named(one.effect.format);
         if (from != nullptr && one.effect.actuator == from->map) return target;
         read_by = &one.effect;
     }

@@ -8,7 +8,7 @@
 
 #include "model/common/expected.h"
 #include "model/io/effects/actuator_map.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/write_effect.h"
 #include "model/set/pattern_set.h"
 
 namespace tact {

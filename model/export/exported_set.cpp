@@ -5,9 +5,8 @@
 
 #include "model/algebra/one_pattern.h"
 #include "model/common/parallel.h"
-#include "model/export/read_back.h"
-#include "model/io/effects/ahap_pair.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
+#include "model/io/formats/samples/samples.h"
 #include "model/set/layers.h"
 
 namespace tact {
@@ -16,23 +15,25 @@ namespace {
 
 Expected<Effect> pair_back(const WrittenEffect& written, const std::string& name,
                            const ExportTarget& target) {
-    auto first = read_effects(written.text, name + kContinuousEnding, target.map);
+    const TargetTraits& format = traits(target.format);
+    auto first = read_effects(written.text, name + format.ending, target.map);
     if (!first) return first.error();
-    const auto second = read_effects(written.beside, name + kTransientsEnding, target.map);
+    const auto second = read_effects(written.beside, name + format.beside, target.map);
     if (!second) return second.error();
-    auto pair = joined_pair(*first, *second);
+    auto pair = format.join(*first, *second);
     if (!pair) return Error{"expected a pair, the files are two effects"};
     return std::move(pair->effects.front());
 }
 
 Expected<Effect> read_back(const WrittenEffect& written, const std::string& name,
                            const ExportTarget& target) {
-    const std::string path = name + traits(target.format).ending;
-    if (target.format == TargetFormat::openxr) {
+    const TargetTraits& format = traits(target.format);
+    const std::string path = name + format.ending;
+    if (format.read_back != nullptr) {
         Budget budget;
-        return openxr_back(written.text, {path, name, target.map, budget});
+        return format.read_back(written, {path, name, target.map, budget});
     }
-    if (target.format == TargetFormat::ahap_pair) return pair_back(written, name, target);
+    if (format.join != nullptr) return pair_back(written, name, target);
     auto read = read_effects(written.text, path, target.map);
     if (!read) return read.error();
     if (read->effects.empty()) return Error{path + ": expected an effect, found none"};
@@ -42,8 +43,9 @@ Expected<Effect> read_back(const WrittenEffect& written, const std::string& name
 // What is read in the place of a format that has no reader.
 WrittenEffect readable(const Pattern& pattern, const WrittenEffect& written,
                        const EffectTarget& effect, TargetFormat format) {
-    if (format != TargetFormat::android_kotlin) return written;
-    return write_effect(TargetFormat::android_xml, pattern, effect);
+    const WriteEffect write_readable = traits(format).write_readable;
+    if (write_readable == nullptr) return written;
+    return write_readable(with_drawn_pitches(pattern), effect);
 }
 
 void add(std::vector<std::string>& remarks, std::vector<std::string> more) {
@@ -88,7 +90,8 @@ ExportedPattern beds_exported(const LayeredPattern& meant, const std::vector<Pla
                               const std::string& date) {
     std::vector<Pattern> patterns;
     for (const PlacedBed& bed : beds) patterns.push_back(bed.pattern);
-    WrittenEffect written = write_at_once(patterns, {name, target.map, date, {}});
+    WrittenEffect written =
+        traits(target.format).write_at_once(patterns, {name, target.map, date, {}});
     auto back = read_back(written, name, target);
     ExportedPattern result{std::move(written.text), {}, {}, {}, {}};
     std::vector<std::string>& remarks = result.remarks;
@@ -122,9 +125,10 @@ ExportedPattern beds_exported(const LayeredPattern& meant, const std::vector<Pla
 
 ExportedPattern samples_exported(const Vibration& vibration, const ExportTarget& target) {
     const EffectTarget samples{vibration.name, {}, {}, target.sampled};
+    const TargetTraits& format = traits(target.format);
     WrittenEffect written =
-        write_samples(target.format, waveform_of(vibration, target.sampled.rate_hz), samples);
-    auto back = samples_back(target.format, written, samples);
+        format.write_samples(waveform_of(vibration, target.sampled.rate_hz), samples);
+    auto back = format.read_samples(written, vibration.name + format.ending, samples);
     ExportedPattern result{
         std::move(written.text), std::move(written.beside), std::move(written.remarks), {}, {}};
     const auto* recording = std::get_if<Measurement>(&vibration.source);
@@ -161,7 +165,7 @@ ExportedPattern exported(const Vibration& vibration, const ExportTarget& target,
                          const std::string& date) {
     if (is_sampled(target.format)) return samples_exported(vibration, target);
     if (const auto* layered = std::get_if<LayeredPattern>(&vibration.source)) {
-        if (target.format == TargetFormat::hjif) {
+        if (traits(target.format).write_at_once != nullptr) {
             const std::vector<PlacedBed> beds = as_placed_beds(*layered);
             if (!beds.empty()) {
                 return beds_exported(*layered, beds, vibration.name, target, date);

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "model/common/parallel.h"
-#include "model/io/effects/read_effects.h"
 #include "model/io/folders/folder_files.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"

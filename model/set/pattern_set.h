@@ -36,7 +36,7 @@ struct Measurement {
     bool operator==(const Measurement&) const;  // compares the samples, not the pointers
 };
 
-// Origin of a pattern that was read from an effect of another program (model/io/effects).
+// Origin of a pattern that was read from an effect of another program (model/io/formats).
 struct EffectOrigin {
     std::string format;    // "ahap"; empty: it was not
     std::string actuator;  // name of the map by which its 0 to 1 became Hz and g

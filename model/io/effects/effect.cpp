@@ -133,4 +133,21 @@ AmplitudeCurve stairs(const std::vector<double>& ends_s, const std::vector<doubl
     return curve;
 }
 
+Expected<Effects> effect_of_steps(const EffectFile& file, const std::vector<double>& lengths_ms,
+                                  const std::vector<double>& shares, double hz,
+                                  std::vector<std::string> remarks) {
+    double total_ms = 0.0;
+    std::vector<double> ends_s;
+    for (const double length_ms : lengths_ms) ends_s.push_back((total_ms += length_ms) / 1e3);
+    Sketch sketch;
+    sketch.unit_g = continuous_g(file.map, 1.0);
+    sketch.duration_s = ends_s.back();
+    const AmplitudeCurve steps = stairs(ends_s, shares);
+    sketch.voices.push_back({0.0, sketch.duration_s, acceleration_curve(file.map, steps),
+                             FrequencyCurve{{0.0, hz}}, 0.0});
+    auto effect = finished(file, file.stem, sketch, std::move(remarks));
+    if (!effect) return effect.error();
+    return Effects{*std::move(effect)};
+}
+
 }  // namespace tact

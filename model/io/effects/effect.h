@@ -75,18 +75,10 @@ void add_bursts(std::vector<Transient>& all, const std::vector<Transient>& more)
 // Steps of one amplitude each, the first from 0 s on, by where they end: a curve with jumps.
 AmplitudeCurve stairs(const std::vector<double>& ends_s, const std::vector<double>& values);
 
-// The readers, one a format: a document whose format is known, as effects. Tolerant where the
-// format's owner is, with a remark, and strict where the owner refuses. What each takes as
-// published and what it guesses is at the head of its source file.
-Expected<Effects> read_ahap(const Json& document, const EffectFile& file);
-Expected<Effects> read_haptic(const Json& document, const EffectFile& file);
-Expected<Effects> read_hjif(const Json& document, const EffectFile& file);
-Expected<Effects> read_haps(const Json& document, const EffectFile& file);
-Expected<Effects> read_he(const Json& document, const EffectFile& file);
-Expected<Effects> read_pulsar(const Json& document, const EffectFile& file);
-Expected<Effects> read_timings(const Json& document, const EffectFile& file);  // Android, HLA
-Expected<Effects> read_vibrate(const Json& document, const EffectFile& file);
-Expected<Effects> read_android_xml(std::string_view text, const EffectFile& file);
+// Steps of one share of full scale each, all at one frequency, as the one effect of a file.
+Expected<Effects> effect_of_steps(const EffectFile& file, const std::vector<double>& lengths_ms,
+                                  const std::vector<double>& shares, double hz,
+                                  std::vector<std::string> remarks);
 
 // Refuses times that are all below 1 ms, which were seconds; of no time but 0 there is no telling.
 Expected<Done> times_make_sense(const EffectFile& file, double latest_ms);

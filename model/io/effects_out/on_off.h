@@ -16,13 +16,13 @@
 //           ms, but 15 ms where there is something to feel in less; the time on is that of the
 //           amplitudes within a pulse for each burst; same input, same entries
 // Valid     any numbers: NaN, infinities and negative ones are silence; rates of 1 Hz to 1 GHz
-// Left out  the limits of one call: the page cuts what is longer, and write_effect.h a file.
+// Left out  the limits of one call: the page cuts what is longer, and a writer of files.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/effects_out/stepped.h"
 
 namespace tact {
 

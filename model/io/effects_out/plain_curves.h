@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/effects_out/written_effect.h"
 #include "model/pattern/pattern.h"
 
 namespace tact {

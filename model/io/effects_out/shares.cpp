@@ -67,6 +67,15 @@ void remark_changes(const TapChanges& changes, WrittenEffect& written) {
 
 }  // namespace
 
+void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks) {
+    const auto [low, high] = std::ranges::minmax(curve, {}, &FrequencyPoint::frequency_hz);
+    std::string hz = significant_digits(low.frequency_hz, 4);
+    if (high.frequency_hz != low.frequency_hz) {
+        hz += " to " + significant_digits(high.frequency_hz, 4);
+    }
+    remarks.push_back(hz + " Hz left out: the device has its own frequency");
+}
+
 std::string transients_text(std::size_t count) {
     return grouped_digits(count) + (count == 1 ? " transient" : " transients");
 }

@@ -59,6 +59,9 @@ void thin_shares(Shares& shares, std::size_t most, const ActuatorMap& map,
 void keep_strongest(std::vector<TapShares>& taps, std::size_t most,
                     std::vector<std::string>& remarks);
 
+// "150 Hz left out: the device has its own frequency".
+void remark_left_out_hz(const FrequencyCurve& curve, std::vector<std::string>& remarks);
+
 // "1 transient", "3 transients".
 std::string transients_text(std::size_t count);
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "model/io/effects/ahap_pair.h"
-#include "model/io/effects/read_effects.h"
 #include "model/io/folders/zip_file.h"
+#include "model/io/formats/ahap/ahap_pair.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/set_file.h"
 #include "model/io/set/waveform_folder.h"
@@ -126,7 +126,7 @@ bool holds_effects(const fs::path& path) {
     const auto text = read_text_file(path, kMostEffectBytes);
     if (!text) return false;
     const auto read = read_effects(*text, path.string());
-    return read && read->format != EffectFormat::none;
+    return read && read->format != nullptr;
 }
 
 namespace {

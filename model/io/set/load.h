@@ -52,7 +52,7 @@ struct LoadOptions {
 inline constexpr const char* kReadingCancelled = "reading was cancelled";
 
 // By kind: a folder or zip file (its .txt and .wav files and effects), .txt and .wav (a set of
-// one), a set file, and by its content an effect file (model/io/effects/read_effects.h), whose
+// one), a set file, and by its content an effect file (model/io/formats/read_effects.h), whose
 // shares become g and Hz by `actuator` (default: its format's map).
 Expected<Loaded> load_set(const std::filesystem::path& path,
                           const std::optional<ActuatorMap>& actuator = {});

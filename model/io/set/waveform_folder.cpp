@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "model/io/effects/ahap_pair.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/ahap/ahap_pair.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/recordings/text_waveform.h"
 #include "model/io/recordings/wave_file.h"
 #include "model/set/layers.h"
@@ -299,7 +299,7 @@ void add_effects(std::vector<Vibration>& vibrations, const EffectsRead& read, co
         vibration.name = effect.name;
         vibration.source = source_of(effect);
         vibration.note = origin_of(read, effect, files);
-        vibration.effect = {traits(read.format).key, read.map.name};
+        vibration.effect = {read.format->key, read.map.name};
         vibrations.push_back(std::move(vibration));
         for (const std::string& remark : effect.remarks) {
             const FileRemark one{path.string(), remark};

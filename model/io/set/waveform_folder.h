@@ -49,7 +49,7 @@ Expected<Vibration> vibration_from(const std::filesystem::path& path,
                                    const FileAccess& access = files_on_disk());
 
 // The effects of a file, with a note of where each comes from; none: it holds none. With `second`,
-// the two of an AHAP pair, as one effect where the rule of model/io/effects/ahap_pair.h holds.
+// the two of an AHAP pair, as one effect where the rule of model/io/formats/ahap/ahap_pair.h holds.
 // Remarks get the file's name, the actuator map among them.
 Expected<std::vector<Vibration>> effects_from(const std::filesystem::path& path,
                                               const LoadOptions& options,

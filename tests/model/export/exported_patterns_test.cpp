@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "model/export/export_loss.h"
+#include "model/io/formats/samples/samples.h"
 #include "tests/model/export/exported_tones.h"
 
 namespace exported_patterns_test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "tests/model/io/effects/effects_of.h"
 
 namespace android_effects_test {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 
 namespace tact {
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/pattern/drawn_fault.h"
 #include "tests/support/mutations.h"
 
@@ -168,19 +168,19 @@ TEST_CASE("Pulsar: ms, 65 to 300 Hz, silent outside of its points") {
 }
 
 TEST_CASE("effects: the kind of a file is what is in it, and anything else is none of them") {
-    CHECK(read(kAhap).format == EffectFormat::ahap);
-    CHECK(read(kHe).format == EffectFormat::he);
-    CHECK(read(kHaps).format == EffectFormat::haps);
-    CHECK(read(kPulsar).format == EffectFormat::pulsar);
-    CHECK(read(kEnvelopeXml).format == EffectFormat::android);
-    CHECK(read(R"({"Timings": [5], "Amplitudes": [5]})").format == EffectFormat::hla);
+    CHECK(read(kAhap).format == format_named("ahap"));
+    CHECK(read(kHe).format == format_named("he"));
+    CHECK(read(kHaps).format == format_named("haps"));
+    CHECK(read(kPulsar).format == format_named("pulsar"));
+    CHECK(read(kEnvelopeXml).format == format_named("android"));
+    CHECK(read(R"({"Timings": [5], "Amplitudes": [5]})").format == format_named("hla"));
     CHECK(read(R"({"Pattern": [{"Event": {"Type": "transient", "RelativeTime": 0,
         "Parameters": {"Intensity": 1, "Frequency": 1}}}]})")
-              .format == EffectFormat::he);
-    CHECK(read("{}").format == EffectFormat::none);
-    CHECK(read("[1, 2]").format == EffectFormat::web);
-    CHECK(read("[[1, 2]]").format == EffectFormat::none);
-    CHECK(read("<svg/>").format == EffectFormat::none);
+              .format == format_named("he"));
+    CHECK(read("{}").format == nullptr);
+    CHECK(read("[1, 2]").format == format_named("web"));
+    CHECK(read("[[1, 2]]").format == nullptr);
+    CHECK(read("<svg/>").format == nullptr);
 }
 
 TEST_CASE("effects: damaged texts give a sentence or sound patterns") {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/io/effects/actuator_file.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "tests/support/golden.h"
 
 namespace haptic_test {

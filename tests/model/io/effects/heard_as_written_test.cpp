@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/pattern/pattern.h"
 
 namespace heard_as_written_test {

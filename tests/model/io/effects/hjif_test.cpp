@@ -1,7 +1,7 @@
 // Numbers of small HJIF files, worked out by hand from ISO/IEC 23090-31.
 #include <doctest/doctest.h>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "tests/model/io/effects/effects_of.h"
 
 namespace hjif_test {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "model/io/effects/actuator_file.h"
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/pattern/drawn_fault.h"
 #include "tests/support/mutations.h"
 #include "tests/support/places.h"

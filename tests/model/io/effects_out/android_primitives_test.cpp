@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "model/io/effects_out/android_primitives.h"
+#include "model/io/formats/android/android_primitives.h"
 #include "tests/model/io/effects_out/written_patterns.h"
 
 namespace android_primitives_test {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "model/io/effects/read_effects.h"
 #include "model/io/effects_out/knots.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/read_effects.h"
+#include "model/io/formats/write_effect.h"
 #include "model/pattern/curves.h"
 #include "model/physiology/mechanoreceptor.h"
 

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <vector>
 
-#include "model/io/effects/read_effects.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/read_effects.h"
+#include "model/io/formats/write_effect.h"
 #include "tests/support/places.h"
 
 namespace rewritten_samples_test {
@@ -25,7 +25,7 @@ struct Sample {
 };
 
 // All samples that are read, in one of the formats that are written.
-std::vector<Sample> samples_of(EffectFormat format) {
+std::vector<Sample> samples_of(const EffectFormat* format) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(kGoldenDir) / "effects")) {
         if (is_effect_name(entry.path().string())) paths.push_back(entry.path());
@@ -86,7 +86,7 @@ double largest_gap_of_transients_g(const Pattern& a, const Pattern& b) {
 }  // namespace
 
 TEST_CASE("rewritten samples: the four of HJIF are the same vibrations") {
-    const auto samples = samples_of(EffectFormat::hjif);
+    const auto samples = samples_of(format_named("hjif"));
     REQUIRE(samples.size() == 4);
     for (const Sample& sample : samples) {
         CAPTURE(sample.name);
@@ -103,7 +103,7 @@ TEST_CASE("rewritten samples: the four of HJIF are the same vibrations") {
 }
 
 TEST_CASE("rewritten samples: those of .haptic differ by what the remarks say alone") {
-    const auto samples = samples_of(EffectFormat::haptic);
+    const auto samples = samples_of(format_named("haptic"));
     REQUIRE(samples.size() >= 8);
     for (const Sample& sample : samples) {
         CAPTURE(sample.name);

@@ -1,6 +1,7 @@
 // Samples that are written, read back.
 #include <doctest/doctest.h>
 
+#include "model/io/formats/samples/samples.h"
 #include "model/io/recordings/acceleration_table.h"
 #include "tests/model/io/effects_out/written_patterns.h"
 #include "tests/support/temporary_folder.h"

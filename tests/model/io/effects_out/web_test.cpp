@@ -97,7 +97,7 @@ TEST_CASE("web: what was read is written again as it was, to the ms") {
         const std::string text = nlohmann::json(ms).dump() + "\n";
         const auto read = read_effects(text, "d/beat.vibrate.json");
         REQUIRE(read);
-        CHECK(read->format == EffectFormat::web);
+        CHECK(read->format == format_named("web"));
         CHECK(read->map.name == "phone-web");
         REQUIRE(read->effects.size() == 1);
         CHECK(read->effects[0].name == "beat");

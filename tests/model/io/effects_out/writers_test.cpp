@@ -6,8 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
-#include "model/io/effects/read_effects.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/effects_out/stepped.h"
+#include "model/io/formats/read_effects.h"
+#include "model/io/formats/write_effect.h"
 #include "model/text/json_fields.h"
 
 namespace writers_test {

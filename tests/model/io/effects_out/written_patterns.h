@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "model/io/effects/ahap_pair.h"
-#include "model/io/effects/read_effects.h"
-#include "model/io/effects_out/write_effect.h"
+#include "model/io/formats/ahap/ahap_pair.h"
+#include "model/io/formats/read_effects.h"
+#include "model/io/formats/write_effect.h"
 #include "model/pattern/drawn_fault.h"
 
 namespace tact::written_patterns {

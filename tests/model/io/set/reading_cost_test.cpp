@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "model/io/effects/read_effects.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/people/ratings_file.h"
 #include "model/io/people/study_file.h"
 #include "model/io/set/set_file.h"
