@@ -72,12 +72,13 @@ void play_calibration_signal(Ui& ui, Timeline& timeline, PlayState& play,
 
 void save_calibration_signal_dialog(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
     leave_for_files(ui, calibrating);
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::save_calibration_signal,
-                  .use = ChooserUse::save,
-                  .title = "Save the measuring signal",
-                  .extensions = {".wav"}},
-                 work.document.path.parent_path(), "calibration signal.wav");
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::save,
+         .title = "Save the measuring signal",
+         .extensions = {".wav"},
+         .take = [&](const fs::path& file) { save_calibration_signal(ui, calibrating, file); }},
+        work.document.path.parent_path(), "calibration signal.wav");
 }
 
 void save_calibration_signal(Ui& ui, const CalibrateState& calibrating, const fs::path& file) {
@@ -90,12 +91,13 @@ void save_calibration_signal(Ui& ui, const CalibrateState& calibrating, const fs
 void open_calibration_recording_dialog(Ui& ui, const Workspace& work, CalibrateState& calibrating) {
     leave_for_files(ui, calibrating);
     const fs::path last = calibrating.recording;
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_calibration_recording,
-                  .use = ChooserUse::open,
-                  .title = "Open what the accelerometer recorded",
-                  .extensions = {".csv", ".txt", ".wav"}},
-                 last.empty() ? work.document.path.parent_path() : last.parent_path());
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::open,
+         .title = "Open what the accelerometer recorded",
+         .extensions = {".csv", ".txt", ".wav"},
+         .take = [&](const fs::path& file) { read_calibration_recording(ui, calibrating, file); }},
+        last.empty() ? work.document.path.parent_path() : last.parent_path());
 }
 
 void read_calibration_recording(const Ui& ui, CalibrateState& calibrating, const fs::path& file) {

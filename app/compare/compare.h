@@ -20,6 +20,7 @@
 #include "app/foreign/foreign_metric.h"
 #include "app/jobs/jobs.h"
 #include "app/map/map.h"
+#include "app/tables/tables.h"
 #include "app/timeline/timeline.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
@@ -278,7 +279,7 @@ void ask_for_comparison(const Workspace& work, Comparing& comparing);
 void cancel_comparison(const Workspace& work, Comparing& comparing);
 
 // Foreign metrics: a matrix in a file, or a Python function; one file may hold several.
-void add_metric_dialog(Ui& ui, const Workspace& work);
+void add_metric_dialog(Ui& ui, const Workspace& work, Comparing& comparing);
 void add_metric(Ui& ui, Comparing& comparing, const std::filesystem::path& file);
 void remove_metric(Comparing& comparing, const std::string& key);
 
@@ -291,7 +292,7 @@ std::string people_over_map_text(const Comparing& comparing);  // the raters
 // The tabs that compare: metrics with people, the map with its distances, two patterns.
 
 void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                        Comparing& comparing);
+                        TableState& table, Comparing& comparing);
 void draw_shepard_panel(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing);
 void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                     const ShownMap& shown_map, const Comparing& comparing);
@@ -303,7 +304,7 @@ void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Co
                           const Rect& area);
 ShepardFit shepard_fit(const FitRequest& request);  // sorts all pairs
 void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                         Comparing& comparing, const Comparison& comparison);
+                         TableState& table, Comparing& comparing, const Comparison& comparison);
 // Rating against the chosen metric, one point per pair; needs ratings.
 void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,
                         const Comparison& comparison, const Rect& area);

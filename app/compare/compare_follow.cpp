@@ -119,12 +119,13 @@ void cancel_comparison(const Workspace& work, Comparing& comparing) {
     comparing.comparison_job.cancel();
 }
 
-void add_metric_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::add_metric,
-                  .title = "Add a metric of your own: a matrix, or a function in Python",
-                  .extensions = {".csv", ".txt", ".tsv", ".py"}},
-                 work.document.path.parent_path());
+void add_metric_dialog(Ui& ui, const Workspace& work, Comparing& comparing) {
+    ask_for_file(
+        ui,
+        {.title = "Add a metric of your own: a matrix, or a function in Python",
+         .extensions = {".csv", ".txt", ".tsv", ".py"},
+         .take = [&](const std::filesystem::path& file) { add_metric(ui, comparing, file); }},
+        work.document.path.parent_path());
 }
 
 namespace {

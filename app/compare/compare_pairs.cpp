@@ -110,7 +110,7 @@ void draw_pairs_scatter(Ui& ui, Workspace& work, const ShownMap& shown_map, Comp
 }
 
 void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                         Comparing& comparing, const Comparison& comparison) {
+                         TableState& table, Comparing& comparing, const Comparison& comparison) {
     if (!comparison.people) {
         const Rect area = rest_of_pane();
         if (area.empty()) return;
@@ -118,7 +118,7 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
                             "Load what people said: each pair is then a point, prediction against "
                             "rating.",
                             "Load ratings...")) {
-            load_ratings_dialog(ui, work);
+            load_ratings_dialog(ui, work, table);
         }
         return note_item(ui.rects, "button:load ratings");
     }

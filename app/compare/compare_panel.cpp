@@ -17,7 +17,7 @@ namespace tact {
 
 namespace {
 
-void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
+void draw_views(Ui& ui, const Workspace& work, TableState& table, Comparing& comparing) {
     const float gap = 2.0F * ui.theme.scale;
     const auto view = [&](CompareView which, const char* name) {
         const Item item{.id = std::string("compare:") + name, .label = name};
@@ -35,7 +35,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
                   .label = "Add metric...",
                   .tip = "A metric of your own beside the others: a matrix by the names of the "
                          "patterns (.csv), or a function of two arrays and a rate (.py)."})) {
-        add_metric_dialog(ui, work);
+        add_metric_dialog(ui, work, comparing);
     }
     // Replaces the ratings; without ratings the button below offers to open some.
     if (work.document.set.ratings.empty()) return;
@@ -46,7 +46,7 @@ void draw_views(Ui& ui, const Workspace& work, Comparing& comparing) {
                   .tip = "A CSV of what people said of these patterns: a square with names, or a "
                          "line a rating with the participant. Names must be those of the "
                          "patterns."})) {
-        load_ratings_dialog(ui, work);
+        load_ratings_dialog(ui, work, table);
     }
 }
 
@@ -162,7 +162,7 @@ void draw_sides(Ui& ui, Workspace& work) {
         show_side(work, Side::measured);
 }
 
-void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
+void draw_no_ratings(Ui& ui, Workspace& work, TableState& table, const Comparison& comparison) {
     if (!comparison.fault.empty()) {
         reading_text(ui, ui.theme.warning,
                      {.id = "compare:fault",
@@ -175,7 +175,7 @@ void draw_no_ratings(Ui& ui, Workspace& work, const Comparison& comparison) {
         "What did people say of these patterns? With their ratings this table tells which metric "
         "agrees with them best. Until then it shows how much each agrees with PM.");
     if (button(ui, {.id = "button:load ratings", .label = "Load ratings..."}))
-        load_ratings_dialog(ui, work);
+        load_ratings_dialog(ui, work, table);
 }
 
 void draw_comparing(Ui& ui, const Workspace& work, Comparing& comparing) {
@@ -215,8 +215,8 @@ bool draw_comparison_state(Ui& ui, const Workspace& work, const ShownMap& shown_
 }
 
 void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap& shown_map,
-                        Comparing& comparing) {
-    draw_views(ui, work, comparing);
+                        TableState& table, Comparing& comparing) {
+    draw_views(ui, work, table, comparing);
     ImGui::Dummy({1.0F, 1.0F});
     if (comparing.panel.view == CompareView::findings)
         return draw_findings(ui, comparing, rest_of_pane());
@@ -230,10 +230,10 @@ void draw_compare_panel(Ui& ui, Workspace& work, Layout& layout, const ShownMap&
     }
     const bool is_table = comparing.panel.view == CompareView::table;
     if (!comparison->people && (is_table || !comparison->fault.empty())) {
-        draw_no_ratings(ui, work, *comparison);
+        draw_no_ratings(ui, work, table, *comparison);
     }
     if (is_table) return draw_table_view(ui, work, shown_map, comparing, *comparison);
-    draw_compared_pairs(ui, work, layout, shown_map, comparing, *comparison);
+    draw_compared_pairs(ui, work, layout, shown_map, table, comparing, *comparison);
 }
 
 }  // namespace tact

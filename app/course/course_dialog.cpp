@@ -75,12 +75,13 @@ std::optional<std::size_t> draw_lessons(Ui& ui, const CourseState& state) {
 }
 
 void ask_for_answers_file(Ui& ui, const CourseState& state) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::course_answers,
-                  .use = ChooserUse::save,
-                  .title = "Answers of the class",
-                  .extensions = {".csv"}},
-                 {}, state.course->name + " answers.csv");
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::save,
+         .title = "Answers of the class",
+         .extensions = {".csv"},
+         .take = [&](const std::filesystem::path& file) { export_answers(ui, state, file); }},
+        {}, state.course->name + " answers.csv");
 }
 
 const char* action_with(const CourseState& state, std::size_t next) {

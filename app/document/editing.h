@@ -174,13 +174,11 @@ std::string document_name(const Workspace& work);  // the same without the mark
 void new_document(Ui& ui, Workspace& work);
 void open_example(Ui& ui, Workspace& work);  // the paper's twelve
 void open_example_set(Ui& ui, Workspace& work, const ExampleSet& example);
-void open_dialog(Ui& ui, const Workspace& work);
-void add_dialog(Ui& ui, const Workspace& work);
-void save_dialog(Ui& ui, const Workspace& work);
+void save_dialog(Ui& ui, Workspace& work);
 void save(Ui& ui, Workspace& work);
 
 // Physiology tables from a file, as a change of the document; an error changes nothing.
-void load_tables_dialog(Ui& ui, const Workspace& work);
+void load_tables_dialog(Ui& ui, Workspace& work);
 void load_tables(Ui& ui, Workspace& work, const std::filesystem::path& path);
 
 // Asks first where another program has changed the document's file.
@@ -223,8 +221,6 @@ void note_effect_files(Workspace& work, const std::vector<std::filesystem::path>
 void read_by_map(Ui& ui, Workspace& work, const std::string& format, const std::string& actuator);
 
 // What people said of the set, from files.
-
-void load_ratings_dialog(Ui& ui, const Workspace& work);
 
 // The study of those patterns of the set that the loaded ratings are of.
 Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& loaded);

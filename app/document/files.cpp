@@ -49,18 +49,6 @@ std::filesystem::path folder_of(const EditedDocument& document) {
     return document.path.empty() ? std::filesystem::path() : document.path.parent_path();
 }
 
-void ask_for_vibrations(Ui& ui, const Workspace& work, ChooserPurpose purpose,
-                        const std::string& title) {
-    ask_for_file(ui,
-                 {.purpose = purpose,
-                  .use = ChooserUse::open,
-                  .title = title,
-                  .extensions = {".json", ".wav", ".txt", ".ahap", ".haptic", ".hjif", ".haps",
-                                 ".he", ".hla", ".xml", ".zip"},
-                  .folders_too = true},
-                 folder_of(work.document));
-}
-
 }  // namespace
 
 std::string document_name(const Workspace& work) {
@@ -165,33 +153,23 @@ void save(Ui& ui, Workspace& work) {
     save_as(ui, work, work.document.path);
 }
 
-void open_dialog(Ui& ui, const Workspace& work) {
-    ask_for_vibrations(ui, work, ChooserPurpose::open_document,
-                       "Open a set, a recording, an effect file, or a folder of them");
-}
-
-void add_dialog(Ui& ui, const Workspace& work) {
-    ask_for_vibrations(ui, work, ChooserPurpose::add_to_set,
-                       "Add a set, a recording, an effect file, or a folder of them");
-}
-
-void save_dialog(Ui& ui, const Workspace& work) {
+void save_dialog(Ui& ui, Workspace& work) {
     const std::string& name = work.document.set.name;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::save_document,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Save the set",
-                  .extensions = {kSetEnding}},
+                  .extensions = {kSetEnding},
+                  .take = [&](const std::filesystem::path& path) { save_as(ui, work, path); }},
                  folder_of(work.document),
                  file_stem(name.empty() ? "untitled" : name) + kSetEnding);
 }
 
-void load_tables_dialog(Ui& ui, const Workspace& work) {
+void load_tables_dialog(Ui& ui, Workspace& work) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::load_tables,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Load a table of slopes or of thresholds",
-                  .extensions = {".csv"}},
+                  .extensions = {".csv"},
+                  .take = [&](const std::filesystem::path& path) { load_tables(ui, work, path); }},
                  folder_of(work.document));
 }
 
@@ -261,16 +239,6 @@ void autosave_if_due(Ui& ui, Workspace& work) {
 }
 
 bool is_autosaving(const Workspace& work) { return work.autosave_write.valid(); }
-
-void load_ratings_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::load_ratings,
-                  .use = ChooserUse::open,
-                  .title = "Load ratings: a table, or a folder with one for each participant",
-                  .extensions = {".csv", ".txt"},
-                  .folders_too = true},
-                 work.document.path.parent_path());
-}
 
 Expected<RatingStudy> study_for(const PatternSet& set, const LoadedRatings& loaded) {
     Expected<RatingStudy> study = matched(loaded.study, names_of(set));

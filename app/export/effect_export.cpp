@@ -154,26 +154,22 @@ bool is_loss_current(const EffectExport& effects) {
     return effects.answer && effects.answer->request.number == effects.request.number;
 }
 
-void choose_effect_folder(Ui& ui, const Workspace& work, const EffectExport& effects) {
+void choose_effect_folder(Ui& ui, const Workspace& work, EffectExport& effects) {
     const TargetFormat format = effects.request.target.format;
     std::vector<std::string> names = with_second_files(written_names(effects), format);
     if (is_loss_current(effects)) names.emplace_back(kExportReport);
     const std::string set = work.document.set.name;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_effects,
-                  .use = ChooserUse::save_folder,
+                 {.use = ChooserUse::save_folder,
                   .title = std::string("Export as ") + traits(effects.request.target.format).title +
                            " into a folder",
                   .extensions = {std::filesystem::path(names.front()).extension().string()},
                   .folders_too = true,
-                  .file_names = names},
+                  .file_names = names,
+                  .take = [&](const std::filesystem::path& folder) { effects.export_to = folder; }},
                  work.document.path.parent_path(),
                  file_stem((set.empty() ? "untitled" : set) + " " +
                            traits(effects.request.target.format).key));
-}
-
-void export_effects(EffectExport& effects, const std::filesystem::path& folder) {
-    effects.export_to = folder;
 }
 
 void continue_effect_export(Ui& ui, EffectExport& effects) {

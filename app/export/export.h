@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/document/workspace.h"
+#include "app/foreign/foreign_metric.h"
 #include "app/jobs/jobs.h"
 #include "app/map/map.h"
 #include "app/physiology/physiology.h"
@@ -105,8 +106,7 @@ bool is_predicting_loss(const EffectExport& effects);
 bool is_loss_current(const EffectExport& effects);
 
 // Where to, and then the files.
-void choose_effect_folder(Ui& ui, const Workspace& work, const EffectExport& effects);
-void export_effects(EffectExport& effects, const std::filesystem::path& folder);
+void choose_effect_folder(Ui& ui, const Workspace& work, EffectExport& effects);
 
 // Writes what is asked for: between two frames, as it draws a picture of the map.
 void continue_effect_export(Ui& ui, EffectExport& effects);
@@ -184,8 +184,8 @@ bool is_writing_paper(const PaperState& paper);
 // Once a frame: tells what was made, or why it was not.
 void take_paper(Ui& ui, PaperState& paper);
 
-// `metrics`: names of those of one's own, which take part.
-void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::string>& metrics,
+// `foreign`: metrics of one's own, which take part.
+void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<ForeignMetric>& foreign,
                        PaperState& paper);
 
 // How long it has taken so far, and Cancel, where it is under way.
@@ -225,7 +225,8 @@ struct ExportState {
     double to_s = 0.0;  // 0: the end of the pattern
     int frames = 150;
     std::optional<FilmFormat> film = FilmFormat::gif;  // none: pictures in a folder
-    std::filesystem::path picture;  // to be drawn when the window's own frame is done
+    std::filesystem::path picture;       // to be drawn when the window's own frame is done
+    std::filesystem::path animation_to;  // to be begun by the window
     std::shared_ptr<RunningAnimation> animation;
     bool cancel_asked = false;  // of the animation
     bool copy_asked = false;    // of the view, to the clipboard
@@ -245,12 +246,11 @@ void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& r
 void export_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports);
 
 // Where to: after the dialogs.
-void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports);
-void choose_frames(Ui& ui, const Workspace& work, const ExportState& exports);
+void choose_picture(Ui& ui, const Workspace& work, ExportState& exports);
+void choose_frames(Ui& ui, const Workspace& work, ExportState& exports);
 
 // What the chooser's answer starts. PNG or SVG by the name's ending; the stage that is open, or
 // all of them, with the files of "tactspace stages".
-void export_view(ExportState& exports, const std::filesystem::path& file);
 void export_stages(Ui& ui, const Workspace& work, const RenderingState& rendered,
                    const Physiology& physiology, const std::filesystem::path& folder);
 

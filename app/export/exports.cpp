@@ -81,51 +81,52 @@ void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& r
     const auto open = physiology.view.open;
     ask_for_file(
         ui,
-        {.purpose = ChooserPurpose::export_stages,
-         .use = ChooserUse::save_folder,
+        {.use = ChooserUse::save_folder,
          .title = open ? std::string("Export \"") + text_of(*open).name + "\" as CSV into a folder"
                        : "Export all stages as CSV into a folder",
          .extensions = {".csv"},
          .folders_too = true,
-         .file_names = std::move(written)},
+         .file_names = std::move(written),
+         .take =
+             [&](const fs::path& folder) {
+                 export_stages(ui, work, rendered, physiology, folder);
+             }},
         work.document.path.parent_path(),
         file_stem(current_vibration(work)->name) + " stages" + as_played(rendered));
 }
 
-void choose_picture(Ui& ui, const Workspace& work, const ExportState& exports) {
+void choose_picture(Ui& ui, const Workspace& work, ExportState& exports) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_view,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Export the view as a picture, .png or .svg",
-                  .extensions = {".png", ".svg"}},
+                  .extensions = {".png", ".svg"},
+                  .take = [&](const fs::path& file) { exports.picture = file; }},
                  work.document.path.parent_path(),
                  set_word(work) + " " + name_of(exports.view) + ".png");
 }
 
-void choose_frames(Ui& ui, const Workspace& work, const ExportState& exports) {
+void choose_frames(Ui& ui, const Workspace& work, ExportState& exports) {
     if (current_vibration(work) == nullptr) return;
     if (exports.film) {
         const std::string ending = ending_of(*exports.film);
         return ask_for_file(ui,
-                            {.purpose = ChooserPurpose::export_animation,
-                             .use = ChooserUse::save,
+                            {.use = ChooserUse::save,
                              .title = "Export the animation as one file",
-                             .extensions = {ending}},
+                             .extensions = {ending},
+                             .take = [&](const fs::path& path) { exports.animation_to = path; }},
                             work.document.path.parent_path(),
                             file_stem(current_vibration(work)->name) + ending);
     }
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_animation,
-                  .use = ChooserUse::save_folder,
+                 {.use = ChooserUse::save_folder,
                   .title = "Export the animation as pictures into a folder",
                   .extensions = {".png"},
                   .folders_too = true,
-                  .file_names = {path_of_frame({}, 0).string()}},
+                  .file_names = {path_of_frame({}, 0).string()},
+                  .take = [&](const fs::path& path) { exports.animation_to = path; }},
                  work.document.path.parent_path(),
                  file_stem(current_vibration(work)->name) + " frames");
 }
-
-void export_view(ExportState& exports, const fs::path& file) { exports.picture = file; }
 
 void export_stages(Ui& ui, const Workspace& work, const RenderingState& rendered,
                    const Physiology& physiology, const fs::path& folder) {

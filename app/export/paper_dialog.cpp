@@ -70,30 +70,37 @@ void draw_along(Ui& ui, const PatternSet& set, std::string& along) {
     ImGui::EndCombo();
 }
 
-void choose_set(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::paper_set,
-                  .title = "Add a set that keeps ratings",
-                  .extensions = {".json"}},
-                 work.document.path.parent_path());
+void choose_set(Ui& ui, const Workspace& work, PaperState& paper) {
+    ask_for_file(
+        ui,
+        {.title = "Add a set that keeps ratings",
+         .extensions = {".json"},
+         .take = [&](const std::filesystem::path& file) { add_paper_set(ui, paper, file); }},
+        work.document.path.parent_path());
 }
 
-void choose_folder(Ui& ui, const Workspace& work) {
+void choose_folder(Ui& ui, const Workspace& work, const std::vector<ForeignMetric>& foreign,
+                   PaperState& paper) {
     const std::string& name = work.document.set.name;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::paper_folder,
-                  .use = ChooserUse::save_folder,
+                 {.use = ChooserUse::save_folder,
                   .title = "Tables and figures into a new folder",
                   .extensions = {".html", ".csv", ".py", ".R"},
                   .folders_too = true,
-                  .file_names = {"paper.html", "table2.csv", "pairs.csv", "maps.csv"}},
+                  .file_names = {"paper.html", "table2.csv", "pairs.csv", "maps.csv"},
+                  .take =
+                      [&](const std::filesystem::path& folder) {
+                          std::vector<std::string> from;
+                          for (const ForeignMetric& one : foreign) from.push_back(one.from);
+                          write_paper(ui, work, paper, from, folder);
+                      }},
                  work.document.path.parent_path(),
                  name.empty() ? "paper" : file_stem(name + " paper"));
 }
 
 }  // namespace
 
-void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::string>& metrics,
+void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<ForeignMetric>& foreign,
                        PaperState& paper) {
     if (!begin_dialog(ui, "Tables and figures of a paper", kPaperDialogPx)) return;
     wrapped_text(
@@ -104,9 +111,9 @@ void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::str
     draw_divider(ui.theme);
     draw_sets(ui, work, paper);
     draw_along(ui, work.document.set, paper.along);
-    if (!metrics.empty()) {
+    if (!foreign.empty()) {
         std::string names;
-        for (const std::string& name : metrics) names += (names.empty() ? "" : ", ") + name;
+        for (const ForeignMetric& one : foreign) names += (names.empty() ? "" : ", ") + one.key;
         draw_label(ui, "Besides");
         dim_text(ui, {.id = "paper:metrics", .text = names});
     }
@@ -114,11 +121,11 @@ void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<std::str
     ImGui::SameLine();
     if (more) {
         give_way(ui);
-        return choose_set(ui, work);
+        return choose_set(ui, work, paper);
     }
     const bool rated = !work.document.set.ratings.empty() || !paper.more.empty();
     if (draw_ends(ui, "Choose a folder...", rated && !is_writing_paper(paper))) {
-        choose_folder(ui, work);
+        choose_folder(ui, work, foreign, paper);
     }
 }
 

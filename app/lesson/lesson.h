@@ -332,15 +332,13 @@ void remove_language(const LessonContext& context, LessonState& state);
 
 // The lesson with its set as the document has it.
 Lesson lesson_to_save(const Workspace& work, const LessonState& state);
-void save_lesson_dialog(Ui& ui, const Workspace& work, const LessonState& state);
+void save_lesson_dialog(Ui& ui, Workspace& work, LessonState& state);
 // An incomplete lesson is saved as a draft. False: it could not be saved.
 bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesystem::path& path);
 
 // Tells what is still missing before a class can see the lesson.
 void check_lesson(Ui& ui, const Workspace& work, const LessonState& state);
 
-void open_lesson_dialog(Ui& ui, const Workspace& work);
-void open_course_dialog(Ui& ui, const Workspace& work);
 void save_sheet_dialog(Ui& ui, const Workspace& work, LessonState& state);
 // A sheet for another teacher, with notes, answers and the lesson file inside.
 void hand_on_dialog(Ui& ui, const Workspace& work, LessonState& state);

@@ -236,14 +236,15 @@ Lesson lesson_to_save(const Workspace& work, const LessonState& state) {
     return lesson;
 }
 
-void save_lesson_dialog(Ui& ui, const Workspace& work, const LessonState& state) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::save_lesson,
-                  .use = ChooserUse::save,
-                  .title = "Save the lesson",
-                  .extensions = {kLessonEnding}},
-                 state.path.empty() ? work.document.path.parent_path() : state.path.parent_path(),
-                 file_stem(state.lesson->name) + kLessonEnding);
+void save_lesson_dialog(Ui& ui, Workspace& work, LessonState& state) {
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::save,
+         .title = "Save the lesson",
+         .extensions = {kLessonEnding},
+         .take = [&](const std::filesystem::path& path) { save_lesson(ui, work, state, path); }},
+        state.path.empty() ? work.document.path.parent_path() : state.path.parent_path(),
+        file_stem(state.lesson->name) + kLessonEnding);
 }
 
 bool save_lesson(Ui& ui, Workspace& work, LessonState& state, const std::filesystem::path& path) {
@@ -281,31 +282,13 @@ void check_lesson(Ui& ui, const Workspace& work, const LessonState& state) {
     tell(ui, "What the lesson lacks", text);
 }
 
-void open_lesson_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_lesson,
-                  .use = ChooserUse::open,
-                  .title = "Open a lesson",
-                  .extensions = {".json"}},
-                 work.document.path.parent_path());
-}
-
-void open_course_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_lesson,
-                  .use = ChooserUse::open,
-                  .title = "Open a course",
-                  .extensions = {".json"}},
-                 work.document.path.parent_path());
-}
-
 void save_sheet_dialog(Ui& ui, const Workspace& work, LessonState& state) {
     state.hands_on = false;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::lesson_sheet,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Student sheet of the lesson",
-                  .extensions = {".html"}},
+                  .extensions = {".html"},
+                  .take = [&](const std::filesystem::path& file) { state.sheet_to = file; }},
                  work.document.path.parent_path(), file_stem(state.shown->name) + ".html");
 }
 
@@ -314,10 +297,10 @@ void hand_on_dialog(Ui& ui, const Workspace& work, LessonState& state) {
     if (!file) return complain(ui, "Not handed on: " + with_stop(file.error().message));
     state.hands_on = true;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::lesson_sheet,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "The lesson, to hand on",
-                  .extensions = {".html"}},
+                  .extensions = {".html"},
+                  .take = [&](const std::filesystem::path& path) { state.sheet_to = path; }},
                  work.document.path.parent_path(),
                  file_stem(state.shown->name) + " to hand on.html");
 }

@@ -13,6 +13,7 @@
 #include "app/document/workspace.h"
 #include "app/jobs/jobs.h"
 #include "app/ui/ui.h"
+#include "app/ui/widgets.h"
 #include "model/library/library.h"
 #include "model/library/like.h"
 
@@ -101,7 +102,7 @@ struct LibraryState {
 // Input     folders (model/library), the pattern that is asked for
 // Output    the library and answers in the state; vibrations in the set, as one step of undo
 
-void open_library_dialog(Ui& ui, const Workspace& work);
+void open_library_dialog(Ui& ui, const Workspace& work, Layout& layout, LibraryState& state);
 void show_library(Ui& ui, LibraryState& state, const std::filesystem::path& folder);
 void read_library_again(Ui& ui, LibraryState& state);
 
@@ -134,6 +135,6 @@ void sort_library(LibraryState& state, LibraryColumn column);
 // The tab of the library: a list that is searched by words, by a drawn shape and by what feels like
 // a pattern; what is chosen is added to the set, by a button, a double click or by dragging it out.
 
-void draw_library_panel(Ui& ui, Workspace& work, LibraryState& state);
+void draw_library_panel(Ui& ui, Workspace& work, Layout& layout, LibraryState& state);
 
 }  // namespace tact

@@ -107,11 +107,11 @@ bool is_outdated(const PatternSet& set, const AlikeRequest& request) {
 
 }  // namespace
 
-void draw_library_folder(Ui& ui, const Workspace& work, LibraryState& state) {
+void draw_library_folder(Ui& ui, const Workspace& work, Layout& layout, LibraryState& state) {
     const Item open{.id = "library:open", .label = "Open library\u2026"};
     const bool is_first = state.folder.empty();
     if (is_first ? primary_button(ui, open) : button(ui, open)) {
-        ui.waiting.emplace_back([&ui, &work] { open_library_dialog(ui, work); });
+        ui.waiting.emplace_back([&] { open_library_dialog(ui, work, layout, state); });
     }
     if (is_first) return;
     flow_on(button_width("Read again"), ui.theme.gap_px);

@@ -175,12 +175,16 @@ bool is_before(const Library& library, const LibraryRow& a, const LibraryRow& b,
 
 }  // namespace
 
-void open_library_dialog(Ui& ui, const Workspace& work) {
+void open_library_dialog(Ui& ui, const Workspace& work, Layout& layout, LibraryState& state) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_library,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Open a library: a folder of effects, recordings and sets",
-                  .folders_too = true},
+                  .folders_too = true,
+                  .take =
+                      [&](const fs::path& folder) {
+                          layout.bench = BenchTab::library;
+                          show_library(ui, state, folder);
+                      }},
                  work.document.path.parent_path());
 }
 

@@ -9,9 +9,9 @@
 
 namespace tact {
 
-void draw_library_panel(Ui& ui, Workspace& work, LibraryState& state) {
+void draw_library_panel(Ui& ui, Workspace& work, Layout& layout, LibraryState& state) {
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.held.reset();
-    if (!ui.as_picture) draw_library_folder(ui, work, state);
+    if (!ui.as_picture) draw_library_folder(ui, work, layout, state);
     if (state.reader.busy()) {
         if (draw_progress(ui, {"Reading", state.reader.progress(), "reading"}))
             state.reader.cancel();

@@ -8,7 +8,7 @@
 namespace tact {
 
 // Which folder it is, and what can be done with it.
-void draw_library_folder(Ui& ui, const Workspace& work, LibraryState& state);
+void draw_library_folder(Ui& ui, const Workspace& work, Layout& layout, LibraryState& state);
 
 // Words, a drawn shape, and the pattern that entries are compared with.
 void draw_library_search(Ui& ui, const Workspace& work, LibraryState& state);

@@ -185,7 +185,7 @@ void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
     if (more) {
         give_way(ui);
         importing.adding = true;
-        return import_recordings_dialog(ui, work);
+        return import_recordings_dialog(ui, work, importing);
     }
     if (!draw_ends(ui, action.c_str(), count > 0)) return;
     drop_left_out(importing);

@@ -221,14 +221,15 @@ void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
     }
 }
 
-void import_recordings_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::import_recordings,
-                  .use = ChooserUse::open,
-                  .title = "Import a recording, or a folder of them",
-                  .extensions = {".csv", ".txt", ".wav"},
-                  .folders_too = true},
-                 work.document.path.parent_path());
+void import_recordings_dialog(Ui& ui, const Workspace& work, ImportState& importing) {
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::open,
+         .title = "Import a recording, or a folder of them",
+         .extensions = {".csv", ".txt", ".wav"},
+         .folders_too = true,
+         .take = [&](const fs::path& path) { import_recordings(ui, work, importing, {path}); }},
+        work.document.path.parent_path());
 }
 
 void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,

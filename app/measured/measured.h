@@ -119,7 +119,7 @@ void follow_import(Ui& ui, Workspace& work, ImportState& importing);
 bool is_taking(const ImportState& importing);  // a request for the set is pending
 
 // Opens the chooser for recordings, then their dialog.
-void import_recordings_dialog(Ui& ui, const Workspace& work);
+void import_recordings_dialog(Ui& ui, const Workspace& work, ImportState& importing);
 // `told`: what the person said about these files.
 void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
                        const std::vector<std::filesystem::path>& paths,

@@ -94,12 +94,12 @@ std::string words_on(const std::string& name, const ModelFile& content) {
     return "the parameters " + name + (remark.empty() ? "" : ", " + remark);
 }
 
-void load_model_dialog(Ui& ui, const Workspace& work) {
+void load_model_dialog(Ui& ui, Workspace& work, ModelBench& model_bench) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::load_model,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Load parameters of the model",
-                  .extensions = {".json"}},
+                  .extensions = {".json"},
+                  .take = [&](const fs::path& file) { load_model(ui, work, model_bench, file); }},
                  work.document.path.parent_path());
 }
 
@@ -155,7 +155,7 @@ void draw_list(Ui& ui, Workspace& work, ModelBench& model_bench, const KeptModel
     }
     draw_divider(ui.theme);
     if (option(ui, {.id = "model option:load", .label = "Load parameters..."}, false))
-        load_model_dialog(ui, work);
+        load_model_dialog(ui, work, model_bench);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "app/document/workspace.h"
 #include "app/jobs/jobs.h"
+#include "app/tables/tables.h"
 #include "app/ui/ui.h"
 #include "model/io/set/model_file.h"
 #include "model/perceptual_model/perceptual_model_params.h"
@@ -131,20 +132,20 @@ void use_model(Ui& ui, Workspace& work, const ModelFile& content, const std::str
 std::string words_on(const std::string& name, const ModelFile& content);
 
 // From a file, to be kept and used.
-void load_model_dialog(Ui& ui, const Workspace& work);
+void load_model_dialog(Ui& ui, Workspace& work, ModelBench& model_bench);
 void load_model(Ui& ui, Workspace& work, ModelBench& model_bench,
                 const std::filesystem::path& path);
 
 // The model bench: the parameters of PM, the knots of its tables, which parameters to have, and
 // fitting them to ratings.
 
-void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench);
+void draw_model_panel(Ui& ui, Workspace& work, TableState& table, ModelBench& model_bench);
 // How deaf each receptor type is, as a whole.
 void draw_threshold_knobs(Ui& ui, Workspace& work, const PerReceptor<Curve>& original);
 void draw_table_fields(Ui& ui, Workspace& work, ModelBench& model_bench,
                        const PhysiologyTables& original);
 void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench);
-void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench);
+void draw_training(Ui& ui, Workspace& work, TableState& table, ModelBench& model_bench);
 
 // Trained parameters and where they come from, in words: for the terminal and for the window.
 
@@ -176,7 +177,7 @@ void cancel_training(ModelBench& model_bench);
 bool is_training_stale(const Workspace& work, ModelBench& model_bench);
 
 // Sets with ratings of their own, from files.
-void add_training_set_dialog(Ui& ui, const Workspace& work);
+void add_training_set_dialog(Ui& ui, const Workspace& work, ModelBench& model_bench);
 void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
                       const std::filesystem::path& path);
 

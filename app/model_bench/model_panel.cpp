@@ -156,9 +156,10 @@ bool link_beside_field(Ui& ui, const Item& item) {
     return row_link(ui, item);
 }
 
-void draw_model_panel(Ui& ui, Workspace& work, ModelBench& model_bench) {
+void draw_model_panel(Ui& ui, Workspace& work, TableState& table, ModelBench& model_bench) {
     draw_views(ui, model_bench);
-    if (model_bench.panel.view == ModelView::training) return draw_training(ui, work, model_bench);
+    if (model_bench.panel.view == ModelView::training)
+        return draw_training(ui, work, table, model_bench);
     const Model original;
     ImGui::BeginChild("parameters", ImGui::GetContentRegionAvail());
     draw_hint(ui, "model",

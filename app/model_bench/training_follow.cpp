@@ -161,13 +161,14 @@ bool is_training_stale(const Workspace& work, ModelBench& model_bench) {
     return fresh.is_stale || is_another_search(found->request, now);
 }
 
-void add_training_set_dialog(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::add_training_set,
-                  .use = ChooserUse::open,
-                  .title = "Add a set that has ratings",
-                  .extensions = {".json"}},
-                 work.document.path.parent_path());
+void add_training_set_dialog(Ui& ui, const Workspace& work, ModelBench& model_bench) {
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::open,
+         .title = "Add a set that has ratings",
+         .extensions = {".json"},
+         .take = [&](const fs::path& file) { add_training_set(ui, work, model_bench, file); }},
+        work.document.path.parent_path());
 }
 
 void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
@@ -202,10 +203,10 @@ void use_trained(Ui& ui, Workspace& work, ModelBench& model_bench) {
 void save_trained_dialog(Ui& ui, const Workspace& work, const ModelBench& model_bench) {
     if (!model_bench.training.found) return;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::save_model,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Save the trained parameters",
-                  .extensions = {".json"}},
+                  .extensions = {".json"},
+                  .take = [&](const fs::path& file) { save_trained(ui, model_bench, file); }},
                  work.document.path.parent_path(),
                  proposed_name(*model_bench.training.found) + kModelEnding);
 }

@@ -43,7 +43,7 @@ void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
 }
 
 // Where the document's ratings stand for nothing to train on, why.
-void draw_no_ratings(Ui& ui, const Workspace& work, const OwnRatings& own) {
+void draw_no_ratings(Ui& ui, const Workspace& work, TableState& table, const OwnRatings& own) {
     if (!own.fault.empty()) {
         coloured_text(ui, ui.theme.warning,
                       {.id = "train:fault",
@@ -54,16 +54,16 @@ void draw_no_ratings(Ui& ui, const Workspace& work, const OwnRatings& own) {
     ImGui::TextWrapped(
         "The open set has no ratings. Load what people said, or ask some in the view of studies.");
     if (button(ui, {.id = "button:load ratings", .label = "Load ratings..."}))
-        load_ratings_dialog(ui, work);
+        load_ratings_dialog(ui, work, table);
 }
 
-void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
+void draw_sets(Ui& ui, const Workspace& work, TableState& table, ModelBench& model_bench) {
     TrainingState& state = model_bench.training;
     const OwnRatings& own = own_ratings(work, model_bench);
     if (own.set) {
         draw_set(ui, *own.set, state.own_takes_part, nullptr);
     } else {
-        draw_no_ratings(ui, work, own);
+        draw_no_ratings(ui, work, table, own);
     }
     std::optional<std::size_t> gone;
     for (std::size_t k = 0; k < state.others.size(); ++k) {
@@ -75,7 +75,7 @@ void draw_sets(Ui& ui, const Workspace& work, ModelBench& model_bench) {
     if (link(ui, {.id = "link:add a set",
                   .label = "Add a set with ratings...",
                   .tip = "Fits one model to several sets, each with what people said of it."})) {
-        add_training_set_dialog(ui, work);
+        add_training_set_dialog(ui, work, model_bench);
     }
 }
 
@@ -152,14 +152,14 @@ void draw_begin(Ui& ui, const Workspace& work, ModelBench& model_bench) {
 
 }  // namespace
 
-void draw_training(Ui& ui, Workspace& work, ModelBench& model_bench) {
+void draw_training(Ui& ui, Workspace& work, TableState& table, ModelBench& model_bench) {
     ImGui::BeginChild("training", ImGui::GetContentRegionAvail());
     const std::string hint = "Tries every combination of the model's " +
                              std::to_string(kTrainedParameters) +
                              " trained numbers, and finds those whose prediction orders the pairs "
                              "most as people did.";
     draw_hint(ui, "training", hint.c_str());
-    draw_sets(ui, work, model_bench);
+    draw_sets(ui, work, table, model_bench);
     draw_settings(ui, model_bench);
     if (is_training(model_bench)) {
         draw_search(ui, model_bench);

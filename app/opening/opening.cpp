@@ -149,6 +149,22 @@ void add_paths(Ui& ui, Workspace& work, Opening& opening, const std::vector<fs::
     begin(ui, work, opening, {.paths = paths, .adds = true, .partly = partly});
 }
 
+void ask_for_vibrations(Ui& ui, const Workspace& work, const std::string& title,
+                        const std::function<void(const fs::path&)>& take) {
+    ask_for_file(ui,
+                 {.title = title,
+                  .extensions = {".json", ".wav", ".txt", ".ahap", ".haptic", ".hjif", ".haps",
+                                 ".he", ".hla", ".xml", ".zip"},
+                  .folders_too = true,
+                  .take = take},
+                 work.document.path.parent_path());
+}
+
+void add_dialog(Ui& ui, Workspace& work, Opening& opening) {
+    ask_for_vibrations(ui, work, "Add a set, a recording, an effect file, or a folder of them",
+                       [&](const fs::path& path) { add_paths(ui, work, opening, {path}); });
+}
+
 void follow_opening(Ui& ui, Workspace& work, Opening& opening, bool is_free) {
     if (!opening.asked || !is_free) return;
     // Before its answer is looked for: one that comes in between is taken by the next frame.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,13 @@ void open_paths(Ui& ui, Workspace& work, Opening& opening,
 // Behind the current pattern, as one step; names that are taken get a number.
 void add_paths(Ui& ui, Workspace& work, Opening& opening,
                const std::vector<std::filesystem::path>& paths, bool partly = false);
+
+// Asks for a set, a recording, an effect file, or a folder of them.
+void ask_for_vibrations(Ui& ui, const Workspace& work, const std::string& title,
+                        const std::function<void(const std::filesystem::path&)>& take);
+
+// Asks for what add_paths() takes.
+void add_dialog(Ui& ui, Workspace& work, Opening& opening);
 
 // Once a frame. `is_free`: nothing lies over the document, and no hand is on it.
 void follow_opening(Ui& ui, Workspace& work, Opening& opening, bool is_free);

@@ -107,15 +107,17 @@ void use_planned_patterns(Ui& ui, Workspace& work, const SetPlan& plan) {
                 " patterns. Ctrl+Z takes that back.");
 }
 
-void choose_preregistration_folder(Ui& ui, const Workspace& work) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::preregister,
-                  .use = ChooserUse::save_folder,
-                  .title = "Freeze the plan in a folder",
-                  .extensions = {".json", ".html"},
-                  .folders_too = true,
-                  .file_names = {"preregistration.json", "preregistration.html"}},
-                 work.document.path.parent_path(), "preregistration");
+void choose_preregistration_folder(Ui& ui, const Workspace& work, const PlanState& planning) {
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::save_folder,
+         .title = "Freeze the plan in a folder",
+         .extensions = {".json", ".html"},
+         .folders_too = true,
+         .file_names = {"preregistration.json", "preregistration.html"},
+         .take =
+             [&](const std::filesystem::path& folder) { preregister(ui, work, planning, folder); }},
+        work.document.path.parent_path(), "preregistration");
 }
 
 void preregister(Ui& ui, const Workspace& work, const PlanState& planning,
@@ -377,7 +379,7 @@ void draw_plan_dialog(Ui& ui, Workspace& work, PlanState& planning) {
                            "folder.",
                     .enabled = current && planning.chosen})) {
         give_way(ui);
-        return choose_preregistration_folder(ui, work);
+        return choose_preregistration_folder(ui, work, planning);
     }
     draw_answer(ui, work, planning);
     end_dialog(ui);

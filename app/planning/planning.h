@@ -77,7 +77,7 @@ bool is_plan_current(const Workspace& work, const PlanState& planning);
 void use_planned_patterns(Ui& ui, Workspace& work, const SetPlan& plan);
 
 // Where to, and then the files. A folder that has a preregistration keeps it.
-void choose_preregistration_folder(Ui& ui, const Workspace& work);
+void choose_preregistration_folder(Ui& ui, const Workspace& work, const PlanState& planning);
 void preregister(Ui& ui, const Workspace& work, const PlanState& planning,
                  const std::filesystem::path& folder);
 

@@ -62,15 +62,19 @@ std::filesystem::path calibration_folder(const Workspace& work) {
                                        : work.session.folder / "calibrations";
 }
 
-void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play) {
+void load_calibration_dialog(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                             PlayState& play) {
     ui.dialog = Dialog::none;  // its list would cover the files
     const std::filesystem::path last = play.choice.calibration;
     const std::filesystem::path own = calibration_folder(work);
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::load_calibration,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Load the calibration of this device",
-                  .extensions = {".json"}},
+                  .extensions = {".json"},
+                  .take =
+                      [&](const std::filesystem::path& file) {
+                          use_calibration(ui, work, timeline, rendered, play, file);
+                      }},
                  !last.empty()   ? last.parent_path()
                  : is_there(own) ? own
                                  : work.document.path.parent_path());

@@ -149,7 +149,8 @@ constexpr Field kFullScale{
         "The acceleration that full scale is taken for. The actuator may well do another: "
         "strengths within a set are in proportion, but uncalibrated."};
 
-void draw_calibration_links(Ui& ui, const Workspace& work, const PlayState& play) {
+void draw_calibration_links(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                            PlayState& play) {
     if (can_be_calibrated(play)) {
         if (link(ui, {.id = "link:calibrate",
                       .label = "Calibrate...",
@@ -161,7 +162,7 @@ void draw_calibration_links(Ui& ui, const Workspace& work, const PlayState& play
     if (link(ui, {.id = "link:load calibration",
                   .label = "Load calibration...",
                   .tip = "A file that an earlier calibration of this actuator has left"})) {
-        load_calibration_dialog(ui, work, play);
+        load_calibration_dialog(ui, work, timeline, rendered, play);
     }
 }
 
@@ -177,7 +178,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
         if (link(ui, {.id = "link:no calibration", .label = "Use none"}))
             use_calibration(ui, work, timeline, rendered, play, {});
         ImGui::SameLine(0.0F, ui.theme.padding_px);
-        draw_calibration_links(ui, work, play);
+        draw_calibration_links(ui, work, timeline, rendered, play);
         return;
     }
     Field full_scale = kFullScale;
@@ -196,7 +197,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
             "stops after a minute on end. Without it an actuator may be harmed.",
         .value = play.is_protected ? "on" : "off"};
     if (check(ui, protect, play.is_protected)) begin_softly(play);
-    draw_calibration_links(ui, work, play);
+    draw_calibration_links(ui, work, timeline, rendered, play);
 }
 
 void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,

@@ -158,7 +158,8 @@ void follow_calibration(Ui& ui, Workspace& work, RenderingState& rendered, PlayS
 std::filesystem::path calibration_folder(const Workspace& work);
 
 // Opens the chooser in the folder of the calibration in use, or in the folder for measurements.
-void load_calibration_dialog(Ui& ui, const Workspace& work, const PlayState& play);
+void load_calibration_dialog(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                             PlayState& play);
 void use_calibration(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                      // empty: no calibration from now on
                      PlayState& play, const std::filesystem::path& path);

@@ -63,13 +63,13 @@ void ask_for(const Ui& ui, SoundsState& sounds, SoundsRequest request) {
 
 }  // namespace
 
-void from_sound_dialog(Ui& ui, const Workspace& work) {
+void from_sound_dialog(Ui& ui, const Workspace& work, SoundsState& sounds) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::from_sound,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Make a pattern from a sound",
                   .extensions = {".wav", ".mp3", ".flac", ".ogg", ".opus", ".oga", ".aiff", ".aif",
-                                 ".au", ".caf"}},
+                                 ".au", ".caf"},
+                  .take = [&](const fs::path& file) { open_sounds(ui, work, sounds, {file}); }},
                  work.document.path.parent_path());
 }
 

@@ -58,7 +58,7 @@ void draw_sounds_dialog(Ui& ui, Workspace& work, SoundsState& sounds);
 // Output    patterns in the set, one step of undo; a file that cannot be read is left out, said
 
 // Choosing a sound, then the dialog on it.
-void from_sound_dialog(Ui& ui, const Workspace& work);
+void from_sound_dialog(Ui& ui, const Workspace& work, SoundsState& sounds);
 void open_sounds(Ui& ui, const Workspace& work, SoundsState& sounds,
                  const std::vector<std::filesystem::path>& files);
 

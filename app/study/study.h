@@ -267,7 +267,7 @@ void close_study(StudyState& studying);
 std::filesystem::path study_folder(const Workspace& work, const StudyState& studying);
 std::filesystem::path study_folder(const Workspace& work, const StudyState& studying,
                                    const SavedFrom& place);  // as if it were there
-void choose_study_folder(Ui& ui, const Workspace& work, const StudyState& studying);
+void choose_study_folder(Ui& ui, const Workspace& work, StudyState& studying);
 void set_study_folder(const Workspace& work, StudyState& studying,
                       const std::filesystem::path& folder);
 

@@ -105,14 +105,15 @@ fs::path study_folder(const Workspace& work, const StudyState& studying) {
     return study_folder(work, studying, {work.document.path, work.document.set.name});
 }
 
-void choose_study_folder(Ui& ui, const Workspace& work, const StudyState& studying) {
-    ask_for_file(ui,
-                 {.purpose = ChooserPurpose::study_folder,
-                  .use = ChooserUse::save_folder,
-                  .title = "Folder for participants",
-                  .folders_too = true},
-                 study_folder(work, studying).parent_path(),
-                 study_folder(work, studying).filename().string());
+void choose_study_folder(Ui& ui, const Workspace& work, StudyState& studying) {
+    ask_for_file(
+        ui,
+        {.use = ChooserUse::save_folder,
+         .title = "Folder for participants",
+         .folders_too = true,
+         .take = [&](const fs::path& folder) { set_study_folder(work, studying, folder); }},
+        study_folder(work, studying).parent_path(),
+        study_folder(work, studying).filename().string());
 }
 
 void set_study_folder(const Workspace& work, StudyState& studying, const fs::path& folder) {
@@ -236,10 +237,10 @@ void use_as_ratings(Ui& ui, Workspace& work, Layout& layout, Comparing& comparin
 
 void export_study_dialog(Ui& ui, const Workspace& work, const StudyState& studying) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_study,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Export answers as CSV",
-                  .extensions = {".csv"}},
+                  .extensions = {".csv"},
+                  .take = [&](const fs::path& file) { export_study(ui, studying, file); }},
                  study_folder(work, studying).parent_path(), "answers.csv");
 }
 

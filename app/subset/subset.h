@@ -264,10 +264,10 @@ Expected<Done> write_subset(const std::filesystem::path& folder, const Report& r
 
 // From the window. Both wait until an exact subset of the set as it is has been picked.
 void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                          const SubsetState& picking);
+                          SubsetState& picking);
 void export_subset(Ui& ui, SubsetState& picking, const std::filesystem::path& folder);
 
-void export_report_dialog(Ui& ui, const Workspace& work);
+void export_report_dialog(Ui& ui, const Workspace& work, SubsetState& picking);
 void export_report(Ui& ui, SubsetState& picking, const std::filesystem::path& file);
 
 // Writes what is asked for: between two frames, as it draws pictures.

@@ -65,15 +65,15 @@ Expected<Done> write_subset(const fs::path& folder, const Report& report) {
 }
 
 void export_subset_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_map,
-                          const SubsetState& picking) {
+                          SubsetState& picking) {
     if (shown_pick(shown_map, picking) == nullptr) return;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_subset,
-                  .use = ChooserUse::save_folder,
+                 {.use = ChooserUse::save_folder,
                   .title = "Export the picked subset into a folder",
                   .extensions = {".json", ".html", ".png", ".svg"},
                   .folders_too = true,
-                  .file_names = {kFiles.begin(), kFiles.end()}},
+                  .file_names = {kFiles.begin(), kFiles.end()},
+                  .take = [&](const fs::path& folder) { export_subset(ui, picking, folder); }},
                  work.document.path.parent_path(), "subset");
 }
 
@@ -82,13 +82,13 @@ void export_subset(Ui& ui, SubsetState& picking, const fs::path& folder) {
     say(ui, "The subset follows when the most distinct patterns are picked.");
 }
 
-void export_report_dialog(Ui& ui, const Workspace& work) {
+void export_report_dialog(Ui& ui, const Workspace& work, SubsetState& picking) {
     const std::string& name = work.document.set.name;
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::export_report,
-                  .use = ChooserUse::save,
+                 {.use = ChooserUse::save,
                   .title = "Export a report, .html",
-                  .extensions = {".html"}},
+                  .extensions = {".html"},
+                  .take = [&](const fs::path& file) { export_report(ui, picking, file); }},
                  work.document.path.parent_path(),
                  file_stem(name.empty() ? "untitled" : name) + " report.html");
 }

@@ -188,12 +188,12 @@ void use_column(TableWords& words, const TableAnswer& answer, std::size_t column
     }
 }
 
-void open_table_dialog(Ui& ui, const Workspace& work) {
+void open_table_dialog(Ui& ui, const Workspace& work, TableState& table) {
     ask_for_file(ui,
-                 {.purpose = ChooserPurpose::open_table,
-                  .use = ChooserUse::open,
+                 {.use = ChooserUse::open,
                   .title = "Open a table of ratings, or of a recording",
-                  .extensions = {".csv", ".txt", ".tsv"}},
+                  .extensions = {".csv", ".txt", ".tsv"},
+                  .take = [&](const fs::path& file) { open_table(ui, work, table, file); }},
                  work.document.path.parent_path());
 }
 
@@ -215,6 +215,16 @@ void look_at_table(const Ui& ui, const Workspace& work, TableState& table) {
     table.job.ask({work.document_number, table.file, table.words,
                    std::make_shared<const PatternSet>(work.document.set)},
                   looked_at, ui.wake);
+}
+
+void load_ratings_dialog(Ui& ui, const Workspace& work, TableState& table) {
+    ask_for_file(ui,
+                 {.use = ChooserUse::open,
+                  .title = "Load ratings: a table, or a folder with one for each participant",
+                  .extensions = {".csv", ".txt"},
+                  .folders_too = true,
+                  .take = [&](const fs::path& path) { read_tables(ui, work, table, {path}); }},
+                 work.document.path.parent_path());
 }
 
 void read_tables(Ui& ui, const Workspace& work, TableState& table,

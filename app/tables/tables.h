@@ -105,12 +105,15 @@ void use_column(TableWords& words, const TableAnswer& answer, std::size_t column
                 std::string_view use);
 
 // Chooses a file, then shows the dialog on it. `kind`: what it is known to hold.
-void open_table_dialog(Ui& ui, const Workspace& work);
+void open_table_dialog(Ui& ui, const Workspace& work, TableState& table);
 void open_table(Ui& ui, const Workspace& work, TableState& table, const std::filesystem::path& file,
                 std::optional<TableKind> kind = {});
 
 // Asks again, after the words have changed.
 void look_at_table(const Ui& ui, const Workspace& work, TableState& table);
+
+// Asks for ratings: a table, or a folder of tables.
+void load_ratings_dialog(Ui& ui, const Workspace& work, TableState& table);
 
 // Reads files in the background, then follow_tables() takes them: as ratings; as recordings, if
 // they may be such; otherwise the dialog asks about a single one.

@@ -377,7 +377,7 @@ Chosen draw_file_chooser(Ui& ui) {
 
 void ask_for_file(Ui& ui, const FileQuestion& question, const std::filesystem::path& folder,
                   const std::string& name) {
-    ui.chooser_purpose = question.purpose;
+    ui.take_chosen = question.take;
     ui.chooser.use = question.use;
     ui.chooser.title = question.title;
     ui.chooser.extensions = question.extensions;

@@ -220,41 +220,6 @@ enum class Dialog {
     course
 };
 
-// The purpose of a chosen path.
-enum class ChooserPurpose {
-    open_document,
-    open_library,
-    add_to_set,
-    save_document,
-    load_tables,
-    load_ratings,
-    add_metric,
-    open_table,
-    load_calibration,
-    load_model,
-    save_model,
-    add_training_set,
-    save_calibration_signal,
-    open_calibration_recording,
-    import_recordings,
-    from_sound,
-    study_folder,
-    export_study,
-    preregister,
-    export_view,
-    export_subset,
-    export_report,
-    export_effects,
-    paper_set,
-    paper_folder,
-    export_stages,
-    export_animation,
-    open_lesson,
-    save_lesson,
-    lesson_sheet,
-    course_answers
-};
-
 // The entry in which a number is typed: its state between frames.
 struct NumberTyping {
     unsigned entry = 0;      // ImGui's id of the entry with the keyboard; 0: none
@@ -319,7 +284,7 @@ struct Ui {
     bool for_fingers = false;    // targets are as large as a finger needs
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
     FileChooser chooser;
-    ChooserPurpose chooser_purpose = ChooserPurpose::open_document;
+    std::function<void(const std::filesystem::path&)> take_chosen;  // the chooser's answer
     Dialog dialog = Dialog::none;
     bool escape_taken = false;         // Esc has stopped a device in this frame, and closes nothing
     std::optional<Question> question;  // over everything else
@@ -365,15 +330,16 @@ void set_text_scale(Ui& ui, float scale);
 void step_text_scale(Ui& ui, float factor);
 void set_theme(Ui& ui, bool dark);
 
-// Asking for a file or a folder, with the purpose of the answer.
+// Asking for a file or a folder, with what happens with the answer.
 
 struct FileQuestion {
-    ChooserPurpose purpose{};
     ChooserUse use = ChooserUse::open;
     std::string title{};
     std::vector<std::string> extensions{};  // ".wav"; empty: all files
     bool folders_too = false;
     std::vector<std::string> file_names{};  // files that go into the folder of save_folder
+    // Gets the chosen path, frames later: what it holds by reference lives as long as `ui`.
+    std::function<void(const std::filesystem::path&)> take{};
 };
 
 // Opens the dialog in a folder (if missing: the home folder), with a name offered.

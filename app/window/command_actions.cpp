@@ -258,6 +258,20 @@ void open_file(App& app, const std::filesystem::path& path) {
     once_lesson_may_go(app, [&app, path] { open_lesson(lesson_context(app), app.lesson, path); });
 }
 
+void open_dialog(App& app) {
+    ask_for_vibrations(app.ui, app.work,
+                       "Open a set, a recording, an effect file, or a folder of them",
+                       [&app](const std::filesystem::path& path) { open_file(app, path); });
+}
+
+void open_lesson_dialog(App& app, const char* title) {
+    ask_for_file(app.ui,
+                 {.title = title,
+                  .extensions = {".json"},
+                  .take = [&app](const std::filesystem::path& path) { open_file(app, path); }},
+                 app.work.document.path.parent_path());
+}
+
 void open_course_of_program(App& app) { open_bundled_course(app.ui, app.work.session, app.course); }
 
 void begin_lesson_of_course(App& app, std::size_t which) {

@@ -106,85 +106,13 @@ std::vector<std::filesystem::path> recent_folders(const Session& session) {
     return folders;
 }
 
-std::vector<std::string> each_of(const std::vector<ForeignMetric>& metrics,
-                                 std::string ForeignMetric::*field) {
-    std::vector<std::string> all;
-    for (const ForeignMetric& one : metrics) all.push_back(one.*field);
-    return all;
-}
-
 void draw_chooser(App& app) {
     if (app.ui.chooser.appears) app.ui.chooser.recent = recent_folders(app.work.session);
     const auto chosen = draw_file_chooser(app.ui);
     if (!chosen) return;
-    switch (app.ui.chooser_purpose) {
-        case ChooserPurpose::open_document:
-            return open_file(app, *chosen);
-        case ChooserPurpose::open_library:
-            app.layout.bench = BenchTab::library;
-            return show_library(app.ui, app.library, *chosen);
-        case ChooserPurpose::add_to_set:
-            return add_paths(app.ui, app.work, app.opening, {*chosen});
-        case ChooserPurpose::save_document:
-            return save_as(app.ui, app.work, *chosen);
-        case ChooserPurpose::load_tables:
-            return load_tables(app.ui, app.work, *chosen);
-        case ChooserPurpose::load_ratings:
-            return read_tables(app.ui, app.work, app.table, {*chosen});
-        case ChooserPurpose::add_metric:
-            return add_metric(app.ui, app.comparing, *chosen);
-        case ChooserPurpose::open_table:
-            return open_table(app.ui, app.work, app.table, *chosen);
-        case ChooserPurpose::load_calibration:
-            return use_calibration(app.ui, app.work, app.timeline, app.rendered, app.play, *chosen);
-        case ChooserPurpose::load_model:
-            return load_model(app.ui, app.work, app.model_bench, *chosen);
-        case ChooserPurpose::save_model:
-            return save_trained(app.ui, app.model_bench, *chosen);
-        case ChooserPurpose::add_training_set:
-            return add_training_set(app.ui, app.work, app.model_bench, *chosen);
-        case ChooserPurpose::save_calibration_signal:
-            return save_calibration_signal(app.ui, app.calibrating, *chosen);
-        case ChooserPurpose::open_calibration_recording:
-            return read_calibration_recording(app.ui, app.calibrating, *chosen);
-        case ChooserPurpose::import_recordings:
-            return import_recordings(app.ui, app.work, app.importing, {*chosen});
-        case ChooserPurpose::from_sound:
-            return open_sounds(app.ui, app.work, app.sounds, {*chosen});
-        case ChooserPurpose::study_folder:
-            return set_study_folder(app.work, app.studying, *chosen);
-        case ChooserPurpose::export_study:
-            return export_study(app.ui, app.studying, *chosen);
-        case ChooserPurpose::preregister:
-            return preregister(app.ui, app.work, app.planning, *chosen);
-        case ChooserPurpose::export_view:
-            return export_view(app.exports, *chosen);
-        case ChooserPurpose::export_subset:
-            return export_subset(app.ui, app.picking, *chosen);
-        case ChooserPurpose::export_report:
-            return export_report(app.ui, app.picking, *chosen);
-        case ChooserPurpose::export_effects:
-            return export_effects(app.exports.effects, *chosen);
-        case ChooserPurpose::paper_set:
-            return add_paper_set(app.ui, app.exports.paper, *chosen);
-        case ChooserPurpose::paper_folder:
-            return write_paper(app.ui, app.work, app.exports.paper,
-                               each_of(app.comparing.foreign, &ForeignMetric::from), *chosen);
-        case ChooserPurpose::export_stages:
-            return export_stages(app.ui, app.work, app.rendered, app.physiology, *chosen);
-        case ChooserPurpose::export_animation:
-            return export_animation(app, *chosen);
-        case ChooserPurpose::open_lesson:
-            return open_file(app, *chosen);
-        case ChooserPurpose::save_lesson:
-            save_lesson(app.ui, app.work, app.lesson, *chosen);
-            return;
-        case ChooserPurpose::lesson_sheet:
-            app.lesson.sheet_to = *chosen;
-            return;
-        case ChooserPurpose::course_answers:
-            return export_answers(app.ui, app.course, *chosen);
-    }
+    // It may ask for another file.
+    const auto take = std::exchange(app.ui.take_chosen, nullptr);
+    if (take) take(*chosen);
 }
 
 }  // namespace
@@ -216,10 +144,12 @@ std::span<const KeyRow> keys_and_mouse() {
 void draw_dialogs(App& app) {
     if (app.ui.question) return draw_question(app.ui);
     draw_chooser(app);
+    if (const auto to = std::exchange(app.exports.animation_to, {}); !to.empty()) {
+        export_animation(app, to);
+    }
     draw_exports(app.ui, app.work, app.exports);
     if (app.ui.dialog == Dialog::paper) {
-        draw_paper_dialog(app.ui, app.work, each_of(app.comparing.foreign, &ForeignMetric::key),
-                          app.exports.paper);
+        draw_paper_dialog(app.ui, app.work, app.comparing.foreign, app.exports.paper);
     }
     if (!app.exports.animation) draw_paper_progress(app.ui, app.exports.paper);
     if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);

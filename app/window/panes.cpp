@@ -270,18 +270,19 @@ void draw_bench(App& app) {
             return do_with_pattern(app, action);
         }
         case BenchTab::compare:
-            return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.comparing);
+            return draw_compare_panel(app.ui, app.work, app.layout, app.shown_map, app.table,
+                                      app.comparing);
         case BenchTab::shepard:
             return draw_shepard_panel(app.ui, app.work, app.shown_map, app.comparing);
         case BenchTab::why:
             return draw_why_panel(app.ui, app.work, app.layout, app.timeline, app.shown_map,
                                   app.comparing);
         case BenchTab::model:
-            return draw_model_panel(app.ui, app.work, app.model_bench);
+            return draw_model_panel(app.ui, app.work, app.table, app.model_bench);
         case BenchTab::device:
             return draw_device_panel(app.ui, app.work, app.timeline, app.rendered, app.play);
         case BenchTab::library:
-            return draw_library_panel(app.ui, app.work, app.library);
+            return draw_library_panel(app.ui, app.work, app.layout, app.library);
     }
 }
 
@@ -387,7 +388,7 @@ void draw_start(App& app) {
     if (!done) return;
     switch (done->way) {
         case StartAction::Way::open:
-            return open_dialog(app.ui, app.work);
+            return open_dialog(app);
         case StartAction::Way::generate:
             return open_generate(app.ui, app.work, app.generating);
         case StartAction::Way::recent:

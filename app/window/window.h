@@ -117,6 +117,9 @@ void leave_the_lesson(App& app);
 void begin_lesson(App& app);
 // Opens a lesson, or a file that can be a set; asks about unsaved changes of an open lesson.
 void open_file(App& app, const std::filesystem::path& path);
+// Ask for a file to open.
+void open_dialog(App& app);
+void open_lesson_dialog(App& app, const char* title);
 void open_bundled_lesson(App& app, const char* path);
 void open_course_of_program(App& app);
 void begin_lesson_of_course(App& app, std::size_t which);

@@ -47,7 +47,8 @@ TEST_CASE("compare tab: without ratings it says what to load, and compares with 
     CHECK(bench.program.shows("metric:no-physiology"));
     bench.program.click("button:load ratings");
     CHECK(bench.program.app.ui.chooser.is_open);
-    CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::load_ratings);
+    CHECK(bench.program.app.ui.chooser.title ==
+          "Load ratings: a table, or a folder with one for each participant");
 }
 
 TEST_CASE("compare tab: its numbers are those of the command line, to the last bit" *
@@ -343,7 +344,8 @@ TEST_CASE("compare tab: a matrix of one's own is a row beside the others, marked
     bench.program.click("tab:Compare");
     bench.wait_for_comparison();
     bench.program.click("link:add metric");
-    CHECK(bench.program.app.ui.chooser_purpose == ChooserPurpose::add_metric);
+    CHECK(bench.program.app.ui.chooser.title ==
+          "Add a metric of your own: a matrix, or a function in Python");
     bench.program.press_key(key::kEscape);
     // The matrix holds the ratings themselves, so no metric agrees better.
     Comparing& comparing = bench.program.app.comparing;

@@ -178,7 +178,7 @@ TEST_CASE("unsaved: a window with the only copy stays open and asks") {
     // Enter takes the marked answer: where to?
     program.press_key(key::kEnter);
     CHECK(app.ui.chooser.is_open);
-    CHECK(app.ui.chooser_purpose == ChooserPurpose::save_document);
+    CHECK(app.ui.chooser.title == "Save the set");
     program.press_key(key::kEscape);
     save_as(app.ui, app.work, program.folder.path / "mine.tactspace.json");
     CHECK(may_close(app));

@@ -214,7 +214,7 @@ TEST_CASE("exports: a picture is of the program as it is, and leaves it so") {
 
 TEST_CASE("exports: a picture that cannot be written says so and stops nothing") {
     Exporting exporting;
-    export_view(exporting.program.app.exports, "/proc/no folder/a.png");
+    exporting.program.app.exports.picture = "/proc/no folder/a.png";
     exporting.frame();
     CHECK(exporting.program.app.ui.status.is_error);
     CHECK(contains(exporting.status(), "Not exported: /proc/no folder/a.png: cannot be written"));
