@@ -173,6 +173,7 @@ std::vector<std::string> pad_corners(const Workspace& work);
 void open_pad(Ui& ui, const Workspace& work, PadState& pad);
 
 // Enter adds the mix behind the first corner as one step of undo. Esc leaves the set unchanged.
+inline constexpr Dialog kPadDialog{.title = "Mix on a pad", .is_of_document = true};
 void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad);
 
 // Recomputes proposed patterns when their question changes: the track of a number, a suggestion,
@@ -249,6 +250,7 @@ struct StepsState {
 // The dialog for even steps between two patterns.
 
 // Enter adds the steps, Esc leaves the set unchanged. A row is played while it is held.
+inline constexpr Dialog kStepsDialog{.title = "Steps between", .is_of_document = true};
 void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state);
 
 // Even steps between two patterns of the set: the question, and adding its answer to the set.

@@ -178,14 +178,14 @@ void open_pad(Ui& ui, const Workspace& work, PadState& pad) {
     pad.right = 0.5;
     pad.down = pad.corners.size() > 2 ? 0.5 : 0.0;
     keep_mix(work.document.set, pad);
-    ui.dialog = Dialog::pad;
+    ui.dialog = kPadDialog;
 }
 
 void draw_pad_dialog(Ui& ui, Workspace& work, PadState& pad) {
     const float s = ui.theme.scale;
     constexpr float kRoundingPx = 2.0F;
     const float around_px = kMarginPx + ui.theme.padding_px / s + kRoundingPx;
-    if (!begin_dialog(ui, "Mix on a pad", kPadPx + 2.0F * around_px, DialogSide::right)) return;
+    if (!begin_dialog(ui, kPadDialog, kPadPx + 2.0F * around_px, DialogSide::right)) return;
     keep_mix(work.document.set, pad);
     coloured_text(ui.theme.dim_text,
                   "Drag inside; rest with the button held to feel it there. Rhythms are morphed: "

@@ -58,7 +58,7 @@ void open_steps(Ui& ui, const Workspace& work, StepsState& state, const std::str
     state.to = to.empty() ? other_than(work, state.from) : to;
     state.along.reset();
     state.cancelled = false;
-    ui.dialog = Dialog::steps;
+    ui.dialog = kStepsDialog;
 }
 
 std::string steps_obstacle(const Workspace& work, const StepsState& state) {
@@ -87,7 +87,7 @@ std::optional<StepsRequest> steps_request(const Workspace& work, const StepsStat
 
 void follow_steps(const Ui& ui, const Workspace& work, StepsState& state) {
     const auto wanted =
-        ui.dialog == Dialog::steps ? steps_request(work, state) : std::optional<StepsRequest>();
+        ui.dialog == kStepsDialog ? steps_request(work, state) : std::optional<StepsRequest>();
     if (wanted != state.job.asked()) state.cancelled = false;
     state.job.want(wanted, found_steps, ui.wake);
 }
@@ -277,7 +277,7 @@ std::string add_text(const Workspace& work, const StepsState& state, const Found
 }  // namespace
 
 void draw_steps_dialog(Ui& ui, Workspace& work, StepsState& state) {
-    if (!begin_dialog(ui, "Steps between", kDialogPx)) return;
+    if (!begin_dialog(ui, kStepsDialog, kDialogPx)) return;
     draw_name_choice(ui, work.document.set, "From", state.from);
     draw_name_choice(ui, work.document.set, "To", state.to);
     draw_count(ui, state);

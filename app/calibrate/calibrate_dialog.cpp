@@ -255,13 +255,13 @@ void draw_parts(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& pl
 
 void draw_calibrate(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                     PlayState& play, CalibrateState& calibrating) {
-    if (!begin_dialog(ui, "Calibrate", kDialogPx)) return;
+    if (!begin_dialog(ui, kCalibrateDialog, kDialogPx)) return;
     draw_parts(ui, work, timeline, play, calibrating);
     const ResponseAnswer* const answer = current_answer(calibrating);
     const bool is_ready = answer != nullptr && !answer->result.points.empty();
     const bool takes = draw_ends(ui, "Save and use", is_ready);
     if (takes) save_and_use_calibration(ui, work, timeline, rendered, play, calibrating);
-    if (ui.dialog == Dialog::none && calibrating.is_playing) silence(timeline, play);
+    if (ui.dialog == kNoDialog && calibrating.is_playing) silence(timeline, play);
 }
 
 }  // namespace tact

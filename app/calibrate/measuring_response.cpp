@@ -55,7 +55,7 @@ fs::path new_file(const Workspace& work, const PlayState& play, const Calibratio
 
 // Its fields would lie over the files.
 void leave_for_files(Ui& ui, CalibrateState& calibrating) {
-    ui.dialog = Dialog::none;
+    ui.dialog = kNoDialog;
     calibrating.comes_back = true;
 }
 
@@ -113,9 +113,9 @@ void look_at_recording(const Ui& ui, CalibrateState& calibrating) {
 }
 
 void follow_calibrate(Ui& ui, const PlayState& play, CalibrateState& calibrating) {
-    if (calibrating.comes_back && !ui.chooser.is_open && ui.dialog == Dialog::none) {
+    if (calibrating.comes_back && !ui.chooser.is_open && ui.dialog == kNoDialog) {
         calibrating.comes_back = false;
-        ui.dialog = Dialog::calibrate;
+        ui.dialog = kCalibrateDialog;
     }
     if (auto answer = calibrating.job.latest()) calibrating.answer = std::move(answer);
     calibrating.is_playing = calibrating.is_playing && is_sounding(play);

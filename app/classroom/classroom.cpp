@@ -66,7 +66,7 @@ void fit_study(const Classroom& room) {
     StudyDesign design = work.document.set.study;
     design.repetitions = room.phones.repetitions;
     const std::vector<std::size_t> places = selected_indices(work);
-    if (places.size() >= kLeastRatedTogether && places.size() <= kMostRatedTogether) {
+    if (can_rate_together(places.size())) {
         design.patterns.clear();
         for (const std::size_t place : places) {
             design.patterns.push_back(work.document.set.vibrations[place].name);
@@ -139,7 +139,7 @@ void act_on_phones(const Classroom& room, const PhonesActions& actions) {
     if (actions.rate_together) rate_together(room);
     if (actions.trials_on) try_pairs_on(room, *actions.trials_on);
     if (!actions.show_answers) return;
-    room.ui.dialog = Dialog::none;
+    room.ui.dialog = kNoDialog;
     room.studying.show = StudyShow::map;  // with PM's beside it
     open_study(room.layout, room.studying);
 }

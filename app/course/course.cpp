@@ -107,7 +107,7 @@ void open_course(Ui& ui, const Session& session, CourseState& state, const Cours
     state.course = course;
     state.lessons.clear();
     for (const std::string& name : course.lessons) state.lessons.push_back(lesson_of(name, folder));
-    ui.dialog = Dialog::course;
+    ui.dialog = kCourseDialog;
 }
 
 void open_course_file(Ui& ui, Session& session, CourseState& state, const fs::path& path) {
@@ -152,7 +152,7 @@ void follow_course(Ui& ui, const Session& session, const LessonState& lesson, Co
     const std::string last = std::exchange(state.last_key, key);
     const bool has_ended = key.empty() && is_of_course(state, last);
     const bool returns = has_ended && std::exchange(state.has_begun, false);
-    if (returns && ui.dialog == Dialog::none && !ui.question) ui.dialog = Dialog::course;
+    if (returns && ui.dialog == kNoDialog && !ui.question) ui.dialog = kCourseDialog;
     const bool counts = is_of_course(state, key) && !lesson.presenting && !lesson.editing;
     if (!counts || state.student.empty() || !state.fault.empty()) return;
     LessonProgress& progress = state.progress[state.student][key];

@@ -75,6 +75,8 @@ void export_answers(Ui& ui, const CourseState& state, const std::filesystem::pat
 // The cover of a course: whose progress it is, where each lesson stands, and the way on.
 
 // The lesson to begin, which the dialog has given way to.
+// Its title on the screen is the course's name.
+inline constexpr Dialog kCourseDialog{.title = "Course"};
 std::optional<std::size_t> draw_course_dialog(Ui& ui, CourseState& state);
 
 }  // namespace tact

@@ -92,7 +92,7 @@ const char* action_with(const CourseState& state, std::size_t next) {
 }  // namespace
 
 std::optional<std::size_t> draw_course_dialog(Ui& ui, CourseState& state) {
-    if (!state.course) return std::nullopt;
+    if (ui.dialog != kCourseDialog || !state.course) return std::nullopt;
     if (!begin_dialog(ui, state.course->name.c_str(), 720.0F)) return std::nullopt;
     if (!state.course->about.empty()) {
         ImGui::PushTextWrapPos(0.0F);

@@ -118,8 +118,9 @@ void draw_which(Ui& ui, EffectExport& effects) {
 }  // namespace
 
 void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
+    if (ui.dialog != kExportEffectsDialog) return;
     follow_effects(ui, effects);
-    if (!begin_dialog(ui, "Export vibrations", kEffectDialogPx)) return;
+    if (!begin_dialog(ui, kExportEffectsDialog, kEffectDialogPx)) return;
     draw_format(ui, effects.choice);
     if (is_sampled(effects.choice.format)) {
         draw_sampled(ui, effects.choice);
@@ -135,7 +136,7 @@ void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects) {
     const bool ready = is_loss_current(effects) || effects.without;
     const bool enabled = chosen_is_asked && ready && !effects.request.written.empty();
     const bool go = draw_ends(ui, "Choose a folder...", enabled);
-    if (ui.dialog != Dialog::export_effects) effects.job.cancel();
+    if (ui.dialog != kExportEffectsDialog) effects.job.cancel();
     if (go) choose_effect_folder(ui, work, effects);
 }
 

@@ -118,7 +118,7 @@ void export_effects_dialog(Ui& ui, const Workspace& work, const ShownMap& shown_
     effects.asked.reset();
     effects.answer.reset();
     effects.opened = effects.request.number;
-    ui.dialog = Dialog::export_effects;
+    ui.dialog = kExportEffectsDialog;
 }
 
 void follow_effects(const Ui& ui, EffectExport& effects) {

@@ -111,6 +111,7 @@ void choose_effect_folder(Ui& ui, const Workspace& work, EffectExport& effects);
 // Writes what is asked for: between two frames, as it draws a picture of the map.
 void continue_effect_export(Ui& ui, EffectExport& effects);
 
+inline constexpr Dialog kExportEffectsDialog{.title = "Export vibrations", .is_of_document = true};
 void draw_effect_dialog(Ui& ui, const Workspace& work, EffectExport& effects);
 
 // The page beside exported files: what the export costs in perception, for who gets them.
@@ -172,6 +173,8 @@ struct PaperState {
 std::string words_on_ratings(const PatternSet& set);
 
 // The menu's command.
+inline constexpr Dialog kPaperDialog{.title = "Tables and figures of a paper",
+                                     .is_of_document = true};
 void open_paper(Ui& ui);
 
 // What the choosers answer. A set without ratings is refused with a reason.
@@ -240,6 +243,8 @@ struct ExportState {
 // Left out  drawing pictures, which takes the whole program: app/window/window.h
 
 // The menu's commands: each asks for what it needs.
+inline constexpr Dialog kExportViewDialog{.title = "Export view", .is_of_document = true};
+inline constexpr Dialog kExportAnimationDialog{.title = "Export animation", .is_of_document = true};
 void export_view_dialog(Ui& ui);
 void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& rendered,
                           const Physiology& physiology);

@@ -130,7 +130,7 @@ void draw_size(Ui& ui, const Workspace& work, PictureView view, PictureSize& siz
 }
 
 void draw_view_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
-    if (!begin_dialog(ui, "Export view")) return;
+    if (!begin_dialog(ui, kExportViewDialog)) return;
     draw_views(ui, work, kPictureViews, exports.view, exports.picture_size);
     draw_size(ui, work, exports.view, exports.picture_size);
     dim_text(ui, "PNG for pixels, SVG to magnify and to edit: chosen beside the file's name.");
@@ -199,7 +199,7 @@ void draw_slower(Ui& ui, ExportState& exports) {
 }
 
 void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
-    if (!begin_dialog(ui, "Export animation")) return;
+    if (!begin_dialog(ui, kExportAnimationDialog)) return;
     constexpr std::array<PictureView, 2> kMoving{PictureView::physiology, PictureView::window};
     draw_views(ui, work, kMoving, exports.moving_view, exports.frame_size);
     draw_seconds(ui, work, "from", "From", 0.0, exports.from_s);
@@ -238,9 +238,9 @@ void draw_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) 
 }  // namespace
 
 void draw_exports(Ui& ui, const Workspace& work, ExportState& exports) {
-    if (ui.dialog == Dialog::export_view) draw_view_dialog(ui, work, exports);
-    if (ui.dialog == Dialog::export_animation) draw_animation_dialog(ui, work, exports);
-    if (ui.dialog == Dialog::export_effects) draw_effect_dialog(ui, work, exports.effects);
+    draw_view_dialog(ui, work, exports);
+    draw_animation_dialog(ui, work, exports);
+    draw_effect_dialog(ui, work, exports.effects);
     if (exports.animation) draw_export_progress(ui, exports);
 }
 

@@ -63,13 +63,13 @@ const char* name_of(PictureView view) {
     return "";
 }
 
-void export_view_dialog(Ui& ui) { ui.dialog = Dialog::export_view; }
+void export_view_dialog(Ui& ui) { ui.dialog = kExportViewDialog; }
 
 void export_animation_dialog(Ui& ui, const Workspace& work, ExportState& exports) {
     const double duration_s = shown_duration_s(work);
     if (exports.to_s <= 0.0 || exports.to_s > duration_s) exports.to_s = duration_s;
     if (exports.from_s >= exports.to_s) exports.from_s = 0.0;
-    ui.dialog = Dialog::export_animation;
+    ui.dialog = kExportAnimationDialog;
 }
 
 void export_stages_dialog(Ui& ui, const Workspace& work, const RenderingState& rendered,

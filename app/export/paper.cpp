@@ -101,10 +101,10 @@ std::string words_on_ratings(const PatternSet& set) {
                               : counted(names.size(), "person", "people"));
 }
 
-void open_paper(Ui& ui) { ui.dialog = Dialog::paper; }
+void open_paper(Ui& ui) { ui.dialog = kPaperDialog; }
 
 void add_paper_set(Ui& ui, PaperState& paper, const fs::path& file) {
-    ui.dialog = Dialog::paper;
+    ui.dialog = kPaperDialog;
     const Expected<Loaded> loaded = load_set(file);
     if (!loaded) return complain(ui, loaded.error().message);
     const PatternSet& set = loaded->set;

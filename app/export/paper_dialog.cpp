@@ -102,7 +102,7 @@ void choose_folder(Ui& ui, const Workspace& work, const std::vector<ForeignMetri
 
 void draw_paper_dialog(Ui& ui, const Workspace& work, const std::vector<ForeignMetric>& foreign,
                        PaperState& paper) {
-    if (!begin_dialog(ui, "Tables and figures of a paper", kPaperDialogPx)) return;
+    if (!begin_dialog(ui, kPaperDialog, kPaperDialogPx)) return;
     wrapped_text(
         "Table 2 and Figures 4 to 10 of Lim & Park 2023, of these sets and their ratings: how well "
         "PM and six other metrics agree with people, maps turned onto theirs, what the model makes "

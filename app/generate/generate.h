@@ -65,6 +65,7 @@ struct GenerateState {
 
 // Over the window: which candidates to generate.
 
+inline constexpr Dialog kGenerateDialog{.title = "Generate candidates", .is_of_document = true};
 void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating);
 
 // Candidates from the document's design space: what a draft would make, and making it.

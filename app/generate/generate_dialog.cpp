@@ -111,7 +111,7 @@ void draw_previews(Ui& ui, Workspace& work, const GeneratePlan* plan) {
 }
 
 void close(Ui& ui, GenerateState& generating) {
-    ui.dialog = Dialog::none;
+    ui.dialog = kNoDialog;
     generating.asking.reset();
     ImGui::CloseCurrentPopup();
 }
@@ -209,7 +209,7 @@ void draw_what_is_left_out(Ui& ui, const Workspace& work) {
 }  // namespace
 
 void draw_generate_dialog(Ui& ui, Workspace& work, GenerateState& generating) {
-    if (!begin_dialog(ui, "Generate candidates", kDialogWidthPx)) return;
+    if (!begin_dialog(ui, kGenerateDialog, kDialogWidthPx)) return;
     // Esc leaves an entry first, then the dialog.
     const bool typing = !generating.typing.empty() || is_number_typed(ui);
     const bool popup = ImGui::IsPopupOpen("rhythms", ImGuiPopupFlags_AnyPopupId);

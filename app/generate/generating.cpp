@@ -76,7 +76,7 @@ void open_generate(Ui& ui, const Workspace& work, GenerateState& generating) {
     }
     generating.asking.reset();
     generating.typing.clear();
-    ui.dialog = Dialog::generate;
+    ui.dialog = kGenerateDialog;
 }
 
 std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_token stop) {
@@ -98,7 +98,7 @@ std::optional<GeneratePlan> plan_of(const GenerateRequest& request, std::stop_to
 }
 
 void follow_generate(const Ui& ui, const Workspace& work, GenerateState& generating) {
-    if (ui.dialog != Dialog::generate) return;
+    if (ui.dialog != kGenerateDialog) return;
     generating.job.want(
         GenerateRequest{generating.draft, work.document.committed},
         [](const GenerateRequest& request, std::stop_token stop, std::atomic<float>&) {

@@ -176,7 +176,7 @@ std::vector<KeyPress> take_lesson_keys(const LessonContext& context, LessonState
                                        std::span<const KeyPress> pressed) {
     std::vector<KeyPress> left;
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool covered = context.ui.dialog != Dialog::none || context.ui.chooser.is_open ||
+    const bool covered = context.ui.dialog != kNoDialog || context.ui.chooser.is_open ||
                          context.ui.question.has_value();
     for (const KeyPress& press : pressed) {
         // A text field has no undo of its own; the lesson's includes its edits.

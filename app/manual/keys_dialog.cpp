@@ -172,10 +172,10 @@ bool draw_head(Ui& ui, ManualState& manual) {
 }  // namespace
 
 void draw_keys_dialog(Ui& ui, ManualState& manual, std::span<const KeyRow> rows) {
-    if (!begin_dialog(ui, "Keys and mouse", kDialogPx)) return;
+    if (!begin_dialog(ui, kKeysDialog, kDialogPx)) return;
     if (draw_head(ui, manual)) {
         open_manual(ui, manual);
-        ui.dialog = Dialog::none;
+        ui.dialog = kNoDialog;
         ImGui::CloseCurrentPopup();
     }
     ImGui::Spacing();

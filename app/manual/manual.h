@@ -45,6 +45,7 @@ struct KeyRow {
     std::string what;  // of a command the way through the menus, which may begin with the group
 };
 
+inline constexpr Dialog kKeysDialog{.title = "Keys and mouse"};
 void draw_keys_dialog(Ui& ui, ManualState& manual, std::span<const KeyRow> rows);
 
 // The manual: one page that stands alone, of the chapters in assets/manual.

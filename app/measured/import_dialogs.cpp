@@ -171,7 +171,7 @@ bool draw_columns_button(Ui& ui, ImportState& importing) {
 }
 
 void draw_import_dialog(Ui& ui, Workspace& work, ImportState& importing) {
-    if (!begin_dialog(ui, "Import recordings")) return;
+    if (!begin_dialog(ui, kImportDialog)) return;
     dim_text(ui, "Recordings by an accelerometer, and the pattern each measures");
     const bool changed = draw_files(ui, work, importing);
     if (draw_options(ui, importing) || changed) look_at_recordings(ui, work, importing);
@@ -219,7 +219,7 @@ bool is_sound(const ActuatorParams& actuator) {
 }
 
 void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
-    if (!begin_dialog(ui, "Simulate measurement")) return;
+    if (!begin_dialog(ui, kSimulationDialog)) return;
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui,
              "What an accelerometer on a resonant actuator might record. It is computed, no "
@@ -250,8 +250,8 @@ void draw_simulation_dialog(Ui& ui, Workspace& work, ImportState& importing) {
 }  // namespace
 
 void draw_import_dialogs(Ui& ui, Workspace& work, ImportState& importing) {
-    if (ui.dialog == Dialog::import_recordings) draw_import_dialog(ui, work, importing);
-    if (ui.dialog == Dialog::simulate_measurement) draw_simulation_dialog(ui, work, importing);
+    draw_import_dialog(ui, work, importing);
+    draw_simulation_dialog(ui, work, importing);
 }
 
 }  // namespace tact

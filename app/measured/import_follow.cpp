@@ -205,9 +205,9 @@ void follow_import(Ui& ui, Workspace& work, ImportState& importing) {
     if (auto answer = importing.import_job.latest()) importing.answer = std::move(answer);
     if (auto answer = importing.simulation_job.latest()) importing.simulated = std::move(answer);
     // The chooser was closed without a file.
-    if (importing.adding && !ui.chooser.is_open && ui.dialog == Dialog::none) {
+    if (importing.adding && !ui.chooser.is_open && ui.dialog == kNoDialog) {
         importing.adding = false;
-        ui.dialog = Dialog::import_recordings;
+        ui.dialog = kImportDialog;
     }
     if (const auto taken = next_taken(ui, importing.import_takes)) take_import(ui, work, *taken);
     if (const auto taken = next_taken(ui, importing.simulation_takes)) {
@@ -255,7 +255,7 @@ void import_recordings(Ui& ui, const Workspace& work, ImportState& importing,
         importing.files.push_back(file);
         importing.patterns.push_back(place ? work.document.set.vibrations[*place].name : "");
     }
-    ui.dialog = Dialog::import_recordings;
+    ui.dialog = kImportDialog;
     look_at_recordings(ui, work, importing);
 }
 
@@ -266,7 +266,7 @@ bool are_accelerations(const std::vector<fs::path>& paths) {
 }
 
 void simulate_measurement_dialog(Ui& ui, const Workspace& work, ImportState& importing) {
-    ui.dialog = Dialog::simulate_measurement;
+    ui.dialog = kSimulationDialog;
     importing.simulated.reset();
     look_at_simulation(ui, work, importing);
 }

@@ -136,6 +136,8 @@ void take_recordings(Ui& ui, const Workspace& work, ImportState& importing);
 void look_at_simulation(const Ui& ui, const Workspace& work, ImportState& importing);
 void take_simulation(Ui& ui, const Workspace& work, ImportState& importing);
 
+inline constexpr Dialog kImportDialog{.title = "Import recordings", .is_of_document = true};
+inline constexpr Dialog kSimulationDialog{.title = "Simulate measurement", .is_of_document = true};
 void draw_import_dialogs(Ui& ui, Workspace& work, ImportState& importing);
 
 // Two signals on one scale: the measured or heard signal, and its pattern.

@@ -112,8 +112,7 @@ void draw_effect_maps_line(Ui& ui, Workspace& work) {
     note_item(ui.rects, "effects:maps", all);
     draw_tooltip(ui, ("What 0 to 1 of the effect files became in Hz and g, by " + all).c_str());
     ImGui::SameLine(change);
-    if (link(ui, {.id = "button:change maps", .label = "Change..."}))
-        ui.dialog = Dialog::effect_maps;
+    if (link(ui, {.id = "button:change maps", .label = "Change..."})) ui.dialog = kEffectMapsDialog;
     ImGui::SameLine(right);
     if (small_button(ui, {.id = "button:hide maps",
                           .label = "\u00d7",
@@ -123,7 +122,7 @@ void draw_effect_maps_line(Ui& ui, Workspace& work) {
 }
 
 void draw_effect_maps_dialog(Ui& ui, Workspace& work) {
-    if (!begin_dialog(ui, "Actuator maps", kMapsDialogPx)) return;
+    if (!begin_dialog(ui, kEffectMapsDialog, kMapsDialogPx)) return;
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(
         "How the 0 to 1 of effect files is read as Hz and g, for the device that they are for.");

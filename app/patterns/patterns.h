@@ -190,6 +190,7 @@ std::optional<NeighbourAction> draw_editor_panel(Ui& ui, Workspace& work,
 // Left out  maps from files, which the command line's --actuator takes.
 
 void draw_effect_maps_line(Ui& ui, Workspace& work);
+inline constexpr Dialog kEffectMapsDialog{.title = "Actuator maps", .is_of_document = true};
 void draw_effect_maps_dialog(Ui& ui, Workspace& work);
 
 // The menu of a pattern, on its row, its point and its line in the table.
@@ -253,6 +254,7 @@ void open_tapping(Ui& ui, TappingState& tapping);
 
 // Enter gives the rhythm to all selected patterns, and lengthens patterns that are too short for
 // it; Esc changes nothing.
+inline constexpr Dialog kTappingDialog{.title = "Tap a rhythm", .is_of_document = true};
 void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping);
 
 }  // namespace tact

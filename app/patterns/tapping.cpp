@@ -134,11 +134,11 @@ void take(Ui& ui, Workspace& work, const TappedRhythm& tapped) {
 
 void open_tapping(Ui& ui, TappingState& tapping) {
     tapping = {};
-    ui.dialog = Dialog::tap_rhythm;
+    ui.dialog = kTappingDialog;
 }
 
 void draw_tapping_dialog(Ui& ui, Workspace& work, TappingState& tapping) {
-    if (!begin_dialog(ui, "Tap a rhythm")) return;
+    if (!begin_dialog(ui, kTappingDialog)) return;
     draw_pad(ui, tapping);
     const Pattern* pattern = editable_layer(work);
     const double least_s = pattern == nullptr ? 0.0 : pattern->duration_s;

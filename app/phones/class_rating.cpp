@@ -74,7 +74,14 @@ PairAnswer answer_of(const PhoneRating& given, const Trial& trial) {
     return answer;
 }
 
+constexpr std::size_t kLeastRatedTogether = 3;
+constexpr std::size_t kMostRatedTogether = 10;  // 45 pairs: a quarter of an hour
+
 }  // namespace
+
+bool can_rate_together(std::size_t patterns) {
+    return patterns >= kLeastRatedTogether && patterns <= kMostRatedTogether;
+}
 
 std::string class_rating_obstacle(const PatternSet& set) {
     const std::size_t count = study_patterns(set).size();

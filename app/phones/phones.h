@@ -135,8 +135,7 @@ std::string thanks_card(const std::string& text);
 // Left out  the training that a study in the window has: the first trials are the training
 // Errors    the folder or a file cannot be written; sentences
 
-inline constexpr std::size_t kLeastRatedTogether = 3;
-inline constexpr std::size_t kMostRatedTogether = 10;  // 45 pairs: a quarter of an hour
+bool can_rate_together(std::size_t patterns);
 
 struct Rater {
     StudyRecord record;
@@ -303,6 +302,7 @@ struct PhonesActions {
     bool show_answers = false;  // of the rating, where studies are
 };
 
+inline constexpr Dialog kPhonesDialog{.title = "Phones"};
 PhonesActions draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
                                  PhonesState& state);
 

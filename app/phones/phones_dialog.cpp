@@ -171,7 +171,7 @@ constexpr std::array kTimes{Choice{1, "once"}, Choice{2, "twice"}, Choice{4, "fo
 // Several that are selected take part in the place of the study's.
 std::string rating_obstacle(const Workspace& work) {
     const std::size_t selected = selected_indices(work).size();
-    const bool are_chosen = selected >= kLeastRatedTogether && selected <= kMostRatedTogether;
+    const bool are_chosen = can_rate_together(selected);
     return are_chosen ? std::string() : class_rating_obstacle(work.document.set);
 }
 
@@ -247,7 +247,7 @@ void draw_on(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play, Phone
 PhonesActions draw_phones_dialog(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play,
                                  PhonesState& state) {
     PhonesActions actions;
-    if (!begin_dialog(ui, "Phones", kPhonesDialogPx)) return actions;
+    if (!begin_dialog(ui, kPhonesDialog, kPhonesDialogPx)) return actions;
     if (!state.server) {
         draw_off(ui, play, state);
     } else {

@@ -346,7 +346,7 @@ void draw_answer(Ui& ui, Workspace& work, PlanState& planning) {
 }  // namespace
 
 void draw_plan_dialog(Ui& ui, Workspace& work, PlanState& planning) {
-    if (!begin_dialog(ui, "Plan the study", kPlanDialogPx)) return;
+    if (!begin_dialog(ui, kPlanDialog, kPlanDialogPx)) return;
     wrapped_text(
         "How sure would a study of these patterns be? Studies are simulated from PM of this set, "
         "and each is analysed as a real one is.");

@@ -56,6 +56,7 @@ struct PlanState {
 
 // The dialog on a study's plan.
 
+inline constexpr Dialog kPlanDialog{.title = "Plan the study", .is_of_document = true};
 void draw_plan_dialog(Ui& ui, Workspace& work, PlanState& planning);
 
 // A study before it is run: how many people, which patterns, and the plan frozen in a folder.

@@ -64,7 +64,7 @@ std::filesystem::path calibration_folder(const Workspace& work) {
 
 void load_calibration_dialog(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                              PlayState& play) {
-    ui.dialog = Dialog::none;  // its list would cover the files
+    ui.dialog = kNoDialog;  // its list would cover the files
     const std::filesystem::path last = play.choice.calibration;
     const std::filesystem::path own = calibration_folder(work);
     ask_for_file(ui,

@@ -155,7 +155,7 @@ void draw_calibration_links(Ui& ui, Workspace& work, Timeline& timeline, Renderi
         if (link(ui, {.id = "link:calibrate",
                       .label = "Calibrate...",
                       .tip = "With an accelerometer on the actuator: how many g it gives"})) {
-            ui.dialog = Dialog::calibrate;
+            ui.dialog = kCalibrateDialog;
         }
         ImGui::SameLine(0.0F, ui.theme.padding_px);
     }
@@ -228,7 +228,7 @@ void draw_choice(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& re
 
 void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play) {
-    if (!begin_dialog(ui, "Devices")) return;
+    if (!begin_dialog(ui, kDevicesDialog)) return;
     draw_list(ui, timeline, play);
     draw_choice(ui, work, timeline, rendered, play);
     ImGui::Spacing();

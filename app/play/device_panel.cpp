@@ -8,6 +8,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/map.h"
+#include "app/play/parts.h"
 #include "app/play/play.h"
 #include "app/progress/progress.h"
 #include "app/timeline/timeline.h"

@@ -45,8 +45,6 @@ void hear_settings(Ui& ui, Timeline& timeline, PlayState& play) {
     say(ui, "Stopped, as it was not protected: play it again.");
 }
 
-}  // namespace
-
 void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play) {
     hear_settings(ui, timeline, play);
     if (!play.sounding || !play.sounding->follows || play.halted) return;
@@ -73,6 +71,15 @@ void follow_hold(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play) {
     stop_playing(timeline, play);
     play.sounding = Sounding{.names = {}, .loops = true, .as_played = *pressed, .while_held = true};
     play_vibration(ui, timeline, play, *pressed);
+}
+
+}  // namespace
+
+void hear_changes(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                  PlayState& play) {
+    hear_edits(ui, work, timeline, play);
+    follow_hold(ui, work, timeline, play);
+    follow_level(work, rendered, play);
 }
 
 std::optional<std::pair<std::string, std::string>> alternating_pair(const Workspace& work,

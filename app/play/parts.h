@@ -6,6 +6,7 @@
 #include "app/document/workspace.h"
 #include "app/map/map.h"
 #include "app/play/play.h"
+#include "app/rendering/rendering.h"
 #include "app/timeline/timeline.h"
 #include "app/ui/ui.h"
 
@@ -62,5 +63,8 @@ bool take_next_drive(Ui& ui, Timeline& timeline, PlayState& play);
 
 // Takes the job's answer if it is for the playing pattern; true: it was.
 bool take_drive(Ui& ui, Timeline& timeline, PlayState& play);
+
+// The report uses the bar's level if it describes the present playback.
+void follow_level(Workspace& work, RenderingState& rendered, const PlayState& play);
 
 }  // namespace tact

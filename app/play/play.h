@@ -211,10 +211,10 @@ class EmergencyStop {
 
 // At the end of a frame: a playing loop takes up this frame's edits without a restart, and a
 // playing drive follows protection, full scale and calibration.
-void hear_edits(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play);
-
-// Also at the end of a frame: an item pressed for kHoldS repeats until the mouse is released.
-void follow_hold(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play);
+// An item pressed for kHoldS repeats until the mouse is released. The report uses the bar's level
+// if it describes the present playback.
+void hear_changes(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
+                  PlayState& play);
 
 // The two patterns of A|B, by name: those that play in turn, or those that would.
 std::optional<std::pair<std::string, std::string>> alternating_pair(const Workspace& work,
@@ -225,11 +225,10 @@ void swap_pair(Workspace& work, const ShownMap& shown_map, PlayState& play);
 
 // Panels of playing: the bar under the menus, the tab and the dialog of devices.
 
-// The report uses the bar's level if it describes the present playback.
-void follow_level(Workspace& work, RenderingState& rendered, const PlayState& play);
-
 void draw_device_panel(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                        const PlayState& play);
+inline constexpr Dialog kCalibrateDialog{.title = "Calibrate"};  // drawn by app/calibrate
+inline constexpr Dialog kDevicesDialog{.title = "Devices"};
 void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& rendered,
                   PlayState& play);
 float transport_height(const Ui& ui);

@@ -61,7 +61,7 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     draw_divider(ui.theme);
     if (menu_item(ui, {.id = "device:refresh", .label = "Refresh devices"}))
         refresh_devices(ui, play);
-    if (menu_item(ui, {.id = "device:dialog", .label = "Devices..."})) ui.dialog = Dialog::devices;
+    if (menu_item(ui, {.id = "device:dialog", .label = "Devices..."})) ui.dialog = kDevicesDialog;
     ImGui::EndPopup();
 }
 

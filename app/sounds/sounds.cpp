@@ -81,7 +81,7 @@ void open_sounds(Ui& ui, const Workspace& work, SoundsState& sounds,
     sounds.wanted.document = work.document_number;
     sounds.wanted.files = files;
     sounds.wanted.full_scale_g = 0.0;
-    ui.dialog = Dialog::from_sound;
+    ui.dialog = kSoundsDialog;
     want_sounds(ui, sounds);
 }
 
@@ -241,7 +241,7 @@ void draw_made(Ui& ui, const SoundsState& sounds, const SoundsAnswer* answer) {
 }  // namespace
 
 void draw_sounds_dialog(Ui& ui, Workspace& work, SoundsState& sounds) {
-    if (!begin_dialog(ui, "From sound", kSoundsDialogPx)) return;
+    if (!begin_dialog(ui, kSoundsDialog, kSoundsDialogPx)) return;
     const std::size_t files = sounds.wanted.files.size();
     dim_text(ui, files == 1 ? label_of(sounds.wanted.files.front().filename().string()) +
                                   ", as a pattern for an actuator"
@@ -261,7 +261,7 @@ void draw_sounds_dialog(Ui& ui, Workspace& work, SoundsState& sounds) {
     const std::size_t count = answer ? sounds_made(*answer) : 0;
     const std::string action = "Add " + counted(count, "pattern", "patterns");
     if (draw_ends(ui, action.c_str(), count > 0)) take_sounds(ui, work, *answer);
-    if (ui.dialog != Dialog::from_sound) sounds.job.cancel();
+    if (ui.dialog != kSoundsDialog) sounds.job.cancel();
 }
 
 }  // namespace tact

@@ -50,6 +50,7 @@ struct SoundsState {
 
 // The dialog on sounds: for which actuator, what is heard beside what would be felt, what is lost.
 
+inline constexpr Dialog kSoundsDialog{.title = "From sound", .is_of_document = true};
 void draw_sounds_dialog(Ui& ui, Workspace& work, SoundsState& sounds);
 
 // From sound...: any sound becomes a pattern for an actuator, looked at before it is added.

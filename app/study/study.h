@@ -396,7 +396,8 @@ void draw_study_answers(Ui& ui, const Workspace& work, ShownMap& shown_map, Stud
 void ask_to_leave_out(Ui& ui, StudyState& studying, const std::string& code);
 void count_again(Ui& ui, const Workspace& work, StudyState& studying, const std::string& code);
 
-// Dialog::leave_out and Dialog::conduct_rules.
+inline constexpr Dialog kLeaveOutDialog{.title = "Leave a participant out", .is_of_document = true};
+inline constexpr Dialog kConductDialog{.title = "Rules on how people answered"};
 void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying);
 void draw_conduct_dialog(Ui& ui, StudyState& studying);
 

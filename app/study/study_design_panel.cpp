@@ -12,6 +12,7 @@
 
 #include "app/compare/compare.h"
 #include "app/document/editing.h"
+#include "app/planning/planning.h"
 #include "app/study/parts.h"
 #include "app/study/study.h"
 #include "app/ui/widgets.h"
@@ -152,7 +153,7 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
                   .label = "How many people?",
                   .tip = "Simulates studies: how sure would this one be, and which patterns "
                          "decide?"})) {
-        ui.dialog = Dialog::plan;
+        ui.dialog = kPlanDialog;
     }
     draw_chance(ui, design);
 }

@@ -150,7 +150,7 @@ void draw_rule(Ui& ui, StudyState& studying) {
             ui, {.id = "link:conduct rules",
                  .label = rules,
                  .tip = "Speed, agreement of repetitions, replays: who does not count by them."})) {
-        ui.dialog = Dialog::conduct_rules;
+        ui.dialog = kConductDialog;
     }
 }
 

@@ -312,7 +312,7 @@ void draw_rule_row(Ui& ui, const RuleRow& row, std::optional<double>& value) {
 
 void ask_to_leave_out(Ui& ui, StudyState& studying, const std::string& code) {
     studying.leaving_out = {code, {}};
-    ui.dialog = Dialog::leave_out;
+    ui.dialog = kLeaveOutDialog;
 }
 
 void count_again(Ui& ui, const Workspace& work, StudyState& studying, const std::string& code) {
@@ -322,12 +322,13 @@ void count_again(Ui& ui, const Workspace& work, StudyState& studying, const std:
 }
 
 void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) {
+    if (ui.dialog != kLeaveOutDialog) return;
     LeavingOut& leaving = studying.leaving_out;
     if (leaving.code.empty()) {  // nobody to ask about
-        ui.dialog = Dialog::none;
+        ui.dialog = kNoDialog;
         return;
     }
-    if (!begin_dialog(ui, "Leave a participant out", 480.0F)) return;
+    if (!begin_dialog(ui, kLeaveOutDialog, 480.0F)) return;
     wrapped(ui, "Why does " + leaving.code +
                     " not count? The reason is kept in the study's folder and stands wherever "
                     "results are told. No answer is lost: they can count again.");
@@ -347,7 +348,7 @@ void draw_leave_out_dialog(Ui& ui, const Workspace& work, StudyState& studying) 
 
 void draw_conduct_dialog(Ui& ui, StudyState& studying) {
     ConductRule& rule = studying.rule.who.conduct;
-    if (!begin_dialog(ui, "Rules on how people answered", 520.0F)) return;
+    if (!begin_dialog(ui, kConductDialog, 520.0F)) return;
     wrapped(ui,
             "Whoever breaks a rule does not count, and is named with the rule. Decide on the rules "
             "before you look at the answers; none is on until you switch it on.");

@@ -171,7 +171,7 @@ void draw_outcome(Ui& ui, const TableState& table, bool is_newest) {
 
 void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                        ImportState& importing) {
-    if (!begin_dialog(ui, "Open table", kTableDialogPx)) return;
+    if (!begin_dialog(ui, kTableDialog, kTableDialogPx)) return;
     const bool is_newest = table.answer && table.answer->request.words == table.words;
     coloured_text(ui.theme.dim_text,
                   label_of(table.file.filename().string()) +

@@ -207,7 +207,7 @@ void open_table(Ui& ui, const Workspace& work, TableState& table, const fs::path
     table.names = head_of_table(head_of_file(file, kHeadBytes), {}, 1);
     table.words = remembered_words(work.session, table.names);
     if (kind) table.words.kind = *kind;
-    ui.dialog = Dialog::open_table;
+    ui.dialog = kTableDialog;
     look_at_table(ui, work, table);
 }
 
@@ -247,7 +247,7 @@ void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
     const auto read = table.reading_job.latest();
     if (!read || read->request.number != table.asked) return;
     // What has to be asked waits for what is asked now.
-    const bool is_free = ui.dialog == Dialog::none && !ui.chooser.is_open;
+    const bool is_free = ui.dialog == kNoDialog && !ui.chooser.is_open;
     if (!read->ratings && !is_free) return;
     table.taken = table.asked;
     take_read(ui, work, layout, table, importing, *read);

@@ -127,6 +127,7 @@ void follow_tables(Ui& ui, Workspace& work, Layout& layout, TableState& table,
 // Ratings into the document; what was said of the table is remembered.
 void take_table(Ui& ui, Workspace& work, Layout& layout, TableState& table, ImportState& importing);
 
+inline constexpr Dialog kTableDialog{.title = "Open table", .is_of_document = true};
 void draw_table_dialog(Ui& ui, Workspace& work, Layout& layout, TableState& table,
                        ImportState& importing);
 

@@ -83,7 +83,7 @@ void open_transform(Ui& ui, const Workspace& work, TransformState& state) {
         if (is_other(state.other)) break;
         state.other = vibration.name;
     }
-    ui.dialog = Dialog::transform;
+    ui.dialog = kTransformDialog;
 }
 
 std::string transform_obstacle(const Workspace& work, const TransformState& state) {
@@ -112,8 +112,8 @@ std::string transformed_words(const Workspace& work) {
 }
 
 void follow_transform(const Ui& ui, const Workspace& work, TransformState& state) {
-    const auto wanted = ui.dialog == Dialog::transform ? transform_request(work, state)
-                                                       : std::optional<TransformRequest>();
+    const auto wanted = ui.dialog == kTransformDialog ? transform_request(work, state)
+                                                      : std::optional<TransformRequest>();
     if (!wanted) return state.job.leave();
     const auto& asked = state.job.asked();
     if (!asked || !is_same(*wanted, asked->request)) {
@@ -260,7 +260,7 @@ void draw_outcome(Ui& ui, const TransformState& state, const Transformed* made) 
 }  // namespace
 
 void draw_transform_dialog(Ui& ui, Workspace& work, TransformState& state) {
-    if (!begin_dialog(ui, "Transform", kTransformPx)) return;
+    if (!begin_dialog(ui, kTransformDialog, kTransformPx)) return;
     draw_kind(ui, state);
     const EditTraits& about = traits(state.kind);
     if (about.needs == EditNeeds::pattern) {

@@ -49,6 +49,7 @@ struct TransformState {
 // The dialog for edits of the selected patterns: stretch, reverse, join and so on.
 
 // Enter applies the edit, Esc closes the dialog and changes nothing.
+inline constexpr Dialog kTransformDialog{.title = "Transform", .is_of_document = true};
 void draw_transform_dialog(Ui& ui, Workspace& work, TransformState& state);
 
 // Edits of the selected patterns: asking for them, and taking them into the set.

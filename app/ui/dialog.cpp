@@ -77,6 +77,10 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px, DialogSide si
     return is_open;
 }
 
+bool begin_dialog(const Ui& ui, const Dialog& dialog, float width_px, DialogSide side) {
+    return ui.dialog == dialog && begin_dialog(ui, dialog.title.data(), width_px, side);
+}
+
 void begin_foot(const Ui& ui) {
     const ImGuiWindow& body = *ImGui::GetCurrentWindowRead();
     const float pad = kEdgePx * ui.theme.scale;
@@ -106,7 +110,7 @@ void end_foot() {
 }
 
 void give_way(Ui& ui) {
-    ui.dialog = Dialog::none;
+    ui.dialog = kNoDialog;
     ImGui::CloseCurrentPopup();
     begin_foot(ui);
     end_foot();
@@ -170,7 +174,7 @@ void end_dialog(Ui& ui) {
     const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter) && !typing && !in_text &&
                        !ui.rects.tab_order.is_on_button;
     if (ImGui::Button("Close") || escape || enter) {
-        ui.dialog = Dialog::none;
+        ui.dialog = kNoDialog;
         ImGui::CloseCurrentPopup();
     }
     note_item(ui.rects, "button:close");
@@ -194,7 +198,7 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
     const bool leave = ImGui::Button("Cancel") || escape;
     note_item(ui.rects, "button:cancel");
     if (go || leave) {
-        ui.dialog = Dialog::none;
+        ui.dialog = kNoDialog;
         ImGui::CloseCurrentPopup();
     }
     end_foot();
@@ -241,7 +245,7 @@ std::optional<std::size_t> chosen_by_key(const Ui& ui, const Question& question)
 }  // namespace
 
 void ask(Ui& ui, Question question) {
-    ui.dialog = Dialog::none;
+    ui.dialog = kNoDialog;
     ui.chooser.is_open = false;
     ui.question = std::move(question);
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viz/drawing/geometry.h"
@@ -191,34 +192,14 @@ void write_rects(WidgetRects& rects);
 
 // Shared by all panes that draw: looks, clock, keyboard, status line, and popups.
 
-// Dialogs over the panes.
-enum class Dialog {
-    none,
-    about,
-    keys,
-    devices,
-    effect_maps,
-    calibrate,
-    export_view,
-    export_animation,
-    export_effects,
-    paper,
-    from_sound,
-    generate,
-    import_recordings,
-    open_table,
-    simulate_measurement,
-    steps,
-    tap_rhythm,
-    transform,
-    pad,
-    leave_out,
-    plan,
-    phones,
-    save_workspace,
-    conduct_rules,
-    course
+// A dialog over the panes. A room declares its own, and draws it while it is that of Ui.
+struct Dialog {
+    std::string_view title{};     // tells it from the others
+    bool is_of_document = false;  // it holds data of the document, and closes with it
+
+    bool operator==(const Dialog&) const = default;
 };
+inline constexpr Dialog kNoDialog{};
 
 // The entry in which a number is typed: its state between frames.
 struct NumberTyping {
@@ -285,7 +266,7 @@ struct Ui {
     bool keyboard_mode = false;  // Tab moves between widgets, until the mouse is used again
     FileChooser chooser;
     std::function<void(const std::filesystem::path&)> take_chosen;  // the chooser's answer
-    Dialog dialog = Dialog::none;
+    Dialog dialog{};
     bool escape_taken = false;         // Esc has stopped a device in this frame, and closes nothing
     std::optional<Question> question;  // over everything else
     StatusLine status;
@@ -357,6 +338,9 @@ enum class DialogSide {
 // Begins a dialog over the window. If true, everything up to begin_foot() scrolls when the window
 // is too low for it, and one of the functions below must end the dialog.
 bool begin_dialog(const Ui& ui, const char* title, float width_px = 620.0F,
+                  DialogSide side = DialogSide::middle);
+// The same for that of Ui; false for any other.
+bool begin_dialog(const Ui& ui, const Dialog& dialog, float width_px = 620.0F,
                   DialogSide side = DialogSide::middle);
 
 // Begins the part that always stays visible: buttons, and the values they apply to.

@@ -19,9 +19,9 @@ namespace {
 
 // An actuator is measured through the sound output that drives it, so that is chosen first.
 void open_calibration(App& app) {
-    app.ui.dialog = Dialog::calibrate;
+    app.ui.dialog = kCalibrateDialog;
     if (can_be_calibrated(app.play)) return;
-    app.ui.dialog = Dialog::devices;
+    app.ui.dialog = kDevicesDialog;
     say(app.ui, "Choose the sound output that drives the actuator, then Calibrate.");
 }
 
@@ -109,14 +109,14 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      "Devices...",
      {},
      always,
-     [](App& app) { app.ui.dialog = Dialog::devices; },
+     [](App& app) { app.ui.dialog = kDevicesDialog; },
      nullptr,
      "actuator sound card channel latency full scale output"},
     {"Play",
      "Phones...",
      {},
      always,
-     [](App& app) { app.ui.dialog = Dialog::phones; },
+     [](App& app) { app.ui.dialog = kPhonesDialog; },
      nullptr,
      "phone mobile QR code scan vibrate class students rate together network"},
     {"Play",
@@ -147,7 +147,7 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      "Plan the study...",
      {},
      has_study,
-     [](App& app) { app.ui.dialog = Dialog::plan; },
+     [](App& app) { app.ui.dialog = kPlanDialog; },
      nullptr,
      "how many people power preregister preregistration simulate pilot"},
     {"Study",
@@ -297,13 +297,13 @@ constexpr auto kOtherCommands = std::to_array<Command>({
      nullptr,
      "help how formats limits read documentation"},
     {"Help", "Keys and mouse", special(key::kF1), always,
-     [](App& app) { app.ui.dialog = Dialog::keys; }, nullptr, "shortcuts help"},
+     [](App& app) { app.ui.dialog = kKeysDialog; }, nullptr, "shortcuts help"},
     {"Help", "Command palette", ctrl('p'), always, [](App& app) { app.palette = {true, {}, 0}; }},
     {"Help",
      "About tactspace",
      {},
      always,
-     [](App& app) { app.ui.dialog = Dialog::about; },
+     [](App& app) { app.ui.dialog = kAboutDialog; },
      nullptr,
      "licence model source left out"},
 

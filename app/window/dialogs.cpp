@@ -88,7 +88,7 @@ constexpr auto kGestures = std::to_array<Gesture>({
 });
 
 void draw_about(App& app) {
-    if (!begin_dialog(app.ui, "About tactspace")) return;
+    if (!begin_dialog(app.ui, kAboutDialog)) return;
     coloured_text(app.ui.theme.dim_text, "Version " TACT_VERSION);
     ImGui::Spacing();
     ImGui::TextWrapped("%s", kAboutText);
@@ -148,50 +148,39 @@ void draw_dialogs(App& app) {
         export_animation(app, to);
     }
     draw_exports(app.ui, app.work, app.exports);
-    if (app.ui.dialog == Dialog::paper) {
-        draw_paper_dialog(app.ui, app.work, app.comparing.foreign, app.exports.paper);
-    }
+    draw_paper_dialog(app.ui, app.work, app.comparing.foreign, app.exports.paper);
     if (!app.exports.animation) draw_paper_progress(app.ui, app.exports.paper);
-    if (app.ui.dialog == Dialog::effect_maps) draw_effect_maps_dialog(app.ui, app.work);
+    draw_effect_maps_dialog(app.ui, app.work);
     if (std::exchange(app.exports.cancel_asked, false)) cancel_animation(app);
     draw_import_dialogs(app.ui, app.work, app.importing);
     if (const auto file = std::exchange(app.importing.columns_of, {}); !file.empty()) {
         open_table(app.ui, app.work, app.table, file, TableKind::recording);
     }
-    if (app.ui.dialog == Dialog::open_table) {
-        draw_table_dialog(app.ui, app.work, app.layout, app.table, app.importing);
+    draw_table_dialog(app.ui, app.work, app.layout, app.table, app.importing);
+    draw_sounds_dialog(app.ui, app.work, app.sounds);
+    draw_about(app);
+    draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
+    draw_generate_dialog(app.ui, app.work, app.generating);
+    draw_pad_dialog(app.ui, app.work, app.pad);
+    draw_transform_dialog(app.ui, app.work, app.transform);
+    draw_steps_dialog(app.ui, app.work, app.steps);
+    draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
+    draw_leave_out_dialog(app.ui, app.work, app.studying);
+    draw_plan_dialog(app.ui, app.work, app.planning);
+    draw_workspace_dialog(app.ui, app.layout, app.workspaces);
+    draw_conduct_dialog(app.ui, app.studying);
+    if (const auto lesson = draw_course_dialog(app.ui, app.course)) {
+        begin_lesson_of_course(app, *lesson);
     }
-    if (app.ui.dialog == Dialog::from_sound) draw_sounds_dialog(app.ui, app.work, app.sounds);
-    if (app.ui.dialog == Dialog::about) draw_about(app);
-    if (app.ui.dialog == Dialog::keys) draw_keys_dialog(app.ui, app.manual, keys_and_mouse());
-    if (app.ui.dialog == Dialog::generate) draw_generate_dialog(app.ui, app.work, app.generating);
-    if (app.ui.dialog == Dialog::pad) draw_pad_dialog(app.ui, app.work, app.pad);
-    if (app.ui.dialog == Dialog::transform) draw_transform_dialog(app.ui, app.work, app.transform);
-    if (app.ui.dialog == Dialog::steps) draw_steps_dialog(app.ui, app.work, app.steps);
-    if (app.ui.dialog == Dialog::tap_rhythm)
-        draw_tapping_dialog(app.ui, app.work, app.pattern_panes.tapping);
-    if (app.ui.dialog == Dialog::leave_out) draw_leave_out_dialog(app.ui, app.work, app.studying);
-    if (app.ui.dialog == Dialog::plan) draw_plan_dialog(app.ui, app.work, app.planning);
-    if (app.ui.dialog == Dialog::save_workspace)
-        draw_workspace_dialog(app.ui, app.layout, app.workspaces);
-    if (app.ui.dialog == Dialog::conduct_rules) draw_conduct_dialog(app.ui, app.studying);
-    if (app.ui.dialog == Dialog::course) {
-        const auto lesson = draw_course_dialog(app.ui, app.course);
-        if (lesson) begin_lesson_of_course(app, *lesson);
-    }
-    if (app.ui.dialog == Dialog::devices)
-        draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
-    if (app.ui.dialog == Dialog::phones) {
-        act_on_phones(classroom_of(app),
-                      draw_phones_dialog(app.ui, app.work, app.timeline, app.play, app.phones));
-    }
-    if (app.ui.dialog == Dialog::calibrate)
-        draw_calibrate(app.ui, app.work, app.timeline, app.rendered, app.play, app.calibrating);
+    draw_devices(app.ui, app.work, app.timeline, app.rendered, app.play);
+    act_on_phones(classroom_of(app),
+                  draw_phones_dialog(app.ui, app.work, app.timeline, app.play, app.phones));
+    draw_calibrate(app.ui, app.work, app.timeline, app.rendered, app.play, app.calibrating);
 }
 
 bool is_in_the_middle(const App& app) {
-    return is_study_running(app.studying) || app.ui.dialog != Dialog::none ||
-           app.ui.chooser.is_open || app.palette.open || app.ui.question || is_popup_open();
+    return is_study_running(app.studying) || app.ui.dialog != kNoDialog || app.ui.chooser.is_open ||
+           app.palette.open || app.ui.question || is_popup_open();
 }
 
 void drop_paths(App& app, const std::vector<std::filesystem::path>& paths) {

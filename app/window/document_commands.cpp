@@ -118,7 +118,7 @@ constexpr auto
                  "Actuator maps...",
                  {},
                  has_effects,
-                 [](App& app) { app.ui.dialog = Dialog::effect_maps; },
+                 [](App& app) { app.ui.dialog = kEffectMapsDialog; },
                  nullptr,
                  "effects read by quest core haptics hz g import ahap haptic"},
                 {"File", "Export view...", ctrl('e'), always,

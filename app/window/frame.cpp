@@ -239,9 +239,9 @@ void follow_playhead(App& app) {
 void follow_input_mode(App& app, std::span<const KeyPress> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     // Space plays while panes have the keyboard.
-    const bool is_over = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || is_popup_open();
+    const bool is_over = app.ui.dialog != kNoDialog || app.ui.chooser.is_open || is_popup_open();
     // Space is a note there.
-    const bool taps = app.ui.dialog == Dialog::tap_rhythm;
+    const bool taps = app.ui.dialog == kTappingDialog;
     if (is_over && !taps && was_pressed(pressed, key::kSpace)) press_focused(app.ui);
     for (const KeyPress& press : pressed) {
         if (press.code != key::kTab || press.alt) continue;
@@ -286,7 +286,7 @@ void begin_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     begin_thumbnails(app);
     take_escape(app.ui, app.timeline, app.play, was_pressed(pressed, key::kEscape));
     app.play.held = is_study_running(app.studying);
-    app.play.gapless = app.play.held || app.ui.dialog == Dialog::calibrate;
+    app.play.gapless = app.play.held || app.ui.dialog == kCalibrateDialog;
     follow_class(classroom_of(app));
     follow_sound(app.ui, app.work, app.timeline, app.rendered, app.play);
     use_device(app.studying, app.play.device);
@@ -395,9 +395,7 @@ void draw_frame(App& app, std::span<const KeyPress> pressed, double time_s) {
     draw_shadows(app.ui.theme);
     run_waiting(app);
     follow_changes(app);
-    hear_edits(app.ui, app.work, app.timeline, app.play);
-    follow_hold(app.ui, app.work, app.timeline, app.play);
-    follow_level(app.work, app.rendered, app.play);
+    hear_changes(app.ui, app.work, app.timeline, app.rendered, app.play);
     note_map_places(app.work, app.shown_map);
     follow_map(app.ui, app.work, app.shown_map, app.rendered);
     follow_current(app.ui, app.work, app.rendered, app.physiology);
@@ -454,7 +452,7 @@ double next_wake_s(const App& app) {
         is_autosaving(app.lesson))
         wake_s = std::min(wake_s, 0.5);
     // Whether a participant's device is asleep is checked while the person looks.
-    if (app.ui.dialog == Dialog::phones) wake_s = std::min(wake_s, 1.0);
+    if (app.ui.dialog == kPhonesDialog) wake_s = std::min(wake_s, 1.0);
     wake_s = std::min({wake_s, study_wake_s(app.ui, app.studying), aging_wake_s(app.ui)});
     // A little after it has faded, so that rounding of the clock does not cause a second frame.
     if (status_left_s(app) > 0.0) wake_s = std::min(wake_s, status_left_s(app) + 0.01);

@@ -90,40 +90,6 @@ EffectExport for_another_document(const EffectExport& was) {
     return fresh;
 }
 
-// Dialogs that hold data of the document.
-bool is_of_document(Dialog dialog) {
-    switch (dialog) {
-        case Dialog::effect_maps:
-        case Dialog::export_view:
-        case Dialog::export_animation:
-        case Dialog::export_effects:
-        case Dialog::paper:
-        case Dialog::from_sound:
-        case Dialog::generate:
-        case Dialog::import_recordings:
-        case Dialog::open_table:
-        case Dialog::simulate_measurement:
-        case Dialog::steps:
-        case Dialog::transform:
-        case Dialog::tap_rhythm:
-        case Dialog::pad:
-        case Dialog::leave_out:
-        case Dialog::plan:
-            return true;
-        case Dialog::none:
-        case Dialog::about:
-        case Dialog::keys:
-        case Dialog::devices:
-        case Dialog::phones:
-        case Dialog::calibrate:
-        case Dialog::save_workspace:
-        case Dialog::conduct_rules:
-        case Dialog::course:
-            return false;
-    }
-    return false;
-}
-
 // Assigns from a copy, not by moving: jobs keep their thread, and forget their requests.
 template <class State>
 void begin_again(State& state, const State& fresh) {
@@ -150,7 +116,7 @@ void begin_again(App& app) {
 // sets.
 void begin_others_again(App& app) {
     Ui& ui = app.ui;
-    if (is_of_document(ui.dialog)) ui.dialog = Dialog::none;
+    if (ui.dialog.is_of_document) ui.dialog = kNoDialog;
     ui.ages.clear();
     ui.progress.clear();
     begin_again(app.rendered, for_another_document(app.rendered));

@@ -128,7 +128,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
 }
 
 void run_shortcuts(App& app, std::span<const KeyPress> pressed) {
-    const bool dialog = app.ui.dialog != Dialog::none || app.ui.chooser.is_open || app.ui.question;
+    const bool dialog = app.ui.dialog != kNoDialog || app.ui.chooser.is_open || app.ui.question;
     if (dialog || app.palette.open) return;
     if (is_popup_open()) {
         if (was_pressed(pressed, key::kEscape)) ImGui::ClosePopupToLevel(0, true);

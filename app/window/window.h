@@ -115,6 +115,9 @@ void begin_tour(App& app);
 void present(App& app);
 void leave_the_lesson(App& app);
 void begin_lesson(App& app);
+// The program, its version and licences.
+inline constexpr Dialog kAboutDialog{.title = "About tactspace"};
+
 // Opens a lesson, or a file that can be a set; asks about unsaved changes of an open lesson.
 void open_file(App& app, const std::filesystem::path& path);
 // Ask for a file to open.

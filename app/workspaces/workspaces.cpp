@@ -147,11 +147,11 @@ void restore_workspaces(const std::map<std::string, double>& kept, Layout& layou
 
 void open_workspace_dialog(Ui& ui, Workspaces& workspaces) {
     workspaces.typed = workspaces.shown;
-    ui.dialog = Dialog::save_workspace;
+    ui.dialog = kWorkspaceDialog;
 }
 
 void draw_workspace_dialog(Ui& ui, const Layout& layout, Workspaces& workspaces) {
-    if (!begin_dialog(ui, "Save workspace as", 420.0F)) return;
+    if (!begin_dialog(ui, kWorkspaceDialog, 420.0F)) return;
     constexpr std::size_t kLongestName = 40;
     draw_label(ui, "Name");
     if (ImGui::IsWindowAppearing()) focus_next_item();

@@ -29,8 +29,9 @@ void keep_workspaces(const Layout& layout, const Workspaces& workspaces,
 void restore_workspaces(const std::map<std::string, double>& kept, Layout& layout,
                         Workspaces& workspaces);
 
-// Dialog::save_workspace.
+// The dialog that names a workspace.
 void open_workspace_dialog(Ui& ui, Workspaces& workspaces);
+inline constexpr Dialog kWorkspaceDialog{.title = "Save workspace as"};
 void draw_workspace_dialog(Ui& ui, const Layout& layout, Workspaces& workspaces);
 
 }  // namespace tact

@@ -472,7 +472,7 @@ void add_dialogs(std::vector<Scene>& all) {
                        rule.fast_below_s = 1.0;
                        rule.repeat_rho = 0.3;
                        rule.replays = 5.0;
-                       show_dialog(p, Dialog::conduct_rules);
+                       show_dialog(p, kConductDialog);
                    }});
     all.push_back({"dialog, plan with an answer", [](Program& p) {
                        PlanChoice& choice = p.app.planning.choice;
@@ -511,9 +511,9 @@ void add_dialogs(std::vector<Scene>& all) {
                        std::filesystem::remove(file);
                    }});
     constexpr auto kOthers =
-        std::to_array<std::pair<const char*, Dialog>>({{"calibrate", Dialog::calibrate},
-                                                       {"import", Dialog::import_recordings},
-                                                       {"conduct rules", Dialog::conduct_rules}});
+        std::to_array<std::pair<const char*, Dialog>>({{"calibrate", kCalibrateDialog},
+                                                       {"import", kImportDialog},
+                                                       {"conduct rules", kConductDialog}});
     all.push_back({"dialog, question", [](Program& p) {
                        ask(p.app.ui,
                            {.title = "Save the changes?",
@@ -621,7 +621,7 @@ void SceneWindow::resize(ImVec2 size, float scale) {
 void SceneWindow::show(const Scene& scene) {
     leave_presentation();
     for (int k = 0; k < 3; ++k) press_key(key::kEscape);
-    app.ui.dialog = Dialog::none;
+    app.ui.dialog = kNoDialog;
     app.ui.question.reset();
     app.ui.chooser.is_open = false;
     app.palette.open = false;

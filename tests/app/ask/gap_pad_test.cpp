@@ -137,7 +137,7 @@ TEST_CASE("pad: a drag moves the mix, Enter keeps it in one step, Esc keeps noth
 TEST_CASE("pad: it takes two patterns") {
     Asked program(short_patterns(4));
     open_pad(program.app.ui, program.app.work, program.app.pad);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     CHECK_FALSE(program.app.ui.status.is_error);  // advice is no error
     const auto mix =
         std::ranges::find(commands(), std::string_view("Mix on a pad..."), &Command::name);

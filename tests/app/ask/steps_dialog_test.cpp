@@ -61,7 +61,7 @@ TEST_CASE("steps dialog: another question is asked at once; Esc leaves the set a
     program.settle();
     CHECK(program.shows("steps:obstacle"));
     program.press_key(key::kEscape);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     CHECK(program.app.work.document.set == before);
     CHECK(program.app.work.document.history.undo_label() == nullptr);
 }
@@ -76,7 +76,7 @@ TEST_CASE("steps dialog: Ctrl+drag from a point of the map to another opens it o
     hold_ctrl(program, true);
     program.drag(from, to, 6);
     hold_ctrl(program, false);
-    CHECK(program.app.ui.dialog == Dialog::steps);
+    CHECK(program.app.ui.dialog == kStepsDialog);
     CHECK(program.app.steps.from == "p2");
     CHECK(program.app.steps.to == "p4");
 }

@@ -27,7 +27,7 @@ struct Measuring : Program {
         app.play.choice.id = app.play.listed->front().id;
         app.play.choice.channel = 2;
         app.play.opened = app.play.choice;
-        app.ui.dialog = Dialog::devices;
+        app.ui.dialog = kDevicesDialog;
         settle();
         click("link:calibrate");
         // A short one.
@@ -81,9 +81,9 @@ TEST_CASE("measuring a response: the first Esc ends the signal, the second one l
     program.click("button:play signal");
     program.press_key(key::kEscape);
     CHECK_FALSE(program.device->playing());
-    CHECK(program.app.ui.dialog == Dialog::calibrate);
+    CHECK(program.app.ui.dialog == kCalibrateDialog);
     program.press_key(key::kEscape);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
 }
 
 TEST_CASE("measuring a response: leaving the dialog ends the signal") {
@@ -138,7 +138,7 @@ TEST_CASE("measuring a response: what was saved is looked for where it is, also 
     const auto folder = program.app.work.session.folder / "calibrations";
     for (const bool is_in_use : {true, false}) {
         CAPTURE(is_in_use);
-        program.app.ui.dialog = Dialog::devices;
+        program.app.ui.dialog = kDevicesDialog;
         program.settle();
         if (!is_in_use) program.click("link:no calibration");
         program.click("link:load calibration");

@@ -37,7 +37,7 @@ struct Learning : Class {
     // The second of them asks something at its second step.
     void answer_one(bool right) {
         begin_course_lesson(lesson_context(app), app.lesson, app.course, 1);
-        app.ui.dialog = Dialog::none;
+        app.ui.dialog = kNoDialog;
         settle();
         wait_for_numbers();
         go_to_question();
@@ -108,7 +108,7 @@ TEST_CASE("course: nothing is kept without a name, and nothing of what a class s
     Learning program;
     program.write_name("Ada");
     begin_course_lesson(lesson_context(program.app), program.lesson(), program.app.course, 1);
-    program.app.ui.dialog = Dialog::none;
+    program.app.ui.dialog = kNoDialog;
     toggle_presenting(lesson_context(program.app), program.lesson());
     program.settle();
     CHECK_FALSE(fs::exists(program.file()));
@@ -119,7 +119,7 @@ TEST_CASE("course: a file of one's own, with a lesson that is not there") {
     const auto file = program.folder.write(
         "mine.tactcourse.json",
         R"({"tactcourse": 1, "name": "Mine", "lessons": ["beats", "no.tactlesson.json"]})");
-    program.app.ui.dialog = Dialog::none;
+    program.app.ui.dialog = kNoDialog;
     open_course_file(program.app.ui, program.app.work.session, program.app.course, file);
     program.settle();
     CHECK(program.app.course.lessons[0].lesson);
@@ -142,7 +142,7 @@ TEST_CASE("course: what was kept and cannot be read is told, and stays as it is"
     CHECK(program.app.ui.status.is_error);
     program.app.course.student = "Ada";
     begin_course_lesson(lesson_context(program.app), program.lesson(), program.app.course, 0);
-    program.app.ui.dialog = Dialog::none;
+    program.app.ui.dialog = kNoDialog;
     program.settle();
     CHECK(bytes_of(file) == "{broken");
     (void)close_session(program.app.work.session);

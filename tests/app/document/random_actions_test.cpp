@@ -214,7 +214,7 @@ class Person {
             const auto found = current_steps(work(), app.steps);
             if (found) add_steps(ui(), work(), app.steps, *found);
         }
-        ui().dialog = Dialog::none;
+        ui().dialog = kNoDialog;
     }
     void separate(const Action& action) {
         if (count() == 0) return;

@@ -149,7 +149,7 @@ TEST_CASE("export vibrations: an answer to an earlier choice looks stale and can
     CHECK(dialog.program.at("export:loss").value == "stale");
     dialog.program.click("button:choose");
     CHECK_FALSE(dialog.program.app.ui.chooser.is_open);
-    CHECK(dialog.program.app.ui.dialog == Dialog::export_effects);
+    CHECK(dialog.program.app.ui.dialog == kExportEffectsDialog);
 }
 
 TEST_CASE("export vibrations: stopped, the files are written without the page, and that is said") {
@@ -235,7 +235,7 @@ TEST_CASE("export vibrations: closing the dialog ends the work beside the window
     EffectDialog dialog;
     dialog.program.click("button:cancel");
     dialog.wait_until([&] { return !is_predicting_loss(dialog.effects()); });
-    CHECK(dialog.program.app.ui.dialog == Dialog::none);
+    CHECK(dialog.program.app.ui.dialog == kNoDialog);
 }
 
 TEST_CASE(

@@ -393,7 +393,7 @@ TEST_CASE("exports: an MP4 of an odd size is drawn at the even one, said before 
     program.app.exports.film = FilmFormat::mp4;
     program.app.exports.frame_size.width = 64;
     program.app.exports.frame_size.height = 65;
-    program.app.ui.dialog = Dialog::export_animation;
+    program.app.ui.dialog = kExportAnimationDialog;
     program.settle();
     CHECK(program.at("export:even").value == "64 \u00d7 66 pixels, as sides of an MP4 are even");
     program.app.exports.film = FilmFormat::gif;

@@ -82,10 +82,10 @@ TEST_CASE("manual: F1 lists the keys, F1 again makes the manual and opens it, on
     desktop.install_browser();
     ProgramWithManual program(desktop);
     program.press_key(key::kF1);
-    CHECK(program.app.ui.dialog == Dialog::keys);
+    CHECK(program.app.ui.dialog == kKeysDialog);
     CHECK(program.shows("button:manual"));
     program.press_key(key::kF1);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     CHECK(desktop.page_opened(program) == kept_manual());
     CHECK(contains(program.app.ui.status.text, kept_manual().string()));
     CHECK(bytes_of(kept_manual()) == "page\n");

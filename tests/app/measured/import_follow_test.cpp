@@ -60,7 +60,7 @@ TEST_CASE("import: recordings find their patterns, and come in as one step that 
     App& app = program.app;
     app.work.session.folder = folder.path / "state";
     import_recordings(app.ui, app.work, app.importing, recorded(program, folder));
-    CHECK(app.ui.dialog == Dialog::import_recordings);
+    CHECK(app.ui.dialog == kImportDialog);
     CHECK(app.importing.patterns[1] == app.work.document.set.vibrations[1].name);
     wait_for_it(program, [&] { return app.importing.answer != nullptr; });
     REQUIRE(app.importing.answer->files[0].twin);
@@ -222,7 +222,7 @@ TEST_CASE("import: nothing is dropped onto the window while something is being a
         drop_paths(app, {other});
         return count(program) == 4 && app.ui.status.is_error;
     };
-    app.ui.dialog = Dialog::generate;
+    app.ui.dialog = kGenerateDialog;
     CHECK(stays());
     program.press_key(key::kEscape);
     app.ui.status = {};

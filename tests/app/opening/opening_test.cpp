@@ -142,9 +142,9 @@ TEST_CASE("opening: what was read waits for a question, a dialog, a list and a h
     tell(app.ui, "A question", "Is it?");
     CHECK(stays());
     app.ui.question.reset();
-    app.ui.dialog = Dialog::generate;
+    app.ui.dialog = kGenerateDialog;
     CHECK(stays());
-    app.ui.dialog = Dialog::none;
+    app.ui.dialog = kNoDialog;
     disk.program.settle();
     disk.program.wait_for_opening();
     CHECK(disk.count() == 5);

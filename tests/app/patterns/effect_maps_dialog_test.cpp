@@ -42,7 +42,7 @@ struct Effects {
     std::string status() { return program.app.ui.status.text; }
 
     void read_ahap_by(const std::string& map) {
-        if (program.app.ui.dialog == Dialog::none) program.click("button:change maps");
+        if (program.app.ui.dialog == kNoDialog) program.click("button:change maps");
         program.click("effects:map of ahap");
         program.click("effects map:" + map);
     }
@@ -59,7 +59,7 @@ bool is_enabled(const Program& program, const std::string& name) {
 
 TEST_CASE("effect maps: without an effect the dialog says what brings one") {
     Program program(short_patterns(1));
-    program.app.ui.dialog = Dialog::effect_maps;
+    program.app.ui.dialog = kEffectMapsDialog;
     program.settle();
     CHECK(contains(program.at("effects:none").value, "Add to set..."));
 }

@@ -53,7 +53,7 @@ TEST_CASE("start page: its buttons make a pattern, open the chooser and the gene
     CHECK(program.app.ui.chooser.is_open);
     program.press_key(key::kEscape);
     program.click("start:generate");
-    CHECK(program.app.ui.dialog == Dialog::generate);
+    CHECK(program.app.ui.dialog == kGenerateDialog);
     program.press_key(key::kEscape);
     program.click("button:new pattern");
     CHECK(program.all().size() == 1);

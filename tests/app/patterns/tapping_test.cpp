@@ -51,7 +51,7 @@ struct Tapping : Program {
 TEST_CASE("tapping: T opens it and is no tap then, Enter takes what T and Space tapped") {
     Tapping program;
     program.open();
-    CHECK(program.app.ui.dialog == Dialog::tap_rhythm);
+    CHECK(program.app.ui.dialog == kTappingDialog);
     CHECK(program.at("tap").value == "0");
     program.hold(0.0, 0.28);
     program.hold(0.5, 0.65, key::kSpace, U' ');
@@ -59,7 +59,7 @@ TEST_CASE("tapping: T opens it and is no tap then, Enter takes what T and Space 
     program.settle();
     CHECK(program.at("tap").value == "3");
     program.press_key(key::kEnter);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     const Rhythm& rhythm = program.pattern().rhythm;
     CHECK(rhythm.unit_s == doctest::Approx(0.125).epsilon(0.1));
     CHECK(rhythm.text.starts_with("x=--x-x"));
@@ -94,7 +94,7 @@ TEST_CASE("tapping: another step is typed, and what is typed is no tap") {
     program.press_key(key::kEnter);
     CHECK(program.at("tapped").value.starts_with("x"));
     CHECK(program.app.work.document.history.undo_label() != nullptr);
-    CHECK(program.app.ui.dialog == Dialog::tap_rhythm);
+    CHECK(program.app.ui.dialog == kTappingDialog);
     program.click("button:choose");
     CHECK(program.pattern().rhythm.unit_s == doctest::Approx(0.1));
 }
@@ -111,7 +111,7 @@ TEST_CASE("tapping: the mouse taps as well, and Esc leaves the pattern as it was
     CHECK(program.at("tap").value == "2");
     const Pattern before = program.pattern();
     program.press_key(key::kEscape);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     CHECK(program.pattern() == before);
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("tapping: T is a letter in a text field, and nothing for a locked patt
     program.app.work.document.edit().vibrations[0].locked = true;
     program.settle();
     program.press(U't');
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
 }
 
 }  // namespace tapping_test

@@ -131,7 +131,7 @@ TEST_CASE("holding: a candidate is felt before it is in the set") {
     CHECK(*program.device->playing() == protected_drive(whole, true, true).drive);
     let_go(program);
     CHECK_FALSE(program.device->playing());
-    CHECK(program.app.ui.dialog == Dialog::generate);
+    CHECK(program.app.ui.dialog == kGenerateDialog);
     CHECK(program.app.work.document.set.vibrations.size() == 3);
 }
 

@@ -176,7 +176,7 @@ TEST_CASE("playing: with another calibration, or none, a level begins at 10 % ag
 TEST_CASE("playing: full scale for another acceleration is another level, and begins at 10 %") {
     FeltProgram program;
     program.app.play.level = 0.8;
-    program.app.ui.dialog = Dialog::devices;
+    program.app.ui.dialog = kDevicesDialog;
     program.settle();
     program.click("entry:full_scale_g");
     program.type("0.2");

@@ -65,7 +65,7 @@ TEST_CASE("playing: Esc silences in the frame it is pressed in, and does nothing
 
 TEST_CASE("playing: Esc silences also in a dialog") {
     FeltProgram program;
-    program.app.ui.dialog = Dialog::devices;
+    program.app.ui.dialog = kDevicesDialog;
     program.settle();
     program.click("button:test buzz");
     REQUIRE(program.device->playing());
@@ -152,7 +152,7 @@ TEST_CASE("playing: an output that had gaps is rendered farther ahead, twice as 
     }
     // A measurement is rendered far ahead anyway.
     play.live_buffer_s = play.opened.buffer_s = 0.02;
-    program.app.ui.dialog = Dialog::calibrate;
+    program.app.ui.dialog = kCalibrateDialog;
     program.frame();
     play_test_buzz(program.app.ui, program.app.timeline, play);
     program.frame();

@@ -56,7 +56,7 @@ TEST_CASE("from sound: a sound is looked at, becomes a pattern, and undo takes i
     program.settle();
     CHECK(program.at("sounds:remarks").value.find("PM") != std::string::npos);
     program.click("button:choose");
-    CHECK(app.ui.dialog == Dialog::none);
+    CHECK(app.ui.dialog == kNoDialog);
     REQUIRE(count(program) == 3);
     const Vibration* added = current_vibration(app.work);
     REQUIRE(added != nullptr);
@@ -97,10 +97,10 @@ TEST_CASE("from sound: what cannot be read is left out, said, and nothing is los
     const auto bad = folder.write("bad.wav", "no sound at all");
     open(program, {bad});
     program.click("button:choose");
-    CHECK(app.ui.dialog == Dialog::from_sound);
+    CHECK(app.ui.dialog == kSoundsDialog);
     CHECK(count(program) == 2);
     program.click("button:cancel");
-    CHECK(app.ui.dialog == Dialog::none);
+    CHECK(app.ui.dialog == kNoDialog);
     open(program, {bad, good});
     program.click("button:choose");
     CHECK(count(program) == 3);
@@ -118,7 +118,7 @@ TEST_CASE("from sound: a sound that is dropped opens it, a WAV file stays what i
     CHECK_FALSE(are_sounds({folder.write("a.ogg", "no sound")}));
     Program program(short_patterns(2));
     drop_paths(program.app, {other});
-    CHECK(program.app.ui.dialog == Dialog::from_sound);
+    CHECK(program.app.ui.dialog == kSoundsDialog);
 }
 
 }  // namespace sounds_test

@@ -56,14 +56,14 @@ TEST_CASE("open table: nothing is typed but what the columns hold, and that is r
     App& app = program.app;
     const auto file = folder.write("answers.csv", kAnswers);
     read_tables(app.ui, app.work, app.table, {file});
-    wait_until(program, [&app] { return app.ui.dialog != Dialog::none; });
-    REQUIRE(app.ui.dialog == Dialog::open_table);
+    wait_until(program, [&app] { return app.ui.dialog != kNoDialog; });
+    REQUIRE(app.ui.dialog == kTableDialog);
     wait_for_answer(program);
     CHECK(
         has(program.at("table:outcome").value, "the columns are code, one, other, how far, seen"));
     CHECK_FALSE(has(program.at("table:outcome").value, "--columns"));
     program.click("button:choose");  // it cannot be pressed
-    CHECK(app.ui.dialog == Dialog::open_table);
+    CHECK(app.ui.dialog == kTableDialog);
     CHECK(app.work.document.set.ratings.empty());
 
     choose_use(program, 2, "pattern A");
@@ -73,7 +73,7 @@ TEST_CASE("open table: nothing is typed but what the columns hold, and that is r
     CHECK(program.at("table:outcome").value ==
           "3 patterns of the set are rated, by 1 participant.");
     program.click("button:choose");
-    CHECK(app.ui.dialog == Dialog::none);
+    CHECK(app.ui.dialog == kNoDialog);
     REQUIRE(app.work.document.set.ratings.size() == 1);
     undo(app.ui, app.work);
     CHECK(app.work.document.set.ratings.empty());
@@ -129,24 +129,24 @@ TEST_CASE(
     CHECK(app.work.document.set.ratings.empty());
     wait_until(program, [&app] { return app.table.taken == app.table.asked; });
     CHECK_FALSE(app.work.document.set.ratings.empty());
-    CHECK(app.ui.dialog == Dialog::none);
+    CHECK(app.ui.dialog == kNoDialog);
     drop_paths(app, {folder.write("p1.csv", recording("time_ms,no,x"))});
-    wait_until(program, [&app] { return app.ui.dialog == Dialog::import_recordings; });
+    wait_until(program, [&app] { return app.ui.dialog == kImportDialog; });
     // A button would move when what is looked at in the background comes in.
     program.press_key(key::kEscape);
-    wait_until(program, [&app] { return app.ui.dialog == Dialog::none; });
+    wait_until(program, [&app] { return app.ui.dialog == kNoDialog; });
     drop_paths(app, {folder.write("answers.csv", kAnswers)});
     REQUIRE(app.table.taken < app.table.asked);
-    app.ui.dialog = Dialog::about;
+    app.ui.dialog = kAboutDialog;
     wait_until(program, [&app] {
         const auto read = app.table.reading_job.latest();
         return read && read->request.number == app.table.asked;
     });
     program.settle();
-    CHECK(app.ui.dialog == Dialog::about);
+    CHECK(app.ui.dialog == kAboutDialog);
     program.press_key(key::kEscape);
-    wait_until(program, [&app] { return app.ui.dialog == Dialog::open_table; });
-    CHECK(app.ui.dialog == Dialog::open_table);
+    wait_until(program, [&app] { return app.ui.dialog == kTableDialog; });
+    CHECK(app.ui.dialog == kTableDialog);
 }
 
 TEST_CASE("open table: ratings that were dropped for another set are not its own") {
@@ -190,7 +190,7 @@ TEST_CASE("open table: the columns of a recording are told from the dialog on it
                       {folder.write("p1.csv", recording("no,tick,force"))});
     program.settle();
     program.click("button:columns");
-    REQUIRE(app.ui.dialog == Dialog::open_table);
+    REQUIRE(app.ui.dialog == kTableDialog);
     wait_for_answer(program);
     choose_use(program, 2, "time");
     choose_use(program, 3, "x");
@@ -199,7 +199,7 @@ TEST_CASE("open table: the columns of a recording are told from the dialog on it
     wait_for_answer(program);
     CHECK(has(program.at("table:outcome").value, "A recording of 1.5 s"));
     program.click("button:choose");
-    CHECK(app.ui.dialog == Dialog::import_recordings);
+    CHECK(app.ui.dialog == kImportDialog);
     wait_until(program, [&app] {
         const auto& answer = app.importing.answer;
         return answer && answer->request.options.table.columns.x == "force";

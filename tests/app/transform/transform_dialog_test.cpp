@@ -53,7 +53,7 @@ TEST_CASE("transform: what is applied is what the terminal makes, and one step o
             CHECK(program.app.work.document.set.vibrations[k].source ==
                   expected->vibrations[k].source);
         }
-        CHECK(program.app.ui.dialog == Dialog::none);
+        CHECK(program.app.ui.dialog == kNoDialog);
         undo(program.app.ui, program.app.work);
         CHECK(program.app.work.document.set == before);
     }
@@ -77,7 +77,7 @@ TEST_CASE("transform: what cannot be done is said, and Apply waits for something
     CHECK(program.at("transform:changes").value == "p2; 1 is locked and stays as it is");
     program.click("button:choose");
     CHECK(program.app.work.document.set == before);
-    CHECK(program.app.ui.dialog == Dialog::transform);
+    CHECK(program.app.ui.dialog == kTransformDialog);
     // The other kind is chosen by hand: the answer follows.
     program.click("transform:kind");
     program.click("transform:kind:repeat");

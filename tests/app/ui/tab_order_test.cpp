@@ -116,7 +116,7 @@ TEST_CASE("tab: Space presses what has the focus in a dialog, and plays in the p
     // In a text field it is a letter.
     while (focused_or_none(program) != "generate:rhythm") program.press_key(key::kTab);
     program.press(U' ');
-    CHECK(program.app.ui.dialog == Dialog::generate);
+    CHECK(program.app.ui.dialog == kGenerateDialog);
 }
 
 TEST_CASE("tab: with Ctrl it goes from pane to pane") {

@@ -144,7 +144,7 @@ void work_on(Program& program) {
     app.proposals.varied = "p1";
     app.generating.begun = true;
     app.play.felt_on_hover = "p1";
-    app.ui.dialog = Dialog::pad;
+    app.ui.dialog = kPadDialog;
     program.settle();
 }
 

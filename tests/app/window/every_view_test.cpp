@@ -123,13 +123,12 @@ struct Large : Program {
     }
 
     void look_at_dialogs() {
-        for (const Dialog dialog :
-             {Dialog::about, Dialog::keys, Dialog::devices, Dialog::export_view,
-              Dialog::export_animation, Dialog::generate, Dialog::simulate_measurement}) {
+        for (const Dialog dialog : {kAboutDialog, kKeysDialog, kDevicesDialog, kExportViewDialog,
+                                    kExportAnimationDialog, kGenerateDialog, kSimulationDialog}) {
             app.ui.dialog = dialog;
-            look("dialog " + std::to_string(static_cast<int>(dialog)));
+            look("dialog, " + std::string(dialog.title));
             press_key(key::kEscape);
-            app.ui.dialog = Dialog::none;
+            app.ui.dialog = kNoDialog;
             settle();
         }
         app.palette.open = true;

@@ -176,7 +176,7 @@ TEST_CASE("gestures: calibrating is found in the palette and in the Play menu") 
     CHECK(program.shows("menu:Calibrate..."));
     program.click("menu:Calibrate...");
     // An actuator is measured through a sound output, which the program asks for if none is chosen.
-    CHECK((program.app.ui.dialog == Dialog::calibrate || program.app.ui.dialog == Dialog::devices));
+    CHECK((program.app.ui.dialog == kCalibrateDialog || program.app.ui.dialog == kDevicesDialog));
 }
 
 TEST_CASE("gestures: the palette says why a command cannot be done, below those that can") {

@@ -137,9 +137,9 @@ TEST_CASE("menus: the list of keys needs no scroll bar in a small window, and is
     CHECK(program.shows("keys:Map"));
     CHECK_FALSE(program.shows("keys:File"));
     program.press_key(key::kEnter);  // an item of the search itself
-    CHECK(program.app.ui.dialog == Dialog::keys);
+    CHECK(program.app.ui.dialog == kKeysDialog);
     program.press_key(key::kEscape);
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
 }
 
 TEST_CASE("menus: every group that a menu has begins with a command that there is") {

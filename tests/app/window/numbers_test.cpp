@@ -272,13 +272,13 @@ TEST_CASE("numbers: no entry of a dialog takes what is not finite" * doctest::te
         program.settle();
         for (const char* text : kNoNumbers) CHECK(try_all(program, entries, text) >= least);
         program.press_key(key::kEscape);
-        program.app.ui.dialog = Dialog::none;
+        program.app.ui.dialog = kNoDialog;
         program.settle();
     };
-    refuses(Dialog::export_view, {"export:width", "export:height", "export:scale"}, 3);
-    refuses(Dialog::export_animation,
+    refuses(kExportViewDialog, {"export:width", "export:height", "export:scale"}, 3);
+    refuses(kExportAnimationDialog,
             {"export:from", "export:to", "export:frames", "export:width", "export:height"}, 5);
-    refuses(Dialog::devices, {"entry:full_scale_g"}, 0);
+    refuses(kDevicesDialog, {"entry:full_scale_g"}, 0);
     program.press('g', true);
     program.click("generate:modulation range");
     program.click("generate:Sobol");
@@ -293,17 +293,17 @@ TEST_CASE("numbers: no entry of a dialog takes what is not finite" * doctest::te
 
 TEST_CASE("numbers: Enter in an entry of a dialog takes the number and leaves the dialog open") {
     Program program(odd_numbers(2));
-    program.app.ui.dialog = Dialog::export_view;
+    program.app.ui.dialog = kExportViewDialog;
     program.settle();
     enter(program, "export:width", "1234");
     CHECK(program.app.exports.picture_size.width == 1234);
-    CHECK(program.app.ui.dialog == Dialog::export_view);
+    CHECK(program.app.ui.dialog == kExportViewDialog);
     CHECK_FALSE(program.app.ui.chooser.is_open);
     program.click("export:width");
     program.type("99");
     program.press_key(key::kEscape);
     CHECK(program.app.exports.picture_size.width == 1234);
-    CHECK(program.app.ui.dialog == Dialog::export_view);
+    CHECK(program.app.ui.dialog == kExportViewDialog);
 }
 
 TEST_CASE("numbers: digits typed at a field, locked or not, do not change the layout") {

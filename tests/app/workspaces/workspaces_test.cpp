@@ -139,7 +139,7 @@ TEST_CASE("workspaces: one that is saved by name stands in the menu until it is 
     program.type("wide list");
     program.press_key(key::kEnter);
     REQUIRE(program.app.workspaces.own.contains("wide list"));
-    CHECK(program.app.ui.dialog == Dialog::none);
+    CHECK(program.app.ui.dialog == kNoDialog);
     program.press('2', true);
     CHECK(program.app.layout.left != 0.33F);
     show_own("wide list", program.app.layout, program.app.workspaces);
