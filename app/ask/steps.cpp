@@ -121,21 +121,21 @@ constexpr float kChoicePx = 240.0F;
 
 void draw_name_choice(Ui& ui, const PatternSet& set, const char* label, std::string& name) {
     draw_label(ui, label);
-    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
-    const std::string id = std::string("##") + label;
-    const float room =
-        kChoicePx * ui.theme.scale - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
-    if (ImGui::BeginCombo(id.c_str(),
-                          label_of(shortened(ui.theme.fonts.regular, name, room)).c_str())) {
-        for (const Vibration& vibration : set.vibrations) {
-            if (!std::holds_alternative<Pattern>(vibration.source)) continue;
-            const Item item{.id = std::string("steps:") + label + ":" + vibration.name,
-                            .label = vibration.name};
-            if (option(ui, item, vibration.name == name)) name = vibration.name;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, std::string("steps:") + label, name);
+    const float width = kChoicePx * ui.theme.scale;
+    const float room = width - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+    const std::string id = std::string("steps:") + label;
+    const Item shown{
+        .id = id, .label = shortened(ui.theme.fonts.regular, name, room), .value = name};
+    drop_down(
+        ui, shown, width,
+        [&] {
+            for (const Vibration& vibration : set.vibrations) {
+                if (!std::holds_alternative<Pattern>(vibration.source)) continue;
+                const Item item{.id = id + ":" + vibration.name, .label = vibration.name};
+                if (option(ui, item, vibration.name == name)) name = vibration.name;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
 }
 
 void draw_count(Ui& ui, StepsState& state) {
@@ -154,22 +154,24 @@ void draw_count(Ui& ui, StepsState& state) {
 
 void draw_along(Ui& ui, StepsState& state) {
     draw_label(ui, "Change");
-    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
-    const char* chosen = state.along ? traits(*state.along).name : "all that differs";
-    if (ImGui::BeginCombo("##along", chosen)) {
-        if (option(ui, {.id = "steps:along:all", .label = "all that differs"}, !state.along))
-            state.along.reset();
-        for (const PatternParameter parameter : kPatternParameters) {
-            const Item item{.id = std::string("steps:along:") + traits(parameter).key,
-                            .label = traits(parameter).name};
-            if (option(ui, item, state.along == parameter)) state.along = parameter;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "steps:along", chosen);
-    draw_tooltip(ui,
-                 "One number of the first pattern alone, up to what the other one has; or all in "
-                 "which they differ. Rhythms are morphed: notes move, stretch, split and fade.");
+    const Item shown{
+        .id = "steps:along",
+        .label = state.along ? traits(*state.along).name : "all that differs",
+        .tip =
+            "One number of the first pattern alone, up to what the other one has; or all in "
+            "which they differ. Rhythms are morphed: notes move, stretch, split and fade."};
+    drop_down(
+        ui, shown, kChoicePx * ui.theme.scale,
+        [&] {
+            if (option(ui, {.id = "steps:along:all", .label = "all that differs"}, !state.along))
+                state.along.reset();
+            for (const PatternParameter parameter : kPatternParameters) {
+                const Item item{.id = std::string("steps:along:") + traits(parameter).key,
+                                .label = traits(parameter).name};
+                if (option(ui, item, state.along == parameter)) state.along = parameter;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
 }
 
 void draw_measure(Ui& ui, StepsState& state) {

@@ -164,24 +164,21 @@ void draw_metric_choice(Ui& ui, const Workspace& work, Comparing& comparing, boo
     const std::vector<NamedMetric> all = named_metrics(comparing);
     const auto chosen = std::ranges::find(all, comparing.panel.metric, &NamedMetric::key);
     const NamedMetric& shown = chosen == all.end() ? all.front() : *chosen;
-    ImGui::SetNextItemWidth(170.0F * ui.theme.scale);
-    const std::string words = people ? "Ratings" : shown.name;
-    if (ImGui::BeginCombo("##metric", label_of(words).c_str(), ImGuiComboFlags_HeightLargest)) {
+    const Item words{.id = "combo:metric",
+                     .label = people ? "Ratings" : shown.name,
+                     .tip = people ? "The map of what people said." : shown.help};
+    drop_down(ui, words, 170.0F * ui.theme.scale, [&] {
         for (const NamedMetric& metric : all) {
-            if (option(ui, {.id = "choose:" + metric.key, .label = metric.name, .tip = metric.help},
-                       !people && metric.key == shown.key)) {
-                comparing.panel.metric = metric.key;
-                comparing.panel.shepard_of_people = false;
-            }
+            const Item item{.id = "choose:" + metric.key, .label = metric.name, .tip = metric.help};
+            if (!option(ui, item, !people && metric.key == shown.key)) continue;
+            comparing.panel.metric = metric.key;
+            comparing.panel.shepard_of_people = false;
         }
         if (with_people && !work.document.set.ratings.empty() &&
             option(ui, {.id = "choose:ratings", .label = "Ratings"}, people)) {
             comparing.panel.shepard_of_people = true;
         }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "combo:metric", words);
-    draw_tooltip(ui, people ? "The map of what people said." : shown.help.c_str());
+    });
 }
 
 void draw_shepard_diagram(Ui& ui, Workspace& work, const ShownMap& shown_map, Comparing& comparing,

@@ -15,25 +15,24 @@ namespace {
 constexpr float kEffectDialogPx = 1060.0F;
 constexpr float kRowsPx = 275.0F;  // of the dialog, besides the pane
 constexpr float kPanePx = 420.0F;
-constexpr float kComboPx = 320.0F;
+constexpr float kDropDownPx = 320.0F;
 
 void draw_format(Ui& ui, EffectChoice& choice) {
     draw_label(ui, "Format");
-    ImGui::SetNextItemWidth(kComboPx * ui.theme.scale);
-    const bool open =
-        ImGui::BeginCombo("##format", traits(choice.format).title, ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "export:format", traits(choice.format).key);
-    if (!open) return;
-    for (const TargetTraits& one : target_formats()) {
-        const TargetFormat format = *target_format_of(one.key);
-        const bool chosen = format == choice.format;
-        const Item item{.id = std::string("export format:") + one.key, .label = one.title};
-        if (!option(ui, item, chosen) || chosen) continue;
-        choice.format = format;
-        choice.actuator.clear();
-        choice.sampled = own_target(format).sampled;
-    }
-    ImGui::EndCombo();
+    const TargetTraits& shown = traits(choice.format);
+    drop_down(ui, {.id = "export:format", .label = shown.title, .value = shown.key},
+              kDropDownPx * ui.theme.scale, [&] {
+                  for (const TargetTraits& one : target_formats()) {
+                      const TargetFormat format = *target_format_of(one.key);
+                      const bool chosen = format == choice.format;
+                      const Item item{.id = std::string("export format:") + one.key,
+                                      .label = one.title};
+                      if (!option(ui, item, chosen) || chosen) continue;
+                      choice.format = format;
+                      choice.actuator.clear();
+                      choice.sampled = own_target(format).sampled;
+                  }
+              });
 }
 
 // The format's own is the first one.
@@ -45,21 +44,19 @@ void draw_actuator(Ui& ui, EffectExport& effects) {
     const bool is_own = usual == traits(choice.format).map;
     const std::string own =
         usual + (is_own ? ", the format's own" : ", by which the effects were read");
-    ImGui::SetNextItemWidth(kComboPx * ui.theme.scale);
-    const bool open = ImGui::BeginCombo(
-        "##actuator", choice.actuator.empty() ? own.c_str() : choice.actuator.c_str(),
-        ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "export:actuator", map_in_use.name);
-    if (open) {
+    const Item shown{
+        .id = "export:actuator",
+        .label = choice.actuator.empty() ? own : choice.actuator,
+        .tip = "What 0 to 1 of the files mean in Hz and g: the device that they are for.",
+        .value = map_in_use.name};
+    drop_down(ui, shown, kDropDownPx * ui.theme.scale, [&] {
         if (ImGui::Selectable(own.c_str(), choice.actuator.empty())) choice.actuator.clear();
         for (const ActuatorMap& map : bundled_actuators()) {
             if (map.name == usual) continue;
             const Item item{.id = "export actuator:" + map.name, .label = map.name};
             if (option(ui, item, map.name == choice.actuator)) choice.actuator = map.name;
         }
-        ImGui::EndCombo();
-    }
-    draw_tooltip(ui, "What 0 to 1 of the files mean in Hz and g: the device that they are for.");
+    });
     draw_label(ui, "");
     ImGui::PushFont(ui.theme.fonts.small);
     ImGui::PushTextWrapPos(0.0F);

@@ -56,18 +56,17 @@ void draw_along(Ui& ui, const PatternSet& set, std::string& along) {
     for (const PatternParameter one : kPatternParameters) {
         if (along == traits(one).key) shown = traits(one).name;
     }
-    ImGui::SetNextItemWidth(320.0F * ui.theme.scale);
-    const bool open = ImGui::BeginCombo("##along", shown.c_str(), ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "paper:along", shown);
-    draw_tooltip(ui, "In the maps, lines join patterns that differ in this number alone.");
-    if (!open) return;
-    if (ImGui::Selectable(usual.c_str(), along.empty())) along.clear();
-    for (const PatternParameter one : kPatternParameters) {
-        const ParameterTraits& about = traits(one);
-        const Item item{.id = std::string("paper along:") + about.key, .label = about.name};
-        if (option(ui, item, along == about.key)) along = about.key;
-    }
-    ImGui::EndCombo();
+    const Item chosen{.id = "paper:along",
+                      .label = shown,
+                      .tip = "In the maps, lines join patterns that differ in this number alone."};
+    drop_down(ui, chosen, 320.0F * ui.theme.scale, [&] {
+        if (ImGui::Selectable(usual.c_str(), along.empty())) along.clear();
+        for (const PatternParameter one : kPatternParameters) {
+            const ParameterTraits& about = traits(one);
+            const Item item{.id = std::string("paper along:") + about.key, .label = about.name};
+            if (option(ui, item, along == about.key)) along = about.key;
+        }
+    });
 }
 
 void choose_set(Ui& ui, const Workspace& work, PaperState& paper) {

@@ -193,28 +193,31 @@ std::vector<std::string> lines_of(const std::string& text) {
 bool draw_kind(Ui& ui, std::optional<LessonQuestion>& question) {
     const auto chosen = [&] { return static_cast<std::size_t>(question->kind); };
     bool changed = false;
-    ImGui::SetNextItemWidth(-1.0F);
-    const bool open = ImGui::BeginCombo("##kind", question ? kKindWords[chosen()] : "No question");
-    note_item(ui.rects, "lesson edit:kind", question ? kQuestionKinds[chosen()] : "none");
-    if (!open) return false;
-    if (option(ui, {.id = "lesson edit:kind:none", .label = "No question"}, !question) &&
-        question) {
+    const auto offer_none = [&] {
+        const Item none{.id = "lesson edit:kind:none", .label = "No question"};
+        if (!option(ui, none, !question) || !question) return;
         question.reset();
         changed = true;
-    }
-    for (std::size_t k = 0; k < kKindWords.size(); ++k) {
+    };
+    const auto offer = [&](std::size_t k) {
+        const Item item{.id = std::string("lesson edit:kind:") + kQuestionKinds[k],
+                        .label = kKindWords[k]};
         const bool is_this = question && chosen() == k;
-        if (option(ui,
-                   {.id = std::string("lesson edit:kind:") + kQuestionKinds[k],
-                    .label = kKindWords[k]},
-                   is_this) &&
-            !is_this) {
-            if (!question) question.emplace();
-            question->kind = static_cast<QuestionKind>(k);
-            changed = true;
-        }
-    }
-    ImGui::EndCombo();
+        if (!option(ui, item, is_this) || is_this) return;
+        if (!question) question.emplace();
+        question->kind = static_cast<QuestionKind>(k);
+        changed = true;
+    };
+    const Item shown{.id = "lesson edit:kind",
+                     .label = question ? kKindWords[chosen()] : "No question",
+                     .value = question ? kQuestionKinds[chosen()] : "none"};
+    drop_down(
+        ui, shown, -1.0F,
+        [&] {
+            offer_none();
+            for (std::size_t k = 0; k < kKindWords.size(); ++k) offer(k);
+        },
+        ImGuiComboFlags_HeightRegular);
     return changed;
 }
 

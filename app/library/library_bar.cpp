@@ -79,21 +79,21 @@ void draw_shape_box(Ui& ui, LibraryState& state, const Rect& box) {
 void draw_target_choice(Ui& ui, const Workspace& work, LibraryState& state, float width_px) {
     const auto chosen = target_format_of(state.target);
     const std::string shown = chosen ? traits(*chosen).title : "as they are";
-    ImGui::SetNextItemWidth(width_px);
-    const bool open = ImGui::BeginCombo("##target", shown.c_str(), ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "library:target", shown);
-    draw_tooltip(ui,
-                 "What is compared: the entries as they are, or as they come back from the "
-                 "files of another program. So what can take a pattern's place there is found.");
-    if (!open) return;
     const std::string before = state.target;
     const auto choice = [&](const std::string& key, const char* words) {
         const Item item{.id = "library target:" + key, .label = words};
         if (option(ui, item, state.target == key)) state.target = key;
     };
-    choice("", "as they are");
-    for (const TargetTraits& one : target_formats()) choice(one.key, one.title);
-    ImGui::EndCombo();
+    drop_down(ui,
+              {.id = "library:target",
+               .label = shown,
+               .tip = "What is compared: the entries as they are, or as they come back from the "
+                      "files of another program. So what can take a pattern's place there is "
+                      "found."},
+              width_px, [&] {
+                  choice("", "as they are");
+                  for (const TargetTraits& one : target_formats()) choice(one.key, one.title);
+              });
     if (state.target != before) ask_alike_again(ui, work, state);
 }
 

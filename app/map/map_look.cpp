@@ -124,23 +124,26 @@ bool draw_parameter_choice(Ui& ui, const ShownMap& shown_map, const char* label,
                            std::optional<PatternParameter>& chosen) {
     bool changed = false;
     label_of_row(ui, label);
-    ImGui::SetNextItemWidth(kChoicePx * ui.theme.scale);
-    if (ImGui::BeginCombo((std::string("##") + label).c_str(), parameter_name(chosen, none))) {
-        if (ImGui::Selectable(none, !chosen)) {
-            chosen.reset();
-            changed = true;
-        }
-        for (const PatternParameter parameter : kPatternParameters) {
-            if (!reach_of(shown_map, parameter)) continue;
-            const Item item{.id = std::string(label) + ":" + traits(parameter).key,
-                            .label = traits(parameter).name};
-            if (!option(ui, item, chosen == parameter)) continue;
-            chosen = parameter;
-            changed = true;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, std::string("look:") + label, parameter_name(chosen, "none"));
+    const Item shown{.id = std::string("look:") + label,
+                     .label = parameter_name(chosen, none),
+                     .value = parameter_name(chosen, "none")};
+    drop_down(
+        ui, shown, kChoicePx * ui.theme.scale,
+        [&] {
+            if (ImGui::Selectable(none, !chosen)) {
+                chosen.reset();
+                changed = true;
+            }
+            for (const PatternParameter parameter : kPatternParameters) {
+                if (!reach_of(shown_map, parameter)) continue;
+                const Item item{.id = std::string(label) + ":" + traits(parameter).key,
+                                .label = traits(parameter).name};
+                if (!option(ui, item, chosen == parameter)) continue;
+                chosen = parameter;
+                changed = true;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
     return changed;
 }
 

@@ -27,23 +27,24 @@ void draw_twin(Ui& ui, Workspace& work, const Vibration& intended, const Twin& t
 // choice changed.
 bool draw_pattern_choice(Ui& ui, const Workspace& work, std::string& chosen, std::size_t row) {
     bool changed = false;
-    ImGui::SetNextItemWidth(-1.0F);
-    const bool open =
-        ImGui::BeginCombo("##pattern", chosen.empty() ? "leave out" : label_of(chosen).c_str());
-    note_item(ui.rects, "import:pattern " + std::to_string(row), chosen);
-    if (!open) return false;
-    if (ImGui::Selectable("leave out", chosen.empty())) {
-        changed = !chosen.empty();
-        chosen.clear();
-    }
-    for (const Vibration& vibration : work.document.set.vibrations) {
-        if (measures_another(vibration)) continue;
-        if (ImGui::Selectable(label_of(vibration.name).c_str(), vibration.name == chosen)) {
-            changed = chosen != vibration.name;
-            chosen = vibration.name;
-        }
-    }
-    ImGui::EndCombo();
+    const auto offer = [&](const char* words, const std::string& name) {
+        if (!ImGui::Selectable(words, chosen == name)) return;
+        changed = chosen != name;
+        chosen = name;
+    };
+    const Item shown{.id = "import:pattern " + std::to_string(row),
+                     .label = chosen.empty() ? "leave out" : chosen,
+                     .value = chosen};
+    drop_down(
+        ui, shown, -1.0F,
+        [&] {
+            offer("leave out", "");
+            for (const Vibration& vibration : work.document.set.vibrations) {
+                if (measures_another(vibration)) continue;
+                offer(label_of(vibration.name).c_str(), vibration.name);
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
     return changed;
 }
 

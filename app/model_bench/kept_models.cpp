@@ -173,16 +173,13 @@ void draw_model_choice(Ui& ui, Workspace& work, ModelBench& model_bench) {
                                                    : "Changed by hand";
     draw_label(ui, "Model", 160.0F * ui.theme.scale);
     const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::SetNextItemWidth(
-        std::max(room - beside_field_px(ui), std::min(room, 120.0F * ui.theme.scale)));
-    const bool open = ImGui::BeginCombo("##model", label_of(shown).c_str());
-    if (open) {
-        draw_list(ui, work, model_bench, current);
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "model:choice", shown);
-    if (!open)
-        draw_tooltip(ui, "Parameters for this set: the paper's, or kept ones that you trained.");
+    drop_down(
+        ui,
+        {.id = "model:choice",
+         .label = shown,
+         .tip = "Parameters for this set: the paper's, or kept ones that you trained."},
+        std::max(room - beside_field_px(ui), std::min(room, 120.0F * ui.theme.scale)),
+        [&] { draw_list(ui, work, model_bench, current); }, ImGuiComboFlags_HeightRegular);
     if (origin.trained_on.empty()) return;
     ImGui::PushFont(ui.theme.fonts.small);
     const std::string provenance =

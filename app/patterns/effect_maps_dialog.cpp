@@ -45,26 +45,19 @@ std::string draw_map_combo(Ui& ui, const MapInUse& use) {
     const std::string own = own_map(use);
     std::string chosen;
     ImGui::PushID(use.format.c_str());
-    ImGui::BeginDisabled(!use.has_files);
-    ImGui::SetNextItemWidth(kMapComboPx * ui.theme.scale);
-    const bool open = ImGui::BeginCombo("##map", map_label(use.actuators, own).c_str(),
-                                        ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "effects:map of " + use.format, use.actuators);
-    if (open) {
+    const Item shown{.id = "effects:map of " + use.format,
+                     .label = map_label(use.actuators, own),
+                     .enabled = use.has_files,
+                     .value = use.actuators};
+    drop_down(ui, shown, kMapComboPx * ui.theme.scale, [&] {
         for (const ActuatorMap& map : bundled_actuators()) {
             const bool is_used = map.name == use.actuators;
-            if (option(ui,
-                       {.id = "effects map:" + map.name,
-                        .label = map_label(map.name, own),
-                        .tip = map.source},
-                       is_used) &&
-                !is_used) {
-                chosen = map.name;
-            }
+            const Item item{.id = "effects map:" + map.name,
+                            .label = map_label(map.name, own),
+                            .tip = map.source};
+            if (option(ui, item, is_used) && !is_used) chosen = map.name;
         }
-        ImGui::EndCombo();
-    }
-    ImGui::EndDisabled();
+    });
     ImGui::PopID();
     return chosen;
 }

@@ -25,23 +25,24 @@ void draw_networks(Ui& ui, PhonesState& state) {
     const bool may_be_others = state.interfaces.empty() || ImGui::IsWindowAppearing();
     if (may_be_others) state.interfaces = network_interfaces();
     draw_label(ui, "Network");
-    ImGui::SetNextItemWidth(320.0F * ui.theme.scale);
     const auto chosen = std::ranges::find(state.interfaces, state.host, &NetworkInterface::address);
     const auto words = [](const NetworkInterface& one) { return one.name + "  " + one.address; };
     const std::string shown = chosen != state.interfaces.end() ? words(*chosen)
                               : state.interfaces.empty()       ? "This computer alone"
                                                                : words(state.interfaces.front());
-    const bool open = ImGui::BeginCombo("##phones network", label_of(shown).c_str());
-    note_item(ui.rects, "combo:phones network", shown);
-    draw_tooltip(ui, "The network that the phones are in, too");
-    if (!open) return;
-    for (const NetworkInterface& one : state.interfaces) {
-        if (option(ui, {.id = "phones network:" + one.address, .label = words(one)},
-                   one.address == state.host)) {
-            state.host = one.address;
-        }
-    }
-    ImGui::EndCombo();
+    drop_down(
+        ui,
+        {.id = "combo:phones network",
+         .label = shown,
+         .tip = "The network that the phones are in, too"},
+        320.0F * ui.theme.scale,
+        [&] {
+            for (const NetworkInterface& one : state.interfaces) {
+                const Item item{.id = "phones network:" + one.address, .label = words(one)};
+                if (option(ui, item, one.address == state.host)) state.host = one.address;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
 }
 
 void draw_off(Ui& ui, PlayState& play, PhonesState& state) {

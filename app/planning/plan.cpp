@@ -163,22 +163,19 @@ void draw_people(Ui& ui, PlanChoice& choice) {
 
 void draw_rival(Ui& ui, Metric& rival) {
     draw_label(ui, "Told from");
-    ImGui::SetNextItemWidth(240.0F * ui.theme.scale);
-    const bool open =
-        ImGui::BeginCombo("##rival", traits(rival).name, ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "plan:rival", traits(rival).key);
-    draw_tooltip(ui, "The metric that PM is to be told from: does it agree with people less?");
-    if (!open) return;
-    for (const Metric metric : kMetrics) {
-        if (metric == Metric::pm) continue;
-        if (option(ui,
-                   {.id = std::string("plan rival:") + traits(metric).key,
-                    .label = traits(metric).name},
-                   metric == rival)) {
-            rival = metric;
+    const Item shown{
+        .id = "plan:rival",
+        .label = traits(rival).name,
+        .tip = "The metric that PM is to be told from: does it agree with people less?",
+        .value = traits(rival).key};
+    drop_down(ui, shown, 240.0F * ui.theme.scale, [&] {
+        for (const Metric metric : kMetrics) {
+            if (metric == Metric::pm) continue;
+            const Item item{.id = std::string("plan rival:") + traits(metric).key,
+                            .label = traits(metric).name};
+            if (option(ui, item, metric == rival)) rival = metric;
         }
-    }
-    ImGui::EndCombo();
+    });
 }
 
 // All, or a number that stands beside it.

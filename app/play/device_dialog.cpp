@@ -69,23 +69,24 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     ImGui::PopTextWrapPos();
 }
 
-// A combo of a few names.
-bool draw_combo(Ui& ui, const char* label, const char* id, const std::vector<std::string>& names,
-                int& chosen) {
+// One of a few names.
+bool draw_names(Ui& ui, const char* label, const std::string& id,
+                const std::vector<std::string>& names, int& chosen) {
     draw_label(ui, label, 200.0F * ui.theme.scale);
-    ImGui::SetNextItemWidth(200.0F * ui.theme.scale);
     const auto at = static_cast<std::size_t>(chosen);
     bool changed = false;
-    if (ImGui::BeginCombo(id, at < names.size() ? label_of(names[at]).c_str() : "")) {
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            const std::string name = std::string("choose:") + (id + 2) + " " + names[k];
-            if (!option(ui, {.id = name, .label = names[k]}, k == at)) continue;
-            chosen = static_cast<int>(k);
-            changed = true;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, std::string("combo:") + (id + 2), at < names.size() ? names[at] : "");
+    drop_down(
+        ui, {.id = "combo:" + id, .label = at < names.size() ? names[at] : ""},
+        200.0F * ui.theme.scale,
+        [&] {
+            for (std::size_t k = 0; k < names.size(); ++k) {
+                const Item item{.id = "choose:" + id + " " + names[k], .label = names[k]};
+                if (!option(ui, item, k == at)) continue;
+                chosen = static_cast<int>(k);
+                changed = true;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
     return changed;
 }
 
@@ -98,13 +99,13 @@ void draw_channel(Ui& ui, const DeviceInfo& device, DeviceChoice& choice) {
         names.push_back(name == number ? number : number + ", " + name);
     }
     int channel = choice.channel - 1;
-    if (draw_combo(ui, "Channel", "##channel", names, channel)) choice.channel = channel + 1;
+    if (draw_names(ui, "Channel", "channel", names, channel)) choice.channel = channel + 1;
     if (!device.is_server || !device.server_output.empty()) return;
     constexpr int kCounts[] = {0, 1, 2, 4, 6, 8};
     const std::vector<std::string> counts{"2, or as many as needed", "1", "2", "4", "6", "8"};
     int at = 0;
     for (int k = 0; k < 6; ++k) at = kCounts[k] == choice.of_channels ? k : at;
-    if (draw_combo(ui, "Outputs", "##outputs", counts, at)) {
+    if (draw_names(ui, "Outputs", "outputs", counts, at)) {
         choice.of_channels = kCounts[at];
     }
     draw_tooltip(

@@ -37,22 +37,18 @@ std::string unbroken(std::string text) {
 
 void draw_kind(Ui& ui, Workspace& work, RenderingState& rendered) {
     const float wide = 190.0F * ui.theme.scale;
-    ImGui::SetNextItemWidth(std::min(wide, ImGui::GetContentRegionAvail().x));
-    const char* shown = traits(rendered.by.kind).name;
-    if (ImGui::BeginCombo("##kind", shown, ImGuiComboFlags_HeightLargest)) {
+    const Item shown{.id = "combo:device kind", .label = traits(rendered.by.kind).name};
+    drop_down(ui, shown, std::min(wide, ImGui::GetContentRegionAvail().x), [&] {
         for (const ActuatorKind kind : kActuatorKinds) {
             const bool chosen = rendered.by.kind == kind;
             const Item item{.id = std::string("choose:") + traits(kind).key,
                             .label = traits(kind).name,
                             .tip = std::string("Keeps ") + traits(kind).keeps + "."};
-            if (option(ui, item, chosen) && !chosen) {
-                rendered.by.kind = kind;
-                if (rendered.on) predictions_changed(work);
-            }
+            if (!option(ui, item, chosen) || chosen) continue;
+            rendered.by.kind = kind;
+            if (rendered.on) predictions_changed(work);
         }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "combo:device kind", shown);
+    });
 }
 
 void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {

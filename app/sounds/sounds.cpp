@@ -181,18 +181,13 @@ void draw_sound_rows(Ui& ui, SoundsState& sounds, const SoundsAnswer* answer) {
 void draw_actuator_choice(Ui& ui, SoundsRequest& wanted) {
     const ActuatorMap& map = bundled_actuator(wanted.actuator);
     draw_label(ui, "Actuator");
-    ImGui::SetNextItemWidth(kActuatorPx * ui.theme.scale);
-    const bool open =
-        ImGui::BeginCombo("##actuator", map.name.c_str(), ImGuiComboFlags_HeightLargest);
-    note_item(ui.rects, "sounds:actuator", map.name);
-    if (open) {
+    drop_down(ui, {.id = "sounds:actuator", .label = map.name}, kActuatorPx * ui.theme.scale, [&] {
         for (const ActuatorMap& one : bundled_actuators()) {
             const Item item{
                 .id = "sounds actuator:" + one.name, .label = one.name, .tip = one.source};
             if (option(ui, item, one.name == wanted.actuator)) wanted.actuator = one.name;
         }
-        ImGui::EndCombo();
-    }
+    });
     const ActuatorMap& chosen = bundled_actuator(wanted.actuator);
     const std::string band = significant_digits(chosen.frequency_hz.low, 4) + " to " +
                              significant_digits(chosen.frequency_hz.high, 4) + " Hz. " +

@@ -55,27 +55,29 @@ void draw_headphones(Ui& ui, Workspace& work, const PlayState& play) {
         return id.substr(id.rfind('/') + 1);
     };
     draw_label(ui, "Headphones", 200.0F * ui.theme.scale);
-    ImGui::SetNextItemWidth(-1.0F);
-    const std::string shown =
-        design.headphones.empty() ? "choose an output" : name_of(design.headphones);
-    const bool is_open = ImGui::BeginCombo("##headphones", label_of(shown).c_str());
-    note_item(ui.rects, "study:headphones", design.headphones);
-    draw_tooltip(ui, "The sound output that the participant's headphones are on");
-    for (std::size_t k = 0; is_open && listed && k < listed->size(); ++k) {
-        const DeviceInfo& device = (*listed)[k];
-        if (device.kind != DeviceKind::audio) continue;
+    const auto offer = [&](const DeviceInfo& device) {
         const bool is_actuator = is_actuators(play, device);
-        if (option(ui,
-                   {.id = "study headphones:" + device.id,
-                    .label = device.name + (is_actuator ? " (the actuator's)" : ""),
-                    .enabled = !is_actuator,
-                    .value = is_actuator ? "the actuator's" : ""},
-                   device.id == design.headphones)) {
-            change_at_once(ui, work, "study: headphones",
-                           [id = device.id](StudyDesign& d) { d.headphones = id; });
-        }
-    }
-    if (is_open) ImGui::EndCombo();
+        const Item item{.id = "study headphones:" + device.id,
+                        .label = device.name + (is_actuator ? " (the actuator's)" : ""),
+                        .enabled = !is_actuator,
+                        .value = is_actuator ? "the actuator's" : ""};
+        if (!option(ui, item, device.id == design.headphones)) return;
+        change_at_once(ui, work, "study: headphones",
+                       [id = device.id](StudyDesign& d) { d.headphones = id; });
+    };
+    const Item shown{
+        .id = "study:headphones",
+        .label = design.headphones.empty() ? "choose an output" : name_of(design.headphones),
+        .tip = "The sound output that the participant's headphones are on",
+        .value = design.headphones};
+    drop_down(
+        ui, shown, -1.0F,
+        [&] {
+            for (std::size_t k = 0; listed && k < listed->size(); ++k) {
+                if ((*listed)[k].kind == DeviceKind::audio) offer((*listed)[k]);
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
     const Expected<DeviceInfo> output = masking_output(play, work.document.set.study.headphones);
     if (output) return;
     coloured_text(

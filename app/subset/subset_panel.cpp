@@ -88,27 +88,27 @@ void draw_source(Ui& ui, const Workspace& work, SubsetState& picking) {
     const float s = ui.theme.scale;
     const bool beside = flow_on(84.0F * s, 1.5F * ui.theme.gap_px);
     const float room = beside ? ImGui::GetContentRegionAvail().x : 120.0F * s;
-    ImGui::SetNextItemWidth(std::min(120.0F * s, room));
-    if (ImGui::BeginCombo("##source", shown)) {
-        for (const Metric metric : kMetrics) {
-            const bool chosen = !picking.by_ratings && picking.metric == metric;
-            if (option(ui,
-                       {.id = std::string("subset source:") + traits(metric).key,
-                        .label = traits(metric).name,
-                        .tip = metric_help(metric)},
-                       chosen)) {
+    const std::string help = picking.by_ratings && has_ratings ? "Ratings: what people said."
+                                                               : metric_help(picking.metric);
+    const Item source{.id = "subset:source",
+                      .label = shown,
+                      .tip = "What says how far apart two patterns are. " + help};
+    drop_down(
+        ui, source, std::min(120.0F * s, room),
+        [&] {
+            for (const Metric metric : kMetrics) {
+                const Item item{.id = std::string("subset source:") + traits(metric).key,
+                                .label = traits(metric).name,
+                                .tip = metric_help(metric)};
+                const bool chosen = !picking.by_ratings && picking.metric == metric;
+                if (!option(ui, item, chosen)) continue;
                 picking.metric = metric;
                 picking.by_ratings = false;
             }
-        }
-        const Item ratings{.id = "subset source:ratings", .label = "Ratings"};
-        if (has_ratings && option(ui, ratings, picking.by_ratings)) picking.by_ratings = true;
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "subset:source", shown);
-    const std::string help = picking.by_ratings && has_ratings ? "Ratings: what people said."
-                                                               : metric_help(picking.metric);
-    draw_tooltip(ui, ("What says how far apart two patterns are. " + help).c_str());
+            const Item ratings{.id = "subset source:ratings", .label = "Ratings"};
+            if (has_ratings && option(ui, ratings, picking.by_ratings)) picking.by_ratings = true;
+        },
+        ImGuiComboFlags_HeightRegular);
 }
 
 void draw_proof(Ui& ui, const Workspace& work, const ShownMap& shown_map,

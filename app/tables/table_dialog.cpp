@@ -81,23 +81,27 @@ bool draw_of_its_kind(Ui& ui, TableWords& words) {
 bool draw_use(Ui& ui, const TableAnswer& answer, std::size_t column, std::string& chosen) {
     const std::string& now = answer.uses[column];
     ImGui::PushID(static_cast<int>(column));
-    ImGui::SetNextItemWidth(-1.0F);
-    if (now.empty()) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dim_text);
-    const bool is_open = ImGui::BeginCombo("##use", now.empty() ? kNotRead : now.c_str());
-    if (now.empty()) ImGui::PopStyleColor();
-    note_item(ui.rects, "table:use " + std::to_string(column + 1), now);
     bool changed = false;
-    if (is_open) {
-        const auto offer = [&](const char* text, const std::string& use) {
-            const Item item{.id = std::string("table:offer ") + text, .label = text};
-            if (!option(ui, item, use == now) || use == now) return;
-            chosen = use;
-            changed = true;
-        };
-        offer(kNotRead, "");
-        for (const char* use : table_uses(answer.request.words.kind)) offer(use, use);
-        ImGui::EndCombo();
-    }
+    const auto offer = [&](const char* text, const std::string& use) {
+        const Item item{.id = std::string("table:offer ") + text, .label = text};
+        if (!option(ui, item, use == now) || use == now) return;
+        chosen = use;
+        changed = true;
+    };
+    const Item shown{.id = "table:use " + std::to_string(column + 1),
+                     .label = now.empty() ? kNotRead : now,
+                     .value = now};
+    ImGui::PushStyleColor(ImGuiCol_Text, now.empty() ? ui.theme.dim_text : ui.theme.text);
+    drop_down(
+        ui, shown, -1.0F,
+        [&] {
+            ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.text);
+            offer(kNotRead, "");
+            for (const char* use : table_uses(answer.request.words.kind)) offer(use, use);
+            ImGui::PopStyleColor();
+        },
+        ImGuiComboFlags_HeightRegular);
+    ImGui::PopStyleColor();
     ImGui::PopID();
     return changed;
 }

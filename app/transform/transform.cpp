@@ -149,17 +149,18 @@ constexpr float kTransformChoicePx = 260.0F;
 
 void draw_kind(Ui& ui, TransformState& state) {
     draw_label(ui, "Transform");
-    ImGui::SetNextItemWidth(kTransformChoicePx * ui.theme.scale);
-    if (ImGui::BeginCombo("##kind", traits(state.kind).label, ImGuiComboFlags_HeightLarge)) {
-        for (std::size_t k = 0; k < kEditKindCount; ++k) {
-            const auto kind = static_cast<EditKind>(k);
-            const Item item{.id = std::string("transform:kind:") + traits(kind).key,
-                            .label = traits(kind).label};
-            if (option(ui, item, kind == state.kind)) state.kind = kind;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "transform:kind", traits(state.kind).label);
+    drop_down(
+        ui, {.id = "transform:kind", .label = traits(state.kind).label},
+        kTransformChoicePx * ui.theme.scale,
+        [&] {
+            for (std::size_t k = 0; k < kEditKindCount; ++k) {
+                const auto kind = static_cast<EditKind>(k);
+                const Item item{.id = std::string("transform:kind:") + traits(kind).key,
+                                .label = traits(kind).label};
+                if (option(ui, item, kind == state.kind)) state.kind = kind;
+            }
+        },
+        ImGuiComboFlags_HeightLarge);
 }
 
 void draw_number(Ui& ui, const EditTraits& about, std::optional<double>& number) {
@@ -186,17 +187,19 @@ void draw_number(Ui& ui, const EditTraits& about, std::optional<double>& number)
 void draw_other(Ui& ui, const PatternSet& set, std::string& name) {
     draw_label(ui, "With");
     const float width = kTransformChoicePx * ui.theme.scale;
-    ImGui::SetNextItemWidth(width);
     const float room = width - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
-    const std::string shown = shortened(ui.theme.fonts.regular, name, room);
-    if (ImGui::BeginCombo("##other", label_of(shown).c_str())) {
-        for (const Vibration& vibration : set.vibrations) {
-            const Item item{.id = "transform:other:" + vibration.name, .label = vibration.name};
-            if (option(ui, item, vibration.name == name)) name = vibration.name;
-        }
-        ImGui::EndCombo();
-    }
-    note_item(ui.rects, "transform:other", name);
+    const Item shown{.id = "transform:other",
+                     .label = shortened(ui.theme.fonts.regular, name, room),
+                     .value = name};
+    drop_down(
+        ui, shown, width,
+        [&] {
+            for (const Vibration& vibration : set.vibrations) {
+                const Item item{.id = "transform:other:" + vibration.name, .label = vibration.name};
+                if (option(ui, item, vibration.name == name)) name = vibration.name;
+            }
+        },
+        ImGuiComboFlags_HeightRegular);
 }
 
 std::string sentence_of(const char* help) {

@@ -88,6 +88,19 @@ bool menu_item(Ui& ui, const Item& item, const char* keys, bool checked) {
     return drawn(ui, item, [&] { return ImGui::MenuItem(named(item).c_str(), keys, checked); });
 }
 
+void drop_down(Ui& ui, const Item& item, float width_px, const std::function<void()>& rows,
+               ImGuiComboFlags flags) {
+    drawn(ui, item, [&] {
+        if (width_px != 0.0F) ImGui::SetNextItemWidth(width_px);
+        if (!ImGui::BeginCombo(("##" + item.id).c_str(), label_of(item.label).c_str(), flags)) {
+            return false;
+        }
+        rows();
+        ImGui::EndCombo();
+        return false;
+    });
+}
+
 void plain_text(Ui& ui, const Said& said) {
     ImGui::TextUnformatted(shown_lines(said.text).c_str());
     say_of_last_item(ui, said);

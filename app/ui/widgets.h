@@ -220,6 +220,11 @@ bool option(Ui& ui, const Item& item, bool chosen, ImGuiSelectableFlags flags = 
             ImVec2 size = {0.0F, 0.0F});
 bool menu_item(Ui& ui, const Item& item, const char* keys = nullptr, bool checked = false);
 
+// A list that opens below what is chosen, the label; `rows` draws its options. Its width is that of
+// other fields if none is given.
+void drop_down(Ui& ui, const Item& item, float width_px, const std::function<void()>& rows,
+               ImGuiComboFlags flags = ImGuiComboFlags_HeightLargest);
+
 // A text that is noted.
 struct Said {
     std::string id;
