@@ -117,10 +117,10 @@ void draw_compared_pairs(Ui& ui, Workspace& work, Layout& layout, const ShownMap
         if (draw_empty_with(ui, area, "No ratings to compare with",
                             "Load what people said: each pair is then a point, prediction against "
                             "rating.",
-                            "Load ratings...")) {
+                            {.id = "button:load ratings", .label = "Load ratings..."})) {
             load_ratings_dialog(ui, work, table);
         }
-        return note_item(ui.rects, "button:load ratings");
+        return;
     }
     draw_metric_choice(ui, work, comparing, false);
     const Rect area = rest_of_pane();

@@ -156,10 +156,9 @@ void draw_findings(Ui& ui, Comparing& comparing, const Rect& area) {
         if (pressed) ask_for_findings(ui, comparing);
     };
     if (!busy && !comparing.findings && comparing.findings_job.failure().empty() && !area.empty()) {
-        check(draw_empty_with(ui, area, "Does the model find what people felt?",
-                              "What the paper found, checked on its own sets.", kCheck));
-        note_item(ui.rects, "button:check findings");
-        return;
+        return check(draw_empty_with(ui, area, "Does the model find what people felt?",
+                                     "What the paper found, checked on its own sets.",
+                                     {.id = "button:check findings", .label = kCheck}));
     }
     check(primary_button(ui, {.id = "button:check findings", .label = kCheck, .enabled = !busy}));
     if (busy || comparing.findings) {

@@ -88,13 +88,11 @@ void draw_which(Ui& ui, EffectExport& effects) {
     draw_label(ui, "Patterns");
     const ExportGround& ground = effects.ground;
     const auto draw = [&](ExportWhich which, const char* name, std::size_t count) {
-        const std::string label = std::string(name) + " (" + std::to_string(count) + ")";
-        ImGui::BeginDisabled(count == 0);
-        if (draw_segment(ui, label.c_str(), effects.choice.which == which)) {
-            effects.choice.which = which;
-        }
-        ImGui::EndDisabled();
-        note_item(ui.rects, std::string("export which:") + name, std::to_string(count));
+        const Item item{.id = std::string("export which:") + name,
+                        .label = std::string(name) + " (" + std::to_string(count) + ")",
+                        .enabled = count > 0,
+                        .value = std::to_string(count)};
+        if (segment(ui, item, effects.choice.which == which)) effects.choice.which = which;
         ImGui::SameLine(0.0F, 0.0F);
     };
     draw(ExportWhich::all, "All", ground.set->vibrations.size());

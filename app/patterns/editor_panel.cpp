@@ -130,10 +130,9 @@ void keep_narrow(const Theme& theme) {
 
 void draw_nothing_to_edit(Ui& ui, Workspace& work) {
     if (draw_empty_with(ui, rest_of_pane(), "Nothing to edit", "Make a pattern, or open a set.",
-                        "New pattern")) {
+                        {.id = "button:new pattern", .label = "New pattern"})) {
         ui.waiting.emplace_back([&ui, &work] { add_pattern(ui, work); });
     }
-    note_item(ui.rects, "button:new pattern");
 }
 
 // The reason why it cannot be edited.

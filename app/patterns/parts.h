@@ -83,4 +83,7 @@ std::string cut_note(const RecordingCut& how, double length_s, const std::string
 // Draws nothing unless the current vibration is a recording.
 void draw_recording_editor(Ui& ui, Workspace& work, RecordingEditor& editor);
 
+// Call in an open popup: moves it up if it would end below the window.
+void keep_on_screen(const Theme& theme);
+
 }  // namespace tact

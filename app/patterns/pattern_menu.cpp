@@ -11,11 +11,19 @@
 
 #include "app/document/editing.h"
 #include "app/document/workspace.h"
+#include "app/patterns/parts.h"
 #include "app/pictures/pictures.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"
 
 namespace tact {
+
+void keep_on_screen(const Theme& theme) {
+    const float below = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y + 0.5F * theme.gap_px -
+                        ImGui::GetIO().DisplaySize.y;
+    if (below <= 0.0F) return;
+    ImGui::SetWindowPos({ImGui::GetWindowPos().x, std::max(0.0F, ImGui::GetWindowPos().y - below)});
+}
 
 namespace {
 

@@ -367,12 +367,12 @@ void draw_no_rows(Ui& ui, Workspace& work) {
         return draw_empty(*ImGui::GetWindowDrawList(), ui.theme, rest_of_pane(), "No patterns yet",
                           "Press New, or drop a folder of effects or recordings here.");
     }
-    if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "", "Show all",
+    if (draw_empty_with(ui, rest_of_pane(), "No pattern matches the search", "",
+                        {.id = "button:show all", .label = "Show all"},
                         false)) {  // New is the primary button
         work.selection.search.clear();
         work.selection.only_picked = false;
     }
-    note_item(ui.rects, "button:show all");
 }
 
 PatternAction draw_rows(Ui& ui, Workspace& work, PatternPanes& pattern_panes) {

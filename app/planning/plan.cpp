@@ -183,11 +183,9 @@ void draw_all_or(Ui& ui, const char* label, const char* id, bool& all, Range mos
                  const char* words) {
     draw_label(ui, label);
     ImGui::PushID(id);
-    if (draw_segment(ui, "All", all)) all = true;
-    note_item(ui.rects, std::string(id) + ":all");
+    if (segment(ui, {.id = std::string(id) + ":all", .label = "All"}, all)) all = true;
     ImGui::SameLine(0.0F, 0.0F);
-    if (draw_segment(ui, "Some", !all)) all = false;
-    note_item(ui.rects, std::string(id) + ":some");
+    if (segment(ui, {.id = std::string(id) + ":some", .label = "Some"}, !all)) all = false;
     ImGui::PopID();
     if (all) return;
     ImGui::SameLine();

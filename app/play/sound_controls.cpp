@@ -43,7 +43,10 @@ void draw_device_item(Ui& ui, Timeline& timeline, PlayState& play, const DeviceI
 }
 
 void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
-    open_below_last_item(ui.theme);
+    // Without covering the button that opens it.
+    ImGui::SetNextWindowPos(
+        {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.5F * ui.theme.gap_px},
+        ImGuiCond_Appearing);
     if (!ImGui::BeginPopup("device menu")) return;
     const std::string trouble = device_trouble(play);
     if (!trouble.empty()) {

@@ -11,6 +11,21 @@
 
 namespace tact {
 
+namespace {
+
+// The "i" in a circle.
+void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = 6.5F * ui.theme.scale;
+    const ImU32 colour = lit ? ui.theme.accent : ui.theme.dim_text;
+    list.AddCircle(centre, radius, colour, 0, ui.theme.hairline_px);
+    const ImVec2 size = text_size(ui.theme.fonts.small, "i");
+    draw_text(list, ui.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
+              colour, "i");
+}
+
+}  // namespace
+
 float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& area) {
     const Theme& theme = ui.theme;
     const StageText& text = text_of(stage);

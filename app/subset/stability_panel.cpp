@@ -108,10 +108,9 @@ void draw_stability_view(Ui& ui, const Workspace& work, const ShownMap& shown_ma
             "The model has numbers nobody knows exactly. Vary them at random, and see who stays "
             "picked and how far each point moves.";
         if (first) {
-            if (draw_empty_with(ui, area, kTitle, kReason, kTestVariants))
+            const Item item{.id = "button:draw models", .label = kTestVariants, .tip = kTestHelp};
+            if (draw_empty_with(ui, area, kTitle, kReason, item))
                 ask_for_stability(ui, picking, kVariants);
-            note_item(ui.rects, "button:draw models");
-            draw_tooltip(ui, kTestHelp);
         } else {
             draw_empty(*ImGui::GetWindowDrawList(), ui.theme, area, kTitle, kReason);
         }

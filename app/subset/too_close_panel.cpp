@@ -219,13 +219,11 @@ void draw_change_choice(Ui& ui, const Workspace& work, const ShownMap& shown_map
         const std::string name = shown_map.transition.shown->request.set->vibrations[row].name;
         const std::string text = name + (why.empty() ? "" : "  (" + why + ")");
         flow_on(segment_width(ui, text.c_str()), row == rows.first ? ui.theme.gap_px : 0.0F);
-        ImGui::BeginDisabled(!why.empty());
-        if (draw_segment(ui, text.c_str(), changed == row)) {
-            picking.change_second = row == rows.second;
-        }
-        ImGui::EndDisabled();
-        note_item(ui.rects, row == rows.second ? "radio:change second" : "radio:change first",
-                  text);
+        const bool is_second = row == rows.second;
+        const Item item{.id = is_second ? "radio:change second" : "radio:change first",
+                        .label = text,
+                        .enabled = why.empty()};
+        if (segment(ui, item, changed == row)) picking.change_second = is_second;
     }
 }
 

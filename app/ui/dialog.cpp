@@ -173,11 +173,10 @@ void end_dialog(Ui& ui) {
     const bool in_text = ImGui::GetCurrentContext()->ActiveIdPreviousFrame != 0;
     const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter) && !typing && !in_text &&
                        !ui.rects.tab_order.is_on_button;
-    if (ImGui::Button("Close") || escape || enter) {
+    if (button(ui, {.id = "button:close", .label = "Close"}) || escape || enter) {
         ui.dialog = kNoDialog;
         ImGui::CloseCurrentPopup();
     }
-    note_item(ui.rects, "button:close");
     end_foot();
 }
 
@@ -189,14 +188,11 @@ bool draw_ends(Ui& ui, const char* action, bool enabled) {
     };
     const bool enter = (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeypadEnter)) &&
                        !ui.rects.tab_order.is_on_button;
-    ImGui::BeginDisabled(!enabled);
-    const bool go = primary_button(ui, action) || (enabled && enter);
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:choose");
+    const Item choose{.id = "button:choose", .label = action, .enabled = enabled, .value = ""};
+    const bool go = primary_button(ui, choose) || (enabled && enter);
     ImGui::SameLine();
     const bool escape = pressed(ImGuiKey_Escape) && !ui.escape_taken;
-    const bool leave = ImGui::Button("Cancel") || escape;
-    note_item(ui.rects, "button:cancel");
+    const bool leave = button(ui, {.id = "button:cancel", .label = "Cancel"}) || escape;
     if (go || leave) {
         ui.dialog = kNoDialog;
         ImGui::CloseCurrentPopup();
@@ -227,10 +223,9 @@ std::optional<std::size_t> draw_answers(Ui& ui, const Question& question) {
         const std::string& label = question.answers[k].label;
         const bool is_marked = k == question.marked;
         if (k > 0) ImGui::SameLine();
-        const bool pressed =
-            is_marked ? primary_button(ui, label.c_str()) : ImGui::Button(label.c_str());
-        if (pressed) chosen = k;
-        note_item(ui.rects, "answer:" + label, is_marked ? "marked" : "");
+        const Item item{
+            .id = "answer:" + label, .label = label, .value = is_marked ? "marked" : ""};
+        if (is_marked ? primary_button(ui, item) : button(ui, item)) chosen = k;
     }
     ImGui::PopItemFlag();
     return chosen;

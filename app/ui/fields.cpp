@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/ui/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/imgui_versions.h"

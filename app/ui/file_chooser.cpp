@@ -70,13 +70,13 @@ void draw_places(Ui& ui, float height_px) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
     ImGui::Indent(ui.theme.gap_px);
     if (ui.pick_files && ui.chooser.use == ChooserUse::open) {
-        if (ImGui::Selectable("This device\u2026", false, ImGuiSelectableFlags_DontClosePopups)) {
+        const Item item{.id = "chooser:device",
+                        .label = "This device\u2026",
+                        .tip = "Files of this device, picked in a dialog of the browser"};
+        if (option(ui, item, false, ImGuiSelectableFlags_DontClosePopups)) {
             ui.chooser.is_open = false;
             ui.pick_files();
         }
-        note_stop(ui.rects.tab_order);
-        note_item(ui.rects, "chooser:device");
-        draw_tooltip(ui, "Files of this device, picked in a dialog of the browser");
     }
     draw_place(ui, "Home", home_folder());
     for (const char* name : {"Desktop", "Documents", "Downloads"}) {
@@ -271,12 +271,11 @@ void draw_making(Ui& ui) {
 Chosen draw_choose(Ui& ui) {
     FileChooser& chooser = ui.chooser;
     const std::string lack = lack_of_name(chooser);
-    ImGui::BeginDisabled(!lack.empty());
-    const bool pressed = primary_button(ui, chooser.use == ChooserUse::open ? "Open" : "Save");
-    ImGui::EndDisabled();
-    note_item(ui.rects, "button:choose", lack);
-    if (!lack.empty()) draw_tooltip(ui, lack.c_str());
-    return pressed ? accept_name(chooser) : std::nullopt;
+    const Item item{.id = "button:choose",
+                    .label = chooser.use == ChooserUse::open ? "Open" : "Save",
+                    .why_not = lack,
+                    .value = lack};
+    return primary_button(ui, item) ? accept_name(chooser) : std::nullopt;
 }
 
 Chosen draw_whole_folder(Ui& ui) {

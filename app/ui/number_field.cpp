@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/ui/parts.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/drawing/marks.h"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/ui/parts.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
@@ -92,9 +93,11 @@ void draw_pane_title(Ui& ui, Layout& layout, Pane pane, const PaneTitle& title) 
     if (layout.maximised == pane && !is_alone(theme, layout, pane)) {
         end_px -= text_size(fonts.regular, kRestore).x;
         ImGui::SetCursorScreenPos(corner + ImVec2{end_px, lower});
-        if (link(ui, "restore", kRestore)) layout.maximised.reset();
-        note_item(ui.rects, "link:restore");
-        draw_tooltip(ui, "All panes again (F6). A double click on the title does it, too.");
+        if (link(ui, {.id = "link:restore",
+                      .label = kRestore,
+                      .tip = "All panes again (F6). A double click on the title does it, too."})) {
+            layout.maximised.reset();
+        }
         end_px -= 2.0F * theme.gap_px;
         ImGui::SetCursorScreenPos(corner);
     }
@@ -228,9 +231,10 @@ void draw_hint(Ui& ui, const char* id, const char* text) {
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::SameLine(button);
-    if (ImGui::SmallButton("\u00d7")) ui.dismissed_hints.insert(id);
-    note_item(ui.rects, std::string("hint:") + id);
-    draw_tooltip(ui, "Dismiss this hint");
+    if (small_button(
+            ui, {.id = std::string("hint:") + id, .label = "\u00d7", .tip = "Dismiss this hint"})) {
+        ui.dismissed_hints.insert(id);
+    }
     ImGui::PopID();
 }
 
@@ -255,27 +259,6 @@ void draw_tooltip(const Ui& ui, const char* text) {
     ImGui::PopStyleVar();
 }
 
-bool primary_button(Ui& ui, const char* label, ImVec2 size) {
-    const Theme& theme = ui.theme;
-    // A disabled button has no accent.
-    const ImGuiItemFlags flags = ImGui::GetCurrentContext()->CurrentItemFlags;
-    if ((flags & ImGuiItemFlags_Disabled) != 0) return ImGui::Button(label, size);
-    ImGui::PushStyleColor(ImGuiCol_Button, theme.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, mixed(theme.accent, theme.text, 0.15F));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, mixed(theme.accent, theme.text, 0.30F));
-    ImGui::PushStyleColor(ImGuiCol_Text, readable_on(theme.accent));
-    const bool pressed = ImGui::Button(label, size);
-    ImGui::PopStyleColor(4);
-    note_item(ui.rects, "primary:" + std::string(label, ImGui::FindRenderedTextEnd(label)));
-    return pressed;
-}
-
-void open_below_last_item(const Theme& theme) {
-    ImGui::SetNextWindowPos(
-        {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.5F * theme.gap_px},
-        ImGuiCond_Appearing);
-}
-
 void open_beside_pane(const Theme& theme, float width_px) {
     const ImGuiWindow* pane = ImGui::GetCurrentWindowRead()->RootWindow;
     const float top = ImGui::GetItemRectMin().y;
@@ -290,13 +273,6 @@ void open_beside_pane(const Theme& theme, float width_px) {
     }
     ImGui::SetNextWindowPos({at_left ? pane->Pos.x - gap : right, top}, ImGuiCond_Appearing,
                             {at_left ? 1.0F : 0.0F, 0.0F});
-}
-
-void keep_on_screen(const Theme& theme) {
-    const float below = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y + 0.5F * theme.gap_px -
-                        ImGui::GetIO().DisplaySize.y;
-    if (below <= 0.0F) return;
-    ImGui::SetWindowPos({ImGui::GetWindowPos().x, std::max(0.0F, ImGui::GetWindowPos().y - below)});
 }
 
 bool draw_menu_row(const Theme& theme, const MenuRow& row) {
@@ -353,16 +329,16 @@ void wrapped_text(const std::string& text) {
 }
 
 bool draw_empty_with(Ui& ui, const Rect& area, const char* title, const std::string& reason,
-                     const char* button, bool is_primary) {
+                     const Item& item, bool is_primary) {
     const Theme& theme = ui.theme;
     const float below = ImGui::GetFrameHeight() + 1.5F * theme.gap_px;
     const Rect words{area.min, {area.max.x, std::max(area.min.y + 1.0F, area.max.y - below)}};
     draw_empty(*ImGui::GetWindowDrawList(), theme, words, title, reason);
     const auto lines = wrapped(theme.fonts.small, reason, area.width()).size();
     const float words_px = static_cast<float>(lines) * text_size(theme.fonts.small, "0").y;
-    ImGui::SetCursorScreenPos({words.centre().x - 0.5F * button_width(button),
+    ImGui::SetCursorScreenPos({words.centre().x - 0.5F * button_width(item.label.c_str()),
                                words.centre().y + words_px + 1.5F * theme.gap_px});
-    return is_primary ? primary_button(ui, button) : ImGui::Button(button);
+    return is_primary ? primary_button(ui, item) : button(ui, item);
 }
 
 void coloured_text(ImU32 colour, const std::string& text) {
@@ -371,16 +347,6 @@ void coloured_text(ImU32 colour, const std::string& text) {
     ImGui::TextUnformatted(shown_lines(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-}
-
-void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float radius = 6.5F * ui.theme.scale;
-    const ImU32 colour = lit ? ui.theme.accent : ui.theme.dim_text;
-    list.AddCircle(centre, radius, colour, 0, ui.theme.hairline_px);
-    const ImVec2 size = text_size(ui.theme.fonts.small, "i");
-    draw_text(list, ui.theme.fonts.small, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F},
-              colour, "i");
 }
 
 std::string label_of(const std::string& name) {

@@ -63,9 +63,6 @@ struct Layout {
 // changes nothing, even if the number has more digits than are shown. A double click on its label
 // restores its default.
 
-inline constexpr double kCoarse = 5.0;  // steps with Shift
-inline constexpr double kFine = 0.1;    // and with Alt
-
 struct NumberEntry {
     std::string id;      // within its window; the caller gives the name for tests
     std::string label;   // its name in messages
@@ -94,14 +91,8 @@ struct NumberEdit {
     double factor = 1.0;
 };
 
-// The entry is the last ImGui item afterwards.
-NumberEdit edit_entry(Ui& ui, const NumberEntry& entry, double& value);
-
 // True if the number changed.
 bool enter_number(Ui& ui, const NumberEntry& entry, double& value);
-
-// Steps of the wheel over the last item; it scrolls nothing then.
-int wheel_steps(Ui& ui);
 
 // Whether the last item, the label of a number, was double-clicked to restore its default.
 bool is_reset_asked(const Ui& ui);
@@ -112,10 +103,6 @@ bool reset_by_label(const Ui& ui, int normal, int& value);
 
 // Whether a number was typed in this frame or the last one: Enter and Esc belong to it.
 bool is_number_typed(const Ui& ui);
-
-// Merges the undo step of this frame with the last one, if that was a moment ago and by the same
-// keys.
-void join_steps(Ui& ui, const std::string& field);
 
 // A whole number.
 bool enter_whole(Ui& ui, const NumberEntry& entry, int& value);
@@ -201,19 +188,20 @@ bool small_button(Ui& ui, const Item& item);
 // The main action of a dialog or a pane, which has only one.
 bool primary_button(Ui& ui, const Item& item, ImVec2 size = {0.0F, 0.0F});
 
-// An action within a text or a row of small items; in a line of fields, as high as they are; and a
-// name that a press goes to.
+// Quiet buttons: for an action within a text or a row of small items; in a line of fields, as high
+// as they are; and a name in the accent colour, which a press goes to.
 bool link(Ui& ui, const Item& item);
 bool row_link(Ui& ui, const Item& item);
 bool name_link(Ui& ui, const Item& item);
 
-// A word that chooses a view; a setting in a row of fields; a box with words, noted as on or off;
-// a ring with its word; one option of a row.
+// A word that chooses a view, for tabs and strips; a setting in a row of fields, with an edge; a
+// box with words, as high as a field, noted as on or off; a ring with its word; one option of a
+// control of segments.
 bool chip(Ui& ui, const Item& item, bool lit);
 bool toggle(Ui& ui, const Item& item, bool on);
 bool check(Ui& ui, Item item, bool& on);
 bool radio(Ui& ui, const Item& item, bool chosen);
-bool segment(Ui& ui, const Item& item, bool chosen);
+bool segment(Ui& ui, const Item& item, bool chosen, std::optional<Icon> icon = {});
 
 // A row of a list or a drop-down, and of a menu.
 bool option(Ui& ui, const Item& item, bool chosen, ImGuiSelectableFlags flags = 0,
@@ -241,12 +229,6 @@ void coloured_text(Ui& ui, ImU32 colour, const Said& said);
 // Notes the last item, and draws its tooltip.
 void say_of_last_item(Ui& ui, const Said& said);
 
-// One option of a list: a ring and its word. True if pressed.
-bool draw_radio(const Ui& ui, const char* label, bool chosen);
-float radio_width(const Ui& ui, const char* label);
-
-// One option of a row: segments of one control. True if pressed.
-bool draw_segment(const Ui& ui, const char* words, bool chosen, std::optional<Icon> icon = {});
 float segment_width(const Ui& ui, const char* words, bool has_icon = false);
 
 // Options of a control of segments. The words, after "radio:", name a segment for tests.
@@ -263,7 +245,7 @@ Choice(Value, const char*, const char* = nullptr, std::optional<Icon> = {}) -> C
 template <class Segments>
 float segments_width(const Ui& ui, const Segments& all) {
     float width = 0.0F;
-    for (const auto& segment : all) width += segment_width(ui, segment.words, bool(segment.icon));
+    for (const auto& one : all) width += segment_width(ui, one.words, bool(one.icon));
     return width;
 }
 
@@ -273,24 +255,20 @@ bool draw_segments(Ui& ui, const Segments& all, Value& chosen,
                    const std::string& noted = "radio:") {
     const Value before = chosen;
     bool is_first = true;
-    for (const auto& segment : all) {
-        if (!is_first) flow_on(segment_width(ui, segment.words, bool(segment.icon)), 0.0F);
+    for (const auto& one : all) {
+        if (!is_first) flow_on(segment_width(ui, one.words, bool(one.icon)), 0.0F);
         is_first = false;
-        const bool is_chosen = before == segment.value;
-        if (draw_segment(ui, segment.words, is_chosen, segment.icon)) chosen = segment.value;
-        note_item(ui.rects, noted + segment.words, before == segment.value ? "chosen" : "");
-        if (segment.help != nullptr) draw_tooltip(ui, segment.help);
+        const bool is_chosen = before == one.value;
+        const Item item{.id = noted + one.words,
+                        .label = one.words,
+                        .tip = one.help == nullptr ? "" : one.help,
+                        .value = is_chosen ? "chosen" : ""};
+        if (segment(ui, item, is_chosen, one.icon)) chosen = one.value;
     }
     return chosen != before;
 }
 
-// A setting that is on or off, as words beside a small box; the whole item, as high as a field, can
-// be pressed. Label text after "###" is only a name. True if pressed.
-bool draw_check(const Theme& theme, const char* label, bool& on);
 float check_width(const Theme& theme, const char* label);
-
-// Whether the last item is disabled.
-bool is_item_disabled();
 
 // The line between the parts of a menu, a popup or a dialog, of whole pixels.
 void draw_divider(const Theme& theme);
@@ -311,20 +289,10 @@ void draw_splitter(Ui& ui, const Splitter& splitter, float& share);
 // A line of advice that stays hidden once closed.
 void draw_hint(Ui& ui, const char* id, const char* text);
 
-// The main action of a dialog or a pane, which has only one. Disabled it looks like any other
-// button.
-bool primary_button(Ui& ui, const char* label, ImVec2 size = {0.0F, 0.0F});
-
-// Places the popup that begins next below the last item, without covering it.
-void open_below_last_item(const Theme& theme);
-
 // Places the popup that begins next, about this wide: beside the pane whose picture it changes, at
 // the height of the last item; at the right, as lists stand at the left. Without room on either
 // side it covers the right end of the pane.
 void open_beside_pane(const Theme& theme, float width_px);
-
-// Call in an open popup: moves it up if it would end below the window.
-void keep_on_screen(const Theme& theme);
 
 // A menu item with the sign of its button; empty: its words stand below those of the others.
 struct MenuRow {
@@ -339,17 +307,11 @@ bool draw_menu_row(const Theme& theme, const MenuRow& row);
 // A number or a heading at the right of its cell.
 void right_aligned(const std::string& text);
 
-// A word that chooses a view, for tabs and strips. True if pressed.
-bool draw_chip(const Ui& ui, const char* id, const char* text, bool lit);
 float chip_width(const Ui& ui, const char* text);
-
-// A setting that is on or off, or an option, in a row of fields: it has an edge, and its words
-// stand on their line. True if pressed.
-bool draw_switch(const Ui& ui, const char* id, const char* text, bool on);
 
 // The text of a pane that has nothing to show, and a button that helps. True if pressed.
 bool draw_empty_with(Ui& ui, const Rect& area, const char* title, const std::string& reason,
-                     const char* button, bool is_primary = true);
+                     const Item& item, bool is_primary = true);
 
 // The following show control characters as their numbers (model/text/shown_text.h).
 //
@@ -365,18 +327,6 @@ void wrapped_text(const std::string& text);
 
 // Text in a colour, wrapped at the pane's edge.
 void coloured_text(ImU32 colour, const std::string& text);
-
-// The "i" in a circle.
-void draw_info_mark(const Ui& ui, ImVec2 centre, bool lit);
-
-// A quiet button for an action within a text or a row of small items.
-bool link(const Ui& ui, const char* id, const std::string& text);
-
-// A name in the accent colour: a press goes to it.
-bool name_link(const Ui& ui, const char* id, const std::string& text);
-
-// A quiet button in a line of fields: as high as they are, with words on their line.
-bool row_link(const Ui& ui, const char* id, const std::string& text);
 
 // A name for ImGui's own widgets, which hide everything after "##".
 std::string label_of(const std::string& name);
