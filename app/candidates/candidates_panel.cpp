@@ -135,8 +135,9 @@ PatternAction draw_table_row(Ui& ui, Workspace& work, CandidatesState& state,
     if (ImGui::IsItemClicked()) take_click(ui, work, state, row.place);
     if (ImGui::IsItemActive()) note_pressed(work, vibration);
     if (ImGui::IsItemHovered()) work.selection.hovered = row.place;
-    note_item(ui.rects, "candidate:" + vibration.name, row.picked ? "picked" : "");
-    draw_tooltip(ui, row_words(work, row).c_str());
+    say_of_last_item(ui, {.id = "candidate:" + vibration.name,
+                          .text = row.picked ? "picked" : "",
+                          .tip = row_words(work, row)});
     const PatternAction action = draw_row_menu(ui, work, row.place);
     ImGui::PopID();
     draw_row_ground(ui, work, row.place, line);

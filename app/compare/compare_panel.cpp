@@ -72,10 +72,12 @@ void draw_foreign(Ui& ui, Comparing& comparing, const Comparison& comparison) {
 void draw_versions(Ui& ui, const PatternSet& set, const RatedPeople& people) {
     const std::string edited = words_on_edited(people.edited);
     const std::string gone = words_on_gone(people.gone);
-    if (!edited.empty()) reading_text(ui.theme.warning, edited + ".");
-    if (!edited.empty()) note_item(ui.rects, "compare:edited", edited);
-    if (!gone.empty()) reading_text(ui.theme.warning, gone + ".");
-    if (!gone.empty()) note_item(ui.rects, "compare:gone", gone);
+    const auto say_of = [&](const char* id, const std::string& words) {
+        if (words.empty()) return;
+        reading_text(ui, ui.theme.warning, {.id = id, .text = words + ".", .value = words});
+    };
+    say_of("compare:edited", edited);
+    say_of("compare:gone", gone);
     const bool is_recorded =
         std::ranges::any_of(set.ratings, [](const Ratings& one) { return !one.versions.empty(); });
     if (is_recorded) return;

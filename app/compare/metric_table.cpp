@@ -158,8 +158,9 @@ void draw_heading(Ui& ui, const Column& column, const NumberMark& mark) {
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     head(is_with_pm ? "rho" : name, &column == &kColumns.front());
-    note_item(ui.rects, "compare:head " + name, of_people(name, labelled ? mark : NumberMark{}));
-    draw_tooltip(ui, column.tip);
+    say_of_last_item(ui, {.id = "compare:head " + name,
+                          .text = of_people(name, labelled ? mark : NumberMark{}),
+                          .tip = column.tip});
     if (!below.empty()) {
         head(below, false);
         draw_tooltip(ui, column.tip);

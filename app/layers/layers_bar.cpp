@@ -75,10 +75,12 @@ void draw_name(Ui& ui, Workspace& work, LayersBar& bar, const LayeredPattern& la
         bar.is_folded = false;
     }
     const std::string name = name_of(layered, k);
-    note_item(ui.rects, row_id("layer:", k), name + (is_open ? ", open" : ""));
-    draw_tooltip(ui, is_open ? "Open in the editor. A click folds the rows of the others; a double "
-                               "click renames it."
-                             : "Opens this layer in the editor. A double click renames it.");
+    say_of_last_item(
+        ui, {.id = row_id("layer:", k),
+             .text = name + (is_open ? ", open" : ""),
+             .tip = is_open ? "Open in the editor. A click folds the rows of the others; a double "
+                              "click renames it."
+                            : "Opens this layer in the editor. A double click renames it."});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (is_open || ImGui::IsItemHovered()) {
         list.AddRectFilled(cell.min, cell.max, is_open ? faded(theme.text, 0.16F) : theme.hover,

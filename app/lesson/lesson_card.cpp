@@ -108,9 +108,12 @@ float move_px(const Ui& ui, const LessonState& state) {
 
 void draw_move(Ui& ui, LessonState& state) {
     ImGui::PushFont(lesson_fonts(ui, state).small);
-    if (link(ui, {.id = "lesson:move", .label = "Move"})) move_card(state);
+    if (link(ui, {.id = "lesson:move",
+                  .label = "Move",
+                  .tip = "To the next edge of the window; its inner edge can be dragged"})) {
+        move_card(state);
+    }
     ImGui::PopFont();
-    draw_tooltip(ui, "To the next edge of the window; its inner edge can be dragged");
 }
 
 void draw_title(Ui& ui, const LessonState& state, const LessonStep& step) {

@@ -56,8 +56,9 @@ void draw_shape_box(Ui& ui, LibraryState& state, const Rect& box) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::SetCursorScreenPos(box.min);
     ImGui::InvisibleButton("shape", box.size());
-    note_item(ui.rects, "library:shape", state.drawn.empty() ? "" : "drawn");
-    draw_tooltip(ui, "Draw strength over time, and what is like it comes first.");
+    say_of_last_item(ui, {.id = "library:shape",
+                          .text = state.drawn.empty() ? "" : "drawn",
+                          .tip = "Draw strength over time, and what is like it comes first."});
     if (ImGui::IsItemActive()) take_stroke(state, box, ImGui::IsItemActivated());
     list.AddRectFilled(box.min, box.max, theme.field, theme.rounding_px);
     if (state.drawn.empty()) {

@@ -89,8 +89,11 @@ void draw_heads(Ui& ui, LibraryState& state, const std::vector<Column>& columns)
         const std::string id = std::string("by ") + column.id;
         if (ImGui::InvisibleButton(id.c_str(), cell.size())) sort_library(state, column.which);
         const bool is_sorted = state.by == column.which;
-        note_item(ui.rects, "library:" + id, !is_sorted ? "" : state.descending ? "down" : "up");
-        draw_tooltip(ui, column.help);
+        say_of_last_item(ui, {.id = "library:" + id,
+                              .text = !is_sorted         ? ""
+                                      : state.descending ? "down"
+                                                         : "up",
+                              .tip = column.help});
         std::string words = column.which == LibraryColumn::file ? "shape" : column.words;
         if (is_sorted) words += state.descending ? " \u2193" : " \u2191";
         const ImVec2 size = text_size(theme.fonts.small, words);

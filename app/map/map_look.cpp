@@ -268,9 +268,12 @@ void draw_map_look(Ui& ui, ShownMap& shown_map) {
         look.clusters = groups < 2 ? 0 : groups;
         if (look.clusters > 1) look.colour.reset();
     }
-    note_item(ui.rects, "look:groups", std::to_string(look.clusters));
-    draw_tooltip(
-        ui, "Patterns that are close by PM, in one colour (average linkage); 1 shows no groups.");
+    say_of_last_item(
+        ui,
+        {.id = "look:groups",
+         .text = std::to_string(look.clusters),
+         .tip =
+             "Patterns that are close by PM, in one colour (average linkage); 1 shows no groups."});
     const auto draw_shown = [&ui](const char* id, const char* label, bool& on) {
         check(ui, {.id = id, .label = label}, on);
     };

@@ -113,10 +113,12 @@ Rect draw_order_choice(Ui& ui, ShownMap& shown_map, Rect foot) {
     ImGui::SetCursorScreenPos({foot.max.x - size.x, foot.min.y});
     bool& clustered = shown_map.clustered_matrix;
     const Item item{
-        .id = "link:matrix order", .label = words, .value = clustered ? "clustered" : "list"};
+        .id = "link:matrix order",
+        .label = words,
+        .tip = "The order of the rows: a tree of clusters (average linkage), or the list's.",
+        .value = clustered ? "clustered" : "list"};
     if (link(ui, item)) clustered = !clustered;
     ImGui::PopFont();
-    draw_tooltip(ui, "The order of the rows: a tree of clusters (average linkage), or the list's.");
     foot.max.x -= size.x + ui.theme.gap_px;
     return foot;
 }

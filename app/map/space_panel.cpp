@@ -264,8 +264,7 @@ float draw_told_apart(Ui& ui, const Workspace& work, ShownMap& shown_map, const 
     draw_text(*ImGui::GetWindowDrawList(), font, area.min, ui.theme.dim_text, words);
     ImGui::SetCursorScreenPos(area.min);
     ImGui::Dummy(size);
-    note_item(ui.rects, "map:told apart", told.words);
-    draw_tooltip(ui, told.help.c_str());
+    say_of_last_item(ui, {.id = "map:told apart", .text = told.words, .tip = told.help});
     return size.y + 0.5F * ui.theme.gap_px;
 }
 

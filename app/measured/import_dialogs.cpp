@@ -79,11 +79,11 @@ void draw_file_row(Ui& ui, const Workspace& work, ImportState& importing, std::s
         (!file->fault.empty() || (file->twin && file->twin->alignment.correlation < kLeastAlike));
     if (odd) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
     ImGui::AlignTextToFramePadding();
-    plain_text(ui, {.id = "import:result " + std::to_string(k), .text = text});
+    plain_text(ui, {.id = "import:result " + std::to_string(k),
+                    .text = text,
+                    .tip = "How alike the recording and its pattern are: 1 is the same but for "
+                           "strength, below 0.3 it is hardly a recording of it."});
     if (odd) ImGui::PopStyleColor();
-    draw_tooltip(ui,
-                 "How alike the recording and its pattern are: 1 is the same but for "
-                 "strength, below 0.3 it is hardly a recording of it.");
     ImGui::PopID();
 }
 

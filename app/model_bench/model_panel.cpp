@@ -122,9 +122,8 @@ void draw_summary(Ui& ui, Workspace& work, const Model& original) {
     const std::string text =
         counted(static_cast<std::size_t>(changed), "parameter", "parameters") + " changed.";
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    ImGui::TextUnformatted(text.c_str());
+    plain_text(ui, {.id = "model:changed", .text = text, .value = std::to_string(changed)});
     ImGui::PopStyleColor();
-    note_item(ui.rects, "model:changed", std::to_string(changed));
     constexpr const char* kBack = "Back to the paper's";
     flow_on(ImGui::CalcTextSize(kBack).x, ui.theme.gap_px);
     if (link(ui, {.id = "reset:model", .label = kBack})) {

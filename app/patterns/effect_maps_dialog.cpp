@@ -100,10 +100,11 @@ void draw_effect_maps_line(Ui& ui, Workspace& work) {
     const float change = right - ui.theme.gap_px - ImGui::CalcTextSize("Change...").x;
     const float room = change - ui.theme.gap_px - ImGui::GetCursorPosX();
     ImGui::PushFont(ui.theme.fonts.small);
-    dim_text(ui, shortened(ui.theme.fonts.small, text, room));
+    dim_text(ui, {.id = "effects:maps",
+                  .text = shortened(ui.theme.fonts.small, text, room),
+                  .tip = "What 0 to 1 of the effect files became in Hz and g, by " + all,
+                  .value = all});
     ImGui::PopFont();
-    note_item(ui.rects, "effects:maps", all);
-    draw_tooltip(ui, ("What 0 to 1 of the effect files became in Hz and g, by " + all).c_str());
     ImGui::SameLine(change);
     if (link(ui, {.id = "button:change maps", .label = "Change..."})) ui.dialog = kEffectMapsDialog;
     ImGui::SameLine(right);

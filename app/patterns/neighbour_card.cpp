@@ -97,8 +97,9 @@ void draw_name(Ui& ui, Workspace& work, const ShownMap& shown_map, const Neighbo
     if (ImGui::IsItemHovered()) work.selection.hovered_pair = {work.selection.current, pair.place};
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     draw_small(ui, colour_of(ui, verdict), words, right);
-    note_item(ui.rects, "neighbour:verdict", words_of(verdict));
-    draw_tooltip(ui, verdict_help(work.document.set.felt_steps, verdict).c_str());
+    say_of_last_item(ui, {.id = "neighbour:verdict",
+                          .text = words_of(verdict),
+                          .tip = verdict_help(work.document.set.felt_steps, verdict)});
 }
 
 }  // namespace

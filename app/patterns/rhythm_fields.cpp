@@ -297,10 +297,11 @@ void draw_rhythm_fields(Ui& ui, Workspace& work, PatternPanes& pattern_panes,
     const char* long_hint = "e.g. x=--x- (x note, = hold, - rest)";
     const bool has_room = button_width(long_hint) <= ImGui::GetContentRegionAvail().x;
     ImGui::InputTextWithHint("##rhythm", has_room ? long_hint : "one note", &state.rhythm_text);
-    draw_tooltip(ui,
-                 "x note, 1 to 9 a weaker one, A to Z one of a strength and pitch of its own, = "
-                 "hold, - rest; the text repeats. Empty: one note throughout.");
-    note_item(ui.rects, "rhythm", pattern.rhythm.text);
+    say_of_last_item(
+        ui, {.id = "rhythm",
+             .text = pattern.rhythm.text,
+             .tip = "x note, 1 to 9 a weaker one, A to Z one of a strength and pitch of its own, = "
+                    "hold, - rest; the text repeats. Empty: one note throughout."});
     const bool is_typing = ImGui::IsItemActive();
     state.rhythm_typed_for = is_typing ? name : std::string();
     const std::string fault = rhythm_fault(state.rhythm_text);

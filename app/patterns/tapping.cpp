@@ -90,9 +90,8 @@ void draw_words(Ui& ui, const TappingState& tapping, const TappedRhythm& tapped,
         words += ". The pattern becomes " + significant_digits(length_s, 4) + " s long";
     }
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, words + ".");
+    dim_text(ui, {.id = "tapped", .text = words + ".", .value = tapped.rhythm.text});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "tapped", tapped.rhythm.text);
 }
 
 void draw_step_field(Ui& ui, TappingState& tapping) {

@@ -69,18 +69,17 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     ImGui::PopTextWrapPos();
 }
 
-// One of a few names.
-bool draw_names(Ui& ui, const char* label, const std::string& id,
-                const std::vector<std::string>& names, int& chosen) {
-    draw_label(ui, label, 200.0F * ui.theme.scale);
+// A row whose label and id it is: one of a few names.
+bool draw_names(Ui& ui, const Item& row, const std::vector<std::string>& names, int& chosen) {
+    draw_label(ui, row.label.c_str(), 200.0F * ui.theme.scale);
     const auto at = static_cast<std::size_t>(chosen);
     bool changed = false;
     drop_down(
-        ui, {.id = "combo:" + id, .label = at < names.size() ? names[at] : ""},
+        ui, {.id = "combo:" + row.id, .label = at < names.size() ? names[at] : "", .tip = row.tip},
         200.0F * ui.theme.scale,
         [&] {
             for (std::size_t k = 0; k < names.size(); ++k) {
-                const Item item{.id = "choose:" + id + " " + names[k], .label = names[k]};
+                const Item item{.id = "choose:" + row.id + " " + names[k], .label = names[k]};
                 if (!option(ui, item, k == at)) continue;
                 chosen = static_cast<int>(k);
                 changed = true;
@@ -99,19 +98,21 @@ void draw_channel(Ui& ui, const DeviceInfo& device, DeviceChoice& choice) {
         names.push_back(name == number ? number : number + ", " + name);
     }
     int channel = choice.channel - 1;
-    if (draw_names(ui, "Channel", "channel", names, channel)) choice.channel = channel + 1;
+    if (draw_names(ui, {.id = "channel", .label = "Channel"}, names, channel)) {
+        choice.channel = channel + 1;
+    }
     if (!device.is_server || !device.server_output.empty()) return;
     constexpr int kCounts[] = {0, 1, 2, 4, 6, 8};
     const std::vector<std::string> counts{"2, or as many as needed", "1", "2", "4", "6", "8"};
     int at = 0;
     for (int k = 0; k < 6; ++k) at = kCounts[k] == choice.of_channels ? k : at;
-    if (draw_names(ui, "Outputs", "outputs", counts, at)) {
-        choice.of_channels = kCounts[at];
-    }
-    draw_tooltip(
-        ui,
-        "Outputs of the card behind the sound server, which mixes what does not match: with the "
-        "card's own number of outputs each channel stays by itself.");
+    const Item outputs{
+        .id = "outputs",
+        .label = "Outputs",
+        .tip =
+            "Outputs of the card behind the sound server, which mixes what does not match: with "
+            "the card's own number of outputs each channel stays by itself."};
+    if (draw_names(ui, outputs, counts, at)) choice.of_channels = kCounts[at];
 }
 
 constexpr Field kLatency{

@@ -120,8 +120,10 @@ void draw_meter(Ui& ui, const PlayState& play) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{kMeterWidthPx * theme.scale, ImGui::GetFrameHeight()};
     ImGui::InvisibleButton("##meter", size);
-    note_item(ui.rects, "meter", std::to_string(play.meter));
-    draw_tooltip(ui, "What the device is given, from -48 dB to full scale; the line is the limit");
+    say_of_last_item(
+        ui, {.id = "meter",
+             .text = std::to_string(play.meter),
+             .tip = "What the device is given, from -48 dB to full scale; the line is the limit"});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y1 = corner.y + size.y * 0.38F;
     const float y2 = corner.y + size.y * 0.62F;
@@ -140,11 +142,13 @@ void draw_clip_light(Ui& ui, PlayState& play) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{2.0F * kLightPx * theme.scale, ImGui::GetFrameHeight()};
     if (ImGui::InvisibleButton("##clip", size)) play.clip_light = false;
-    note_item(ui.rects, "clip", play.clip_light ? "on" : "off");
-    draw_tooltip(ui, play.clip_light
-                         ? "Too strong for full scale: the whole pattern was turned down, its "
-                           "shape is kept. Lower the level; a click puts the light out."
-                         : "Lights up where a pattern had to be turned down");
+    say_of_last_item(
+        ui, {.id = "clip",
+             .text = play.clip_light ? "on" : "off",
+             .tip = play.clip_light
+                        ? "Too strong for full scale: the whole pattern was turned down, its "
+                          "shape is kept. Lower the level; a click puts the light out."
+                        : "Lights up where a pattern had to be turned down"});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 centre = corner + size * 0.5F;
     const float radius = 0.45F * kLightPx * theme.scale;

@@ -33,8 +33,8 @@ bool icon_button(Ui& ui, const char* id, Icon icon, bool lit, const char* tip) {
     }
     draw_icon(list, icon, corner + ImVec2{side * 0.575F, side * 0.5F}, side * 0.46F,
               lit ? theme.accent : theme.text);
-    note_item(ui.rects, std::string("transport:") + id, lit ? "on" : "off");
-    draw_tooltip(ui, tip);
+    say_of_last_item(
+        ui, {.id = std::string("transport:") + id, .text = lit ? "on" : "off", .tip = tip});
     ImGui::SameLine(0.0F, ui.theme.gap_px * 0.5F);
     return pressed;
 }

@@ -228,9 +228,8 @@ void draw_made(Ui& ui, const SoundsState& sounds, const SoundsAnswer* answer) {
         remarks += (remarks.empty() ? "" : "; ") + remark;
     }
     ImGui::PushTextWrapPos(0.0F);
-    dim_text(ui, remarks + ".");
+    dim_text(ui, {.id = "sounds:remarks", .text = remarks + ".", .value = remarks});
     ImGui::PopTextWrapPos();
-    note_item(ui.rects, "sounds:remarks", remarks);
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& 
     if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     list.AddText(nullptr, 0.0F, area.min, over ? theme.accent : theme.text, name.c_str(), nullptr,
                  room);
-    draw_tooltip(ui, "Open this stage large");
-    note_item(ui.rects, std::string("label:") + text.key);
+    say_of_last_item(
+        ui, {.id = std::string("label:") + text.key, .text = "", .tip = "Open this stage large"});
     if (pressed) physiology.view.open = stage;
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
@@ -69,8 +69,8 @@ float draw_stage_label(Ui& ui, Physiology& physiology, Stage stage, const Rect& 
         physiology.view.explained = open ? std::nullopt : std::optional(stage);
     }
     draw_info_mark(ui, centre, ImGui::IsItemHovered() || ImGui::IsItemFocused());
-    note_item(ui.rects, std::string("explain:") + text.key);
-    draw_tooltip(ui, "What happens here?");
+    say_of_last_item(
+        ui, {.id = std::string("explain:") + text.key, .text = "", .tip = "What happens here?"});
     ImGui::PopID();
     return below;
 }

@@ -147,9 +147,10 @@ void draw_prediction(Ui& ui, const Workspace& work, const StudyState& studying) 
                minutes_text(minutes);
     }
     ImGui::PushFont(ui.theme.fonts.large);
-    wrapped_text(ui, {.id = "study:prediction", .text = text});
+    wrapped_text(ui, {.id = "study:prediction",
+                      .text = text,
+                      .tip = "18 s a trial, as in the publication; longer for longer patterns."});
     ImGui::PopFont();
-    draw_tooltip(ui, "18 s a trial, as in the publication; longer for longer patterns.");
     if (studying.kind != StudyKind::pairwise) return;
     if (link(ui, {.id = "link:plan",
                   .label = "How many people?",
@@ -171,10 +172,12 @@ void draw_rounds(Ui& ui, Workspace& work, StudyState& studying) {
     ImGui::InputTextWithHint("##rounds", hint.c_str(), &shown);
     if (ImGui::IsItemActive()) typed = shown;
     const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
-    note_item(ui.rects, "study:rounds", shown);
-    draw_tooltip(ui,
-                 "Numbers of groups, a round each, or free: as many as the participant likes. Left "
-                 "empty: a free round, then 3, 6, 9, 12 and 15 without the one nearest to it.");
+    say_of_last_item(
+        ui,
+        {.id = "study:rounds",
+         .text = shown,
+         .tip = "Numbers of groups, a round each, or free: as many as the participant likes. Left "
+                "empty: a free round, then 3, 6, 9, 12 and 15 without the one nearest to it."});
     if (!is_left) return;
     const auto rounds = rounds_in(typed, patterns);
     if (!rounds) {

@@ -168,8 +168,9 @@ bool draw_form(Ui& ui, const Workspace& work, StudyState& studying) {
     draw_entry(ui, "Code", "code", studying.code, fault.empty() ? "no name, please" : "");
     if (!fault.empty()) {
         ImGui::SameLine();
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.warning), "%s", fault.c_str());
-        note_item(ui.rects, "study field:code fault", fault);
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+        plain_text(ui, {.id = "study field:code fault", .text = fault});
+        ImGui::PopStyleColor();
     }
     draw_entry(ui, "Age", "age", studying.age, "years");
     draw_entry(ui, "Gender", "gender", studying.gender, "");

@@ -17,11 +17,10 @@ namespace tact {
 
 namespace {
 
-void small_text(Ui& ui, ImU32 colour, const std::string& text, const char* noted) {
+void small_text(Ui& ui, ImU32 colour, const Said& said) {
     ImGui::PushFont(ui.theme.fonts.small);
-    reading_text(colour, text);
+    reading_text(ui, colour, said);
     ImGui::PopFont();
-    note_item(ui.rects, noted, text);
 }
 
 void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const ShownMap& shown_map,
@@ -60,13 +59,15 @@ void draw_buttons(Ui& ui, const Workspace& work, Timeline& timeline, const Shown
 void draw_device(Ui& ui, const PlayState& play, const StudyState& studying) {
     const DeviceStatus status = studying.device->status();
     if (status.connected) {
-        return small_text(ui, ui.theme.dim_text,
-                          "Felt on " + status.name + ", " + study_calibration(play) + ".",
-                          "study:device");
+        return small_text(
+            ui, ui.theme.dim_text,
+            {.id = "study:device",
+             .text = "Felt on " + status.name + ", " + study_calibration(play) + "."});
     }
-    small_text(ui, ui.theme.warning,
-               "No device: nothing will be felt. A run is a rehearsal, and its files say so.",
-               "study:device");
+    small_text(
+        ui, ui.theme.warning,
+        {.id = "study:device",
+         .text = "No device: nothing will be felt. A run is a rehearsal, and its files say so."});
 }
 
 std::string agreement_text(const StudyAnswers& answers) {
@@ -119,7 +120,8 @@ void draw_settling(Ui& ui, const StudyAnswers& answers) {
                 significant(settling.change.front(), 2) +
                 " over the last trials, as many as there are patterns.";
     }
-    small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text, text, "study:settling");
+    small_text(ui, settling.is_settled ? ui.theme.text : ui.theme.dim_text,
+               {.id = "study:settling", .text = text});
 }
 
 constexpr const char* kUnfinished = "Count unfinished ones";
@@ -158,21 +160,25 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
                   PlayState& play, StudyState& studying, const StudyAnswers& answers) {
     const bool is_low = ImGui::GetContentRegionAvail().y < 210.0F * ui.theme.scale;
     const std::string raters = raters_text(answers);
-    small_text(ui, ui.theme.dim_text, agreement_text(answers), "study:agreement");
-    if (is_low && !raters.empty()) draw_tooltip(ui, raters.c_str());  // the table needs the room
+    // In a low pane the table needs the room.
+    small_text(
+        ui, ui.theme.dim_text,
+        {.id = "study:agreement", .text = agreement_text(answers), .tip = is_low ? raters : ""});
     if (!is_low && !raters.empty()) {
-        small_text(ui, ui.theme.dim_text, raters, "study:raters");
-        draw_tooltip(ui,
-                     "One person with another; the mean of all; both against chance. p: whether "
-                     "the order in which a pair was felt, its sides, or the last repetition "
-                     "against the first shift ratings (by signs, two-sided). Of one person nothing "
-                     "can be said on that.");
+        small_text(
+            ui, ui.theme.dim_text,
+            {.id = "study:raters",
+             .text = raters,
+             .tip = "One person with another; the mean of all; both against chance. p: whether "
+                    "the order in which a pair was felt, its sides, or the last repetition "
+                    "against the first shift ratings (by signs, two-sided). Of one person nothing "
+                    "can be said on that."});
     }
     draw_settling(ui, answers);
     if (answers.is_of_other_patterns) {
         small_text(ui, ui.theme.warning,
-                   "These answers are about other patterns than the set now has.",
-                   "study:other patterns");
+                   {.id = "study:other patterns",
+                    .text = "These answers are about other patterns than the set now has."});
     }
     const bool is_one_line = foot_px(ui, studying) <= ImGui::GetContentRegionAvail().x;
     const float foot = (is_one_line ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing();
@@ -201,7 +207,8 @@ void draw_results(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline, C
 void draw_design_changes(Ui& ui, Workspace& work, StudyState& studying) {
     const auto changes = design_changes(work, studying);
     if (changes.empty()) return;
-    small_text(ui, ui.theme.warning, another_study_words(changes), "study:another design");
+    small_text(ui, ui.theme.warning,
+               {.id = "study:another design", .text = another_study_words(changes)});
     if (link(ui, {.id = "link:another study",
                   .label = "Begin another study",
                   .tip = "Its participants go into a folder of their own beside this one."})) {
@@ -230,7 +237,7 @@ void draw_people(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
                           "Whoever took part is listed here.");
     }
     if (!answers->fault.empty()) {
-        return small_text(ui, ui.theme.error, answers->fault, "study:fault");
+        return small_text(ui, ui.theme.error, {.id = "study:fault", .text = answers->fault});
     }
     if (answers->results)
         return draw_results(ui, work, layout, timeline, comparing, play, studying, *answers);

@@ -169,11 +169,13 @@ void draw_cells(Ui& ui, const StudyAnswers& answers, const ParticipantSummary& p
     plain_text(ui, {.id = "shown status:" + person.code,
                     .text = fitting(ui.theme.fonts.regular, state, room)});
     ImGui::PopStyleColor();
-    draw_tooltip(ui, person.is_outlier
-                         ? "Agrees with the others far less than they do among themselves "
-                           "(below Tukey's lower fence). Counted all the same."
-                         : state.c_str());
-    note_item(ui.rects, "status:" + person.code, state);
+    say_of_last_item(
+        ui,
+        {.id = "status:" + person.code,
+         .text = state,
+         .tip = person.is_outlier ? "Agrees with the others far less than they do among themselves "
+                                    "(below Tukey's lower fence). Counted all the same."
+                                  : state});
 }
 
 void draw_row(Ui& ui, const Workspace& work, Timeline& timeline, PlayState& play,

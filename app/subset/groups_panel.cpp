@@ -45,8 +45,9 @@ void draw_group_count(Ui& ui, SubsetState& picking, const CutGroups& cut) {
         picking.group_count = count;
         picking.cut.reset();
     }
-    note_item(ui.rects, "groups:count", std::to_string(cut.count));
-    draw_tooltip(ui, "Into how many groups the tree is cut.");
+    say_of_last_item(ui, {.id = "groups:count",
+                          .text = std::to_string(cut.count),
+                          .tip = "Into how many groups the tree is cut."});
 }
 
 void draw_cut_entry(Ui& ui, SubsetState& picking) {
@@ -66,10 +67,11 @@ void draw_cut_entry(Ui& ui, SubsetState& picking) {
                      cut)) {
         picking.cut = cut;
     }
-    note_item(ui.rects, "groups:cut", significant(cut, 6));
-    draw_tooltip(ui,
-                 "Groups stay apart where the mean PM of their pairs is above this. The line in "
-                 "the tree can be dragged, too.");
+    say_of_last_item(
+        ui, {.id = "groups:cut",
+             .text = significant(cut, 6),
+             .tip = "Groups stay apart where the mean PM of their pairs is above this. The line in "
+                    "the tree can be dragged, too."});
 }
 
 // Why one may not be kept of each group now; empty: it may.

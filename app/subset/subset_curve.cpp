@@ -62,10 +62,10 @@ void draw_chosen(Ui& ui, const Plot& plot, const CurvePoint& point, ImVec2 at) {
 }
 
 // How far apart the weakest pair is for each k; a click chooses k.
-void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
+// The axes, with the counts below them.
+Plot draw_frame(const Ui& ui, const SubsetState& picking, const Rect& area) {
     const PickCurve& curve = *picking.curve;
     const Theme& theme = ui.theme;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     double most = 0.0;
     for (const CurvePoint& point : curve.points) most = std::max(most, point.bound);
     const auto first = static_cast<double>(curve.points.front().count);
@@ -84,18 +84,17 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
     const Rect above{area.min, {area.max.x - half_px, area.max.y - foot}};
     const Plot plot =
         plot_within(above, theme, {first - 0.5, last + 0.5}, {0.0, 1.05 * most}, labels);
-    draw_axes(list, theme, plot, labels);
+    draw_axes(*ImGui::GetWindowDrawList(), theme, plot, labels);
     draw_counts(ui, plot, curve, static_cast<std::size_t>(picking.count));
-    ImGui::SetCursorScreenPos(area.min);
-    const bool pressed = ImGui::InvisibleButton("curve", area.size());
-    std::optional<std::size_t> hovered;
-    if (ImGui::IsItemHovered()) {
-        const double k = std::round(to_value(plot.x, ImGui::GetIO().MousePos.x));
-        if (k >= first && k <= last) hovered = static_cast<std::size_t>(k - first);
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    }
-    note_rect(ui.rects, "subset:curve", plot.area.min, plot.area.max,
-              std::to_string(curve.points.size()));
+    return plot;
+}
+
+// The points with a line through them, and what is not proven above them; returns their places.
+std::vector<ImVec2> draw_line(Ui& ui, const SubsetState& picking, const Plot& plot,
+                              std::optional<std::size_t> hovered) {
+    const PickCurve& curve = *picking.curve;
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     std::vector<ImVec2> line;
     for (const CurvePoint& point : curve.points) {
         const float x = to_pixel(plot.x, static_cast<double>(point.count));
@@ -106,25 +105,44 @@ void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
         }
     }
     draw_path(list, line, theme.dim_text, theme.trace_px);
-    std::optional<std::size_t> chosen_one;
     for (std::size_t k = 0; k < line.size(); ++k) {
-        const bool chosen = curve.points[k].count == static_cast<std::size_t>(picking.count);
-        if (chosen) chosen_one = k;
-        const bool lit = chosen || hovered == k;
+        const std::size_t count = curve.points[k].count;
+        const bool lit = count == static_cast<std::size_t>(picking.count) || hovered == k;
         draw_disc(list, theme, line[k], (lit ? 5.0F : 3.0F) * theme.scale,
                   lit ? theme.accent : theme.dim_text);
-        note_rect(ui.rects, "curve point:" + std::to_string(curve.points[k].count), line[k],
-                  line[k]);
+        note_rect(ui.rects, "curve point:" + std::to_string(count), line[k], line[k]);
     }
+    return line;
+}
+
+void draw_points(Ui& ui, SubsetState& picking, const Rect& area) {
+    const std::vector<CurvePoint>& points = picking.curve->points;
+    const Plot plot = draw_frame(ui, picking, area);
+    ImGui::SetCursorScreenPos(area.min);
+    const bool pressed = ImGui::InvisibleButton("curve", area.size());
+    std::optional<std::size_t> hovered;
+    if (ImGui::IsItemHovered()) {
+        const auto first = static_cast<double>(points.front().count);
+        const double k = std::round(to_value(plot.x, ImGui::GetIO().MousePos.x));
+        if (k >= first && k <= static_cast<double>(points.back().count))
+            hovered = static_cast<std::size_t>(k - first);
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    }
+    note_rect(ui.rects, "subset:curve", plot.area.min, plot.area.max,
+              std::to_string(points.size()));
+    const std::vector<ImVec2> line = draw_line(ui, picking, plot, hovered);
     if (!hovered) {
-        if (chosen_one) draw_chosen(ui, plot, curve.points[*chosen_one], line[*chosen_one]);
-        return;
+        const auto chosen =
+            std::ranges::find(points, static_cast<std::size_t>(picking.count), &CurvePoint::count);
+        if (chosen == points.end()) return;
+        return draw_chosen(ui, plot, *chosen,
+                           line[static_cast<std::size_t>(chosen - points.begin())]);
     }
-    const CurvePoint& point = curve.points[*hovered];
+    const CurvePoint& point = points[*hovered];
     const std::vector<std::string> lines{std::to_string(point.count) + " picked",
                                          "weakest pair " + worth_text(point.weakest),
                                          point.bound > point.weakest ? "not proven" : "proven"};
-    draw_readout(list, theme, area, line[*hovered], lines);
+    draw_readout(*ImGui::GetWindowDrawList(), ui.theme, area, line[*hovered], lines);
     if (pressed) picking.count = static_cast<int>(point.count);
 }
 

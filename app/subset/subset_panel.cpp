@@ -68,8 +68,9 @@ void draw_count(Ui& ui, SubsetState& picking) {
                               .rules = {{2.0, 1000.0}},
                               .width_px = 96.0F * ui.theme.scale},
                              picking.count);
-    note_item(ui.rects, "subset:count", std::to_string(picking.count));
-    draw_tooltip(ui, "How many patterns the subset has.");
+    say_of_last_item(ui, {.id = "subset:count",
+                          .text = std::to_string(picking.count),
+                          .tip = "How many patterns the subset has."});
 }
 
 void draw_objective(Ui& ui, SubsetState& picking) {
@@ -197,9 +198,10 @@ void draw_headline(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& 
     ImGui::PushFont(ui.theme.fonts.headline);
     const bool by_sum = pick.request.problem.objective == SubsetObjective::max_sum;
     const double worth = worth_of(subset, pick.request.problem.objective);
-    ImGui::TextUnformatted(worth_text(worth).c_str());
+    plain_text(ui, {.id = by_sum ? "subset:sum" : "subset:weakest",
+                    .text = worth_text(worth),
+                    .value = shortest_digits(worth)});
     ImGui::PopFont();
-    note_item(ui.rects, by_sum ? "subset:sum" : "subset:weakest", shortest_digits(worth));
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     const float lower = ui.theme.fonts.headline->FontSize - ui.theme.fonts.regular->FontSize;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.8F * lower);

@@ -78,9 +78,9 @@ void draw_dismissal(Ui& ui, ImVec2 left_middle) {
     ImGui::SetCursorScreenPos({left_middle.x, left_middle.y - 0.5F * side});
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
     ImGui::PushStyleColor(ImGuiCol_Border, 0);
-    const bool away = button(ui, {.id = "status:dismiss", .label = "\u00d7"}, {side, side});
+    const Item dismiss{.id = "status:dismiss", .label = "\u00d7", .tip = "Dismiss (Esc)"};
+    const bool away = button(ui, dismiss, {side, side});
     ImGui::PopStyleColor(2);
-    draw_tooltip(ui, "Dismiss (Esc)");
     if (away) ui.status = {};
 }
 

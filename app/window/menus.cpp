@@ -427,8 +427,7 @@ void draw_menus(App& app) {
                                         std::max(0.0F, room - mark_px)) +
                               mark;
     ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
-    dim_text(app.ui, shown);
-    note_item(app.ui.rects, "document", title);
+    dim_text(app.ui, {.id = "document", .text = shown, .value = title});
     ImGui::EndMainMenuBar();
 }
 
