@@ -4,11 +4,9 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
 
 #include "model/common/processors.h"
+#include "model/system/together.h"
 
 namespace tact {
 
@@ -57,15 +55,7 @@ bool parallel_for(std::size_t count, int threads, std::stop_token stop,
         }
     };
     const auto workers = std::min(static_cast<std::size_t>(thread_count(threads)), count);
-    {
-        std::vector<std::jthread> others;
-        try {
-            for (std::size_t k = 1; k < workers; ++k) others.emplace_back(take_work);
-        } catch (const std::system_error&) {
-            // The system gives no more threads; those started do the work.
-        }
-        take_work();
-    }
+    call_together(workers > 1 ? workers - 1 : 0, take_work);
     if (failure.exception != nullptr) std::rethrow_exception(failure.exception);
     return done == count;
 }
