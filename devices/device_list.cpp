@@ -1,6 +1,7 @@
 #include "devices/device_list.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "devices/audio/audio_device.h"
 #include "devices/hid/hid_device.h"
@@ -25,39 +26,18 @@ Expected<int> stream_channels(const DeviceInfo& device, const DeviceChoice& choi
     return std::min(std::max(2, choice.channel + choice.channel % 2), most);
 }
 
-DeviceInfo info_of(const HidActuator& actuator) {
-    DeviceInfo info;
-    info.id = lasting_id(actuator);
-    info.kind = DeviceKind::hid;
-    info.name = actuator.name;
-    info.interface = actuator.bus == HidBus::bluetooth ? "Bluetooth" : "USB";
-    info.latency_s = packet_period_s(actuator);
-    if (const auto allowed = may_be_opened(actuator); !allowed) {
-        info.trouble = allowed.error().message;
-    }
-    return info;
-}
-
-Expected<std::unique_ptr<Device>> open_hid(const DeviceInfo& device) {
-    for (HidActuator& actuator : hid_actuators()) {
-        if (lasting_id(actuator) != device.id) continue;
-        return std::unique_ptr<Device>(std::make_unique<HidDevice>(std::move(actuator)));
-    }
-    return Error{device.name + " is not there any more: connect it again"};
-}
-
 }  // namespace
 
 std::vector<DeviceInfo> list_devices(AudioHost& host) {
     std::vector<DeviceInfo> devices = host.outputs();
-    for (const HidActuator& actuator : hid_actuators()) devices.push_back(info_of(actuator));
+    std::ranges::copy(controllers(), std::back_inserter(devices));
     return devices;
 }
 
 Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
-    if (device.kind == DeviceKind::hid) return open_hid(device);
+    if (device.kind == DeviceKind::hid) return open_controller(device);
     if (device.kind == DeviceKind::phone) {
         return Error{device.name + " are played on by whoever serves their page"};
     }
@@ -70,6 +50,8 @@ std::string advice_without_devices() {
     return "Plug in a voice coil on an amplifier at a sound output, or a game controller, and "
            "refresh.";
 }
+
+void watch_devices(std::function<void()>) {}
 
 std::string cards_fault(const AudioHost& host) {
     if (!host.is_without_cards()) return {};

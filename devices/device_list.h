@@ -3,6 +3,7 @@
 // Left out  which one is chosen, and remembering it: the program's.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ Expected<int> find_channel(const DeviceInfo& device, const std::string& wanted);
 // play, in the status. An Error if the choice does not fit the device.
 Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& host,
                                               const DeviceInfo& device, const DeviceChoice& choice);
+
+// Calls `changed`, on the thread that draws and until the program ends, whenever devices have come
+// or gone by themselves, where the system says so: a browser does, of controllers.
+void watch_devices(std::function<void()> changed);
 
 // What to do where there is no device at all: a sentence or two.
 std::string advice_without_devices();

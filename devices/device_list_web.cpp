@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "devices/audio/audio_device.h"
 #include "devices/device_list.h"
+#include "devices/hid/hid_device.h"
 #include "devices/phone/phone_device.h"
 
 // In phone/web_vibration.js.
@@ -28,8 +33,8 @@ Expected<std::unique_ptr<Device>> open_this_phone() {
 
 std::vector<DeviceInfo> list_devices(AudioHost& host) {
     std::vector<DeviceInfo> devices = host.outputs();
-    if (web_vibrates() == 0) return devices;
-    devices.push_back(phone_info(kThisPhoneId, "This phone"));
+    if (web_vibrates() != 0) devices.push_back(phone_info(kThisPhoneId, "This phone"));
+    std::ranges::copy(controllers(), std::back_inserter(devices));
     return devices;
 }
 
@@ -37,12 +42,13 @@ Expected<std::unique_ptr<Device>> open_device(const std::shared_ptr<AudioHost>& 
                                               const DeviceInfo& device,
                                               const DeviceChoice& choice) {
     if (device.id == kThisPhoneId) return open_this_phone();
+    if (device.kind == DeviceKind::hid) return open_controller(device);
     return open_audio(host, device, choice, static_cast<int>(device.channels.size()));
 }
 
-std::string advice_without_devices() {
-    return "A voice coil plays at the sound output; for controllers install tactspace.";
-}
+std::string advice_without_devices() { return "A voice coil plays at the sound output."; }
+
+void watch_devices(std::function<void()> changed) { watch_hid_nodes(std::move(changed)); }
 
 std::string cards_fault(const AudioHost&) { return {}; }
 

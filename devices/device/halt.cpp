@@ -43,6 +43,8 @@ void rest_and_halt(int signal) {
 
 }  // namespace
 
+const char* const kHalted = " was put to rest when the program was halted: play again";
+
 void rest_before_halts() {
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);

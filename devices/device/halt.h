@@ -1,5 +1,5 @@
 // Ctrl+Z and its like: a program that is halted drives nothing, so all that plays is put to rest
-// before, and stays at rest when the program continues.
+// before, and stays at rest when the program continues. A page is halted when it is hidden or left.
 //
 // Source    signal-safety(7); SIGTSTP, SIGTTIN and SIGTTOU, where nobody else answers them
 // Left out  SIGSTOP, which no program hears: a controller keeps doing what it was told last, JACK
@@ -25,6 +25,6 @@ void call_before_halts(void (*before_halt)());
 std::uint64_t halts();
 
 // Why a play ended by itself after that, for its status.
-inline constexpr const char* kHalted = " was put to rest when the program was halted: play again";
+extern const char* const kHalted;
 
 }  // namespace tact

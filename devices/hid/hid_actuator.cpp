@@ -1,13 +1,8 @@
 #include "devices/hid/hid_actuator.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "devices/hid/haptic_page.h"
@@ -16,8 +11,6 @@
 namespace tact {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Known {
     std::uint16_t vendor;
@@ -38,21 +31,6 @@ constexpr std::array kKnown{
     Known{0x054c, 0x0df2, "DualSense Edge", ActuatorKind::dualsense},
 };
 
-// The node's place in sysfs: what the kernel says of it.
-fs::path device_folder(const std::string& path) {
-    return fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device";
-}
-
-std::string driver_of(const std::string& path) {
-    std::error_code none;
-    return fs::read_symlink(device_folder(path) / "driver", none).filename().string();
-}
-
-Packet descriptor_of(const std::string& path) {
-    std::ifstream file(device_folder(path) / "report_descriptor", std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 std::string hexadecimal(std::uint16_t number, bool upper) {
     char text[8];
     std::snprintf(text, sizeof text, upper ? "%04X" : "%04x", number);
@@ -67,7 +45,7 @@ std::optional<HidActuator> actuator_at(const HidNode& node) {
     actuator.serial = node.serial;
     actuator.vendor = node.vendor;
     actuator.product = node.product;
-    actuator.kernel_driver = driver_of(node.path);
+    actuator.kernel_driver = driver_of_node(node.path);
     const auto known = std::ranges::find_if(kKnown, [&node](const Known& each) {
         return each.vendor == node.vendor && each.product == node.product;
     });
@@ -76,7 +54,7 @@ std::optional<HidActuator> actuator_at(const HidNode& node) {
         actuator.name = known->name;
         return actuator;
     }
-    actuator.descriptor = descriptor_of(node.path);
+    actuator.descriptor = descriptor_of_node(node.path);
     if (!haptic_page(actuator.descriptor)) return std::nullopt;
     actuator.kind = ActuatorKind::simple_haptic;
     actuator.name = node.name.empty() ? traits(actuator.kind).name : node.name;
@@ -96,6 +74,14 @@ std::vector<HidActuator> hid_actuators() {
     return found;
 }
 
+std::function<void()> controller_request() {
+    std::array<HidKind, kKnown.size()> kinds;
+    std::ranges::transform(kKnown, kinds.begin(), [](const Known& each) {
+        return HidKind{each.vendor, each.product};
+    });
+    return hid_request(kinds);
+}
+
 std::string lasting_id(const HidActuator& actuator) {
     return "hid:" + hexadecimal(actuator.vendor, false) + ":" +
            hexadecimal(actuator.product, false) + ":" +
@@ -111,10 +97,11 @@ std::string udev_rule(const HidActuator& actuator) {
 }
 
 Expected<Done> may_be_opened(const HidActuator& actuator) {
-    if (!is_hidraw_node(actuator.path)) {
+    const NodeAccess access = access_to_node(actuator.path);
+    if (access == NodeAccess::gone) {
         return Error{actuator.name + " is not there any more: connect it again"};
     }
-    if (access(actuator.path.c_str(), R_OK | W_OK) == 0) return Done{};
+    if (access == NodeAccess::allowed) return Done{};
     return Error{"no permission to use " + actuator.name + " (" + actuator.path +
                  "): put this line into /etc/udev/rules.d/70-tactspace.rules, then connect it "
                  "again: " +

@@ -1,10 +1,12 @@
 // The game controllers and simple haptic devices that are plugged in or paired.
 //
-// Source    hidapi's hidraw back end (devices/hid/hid_port.h opens what is found here), sysfs
+// Source    hidapi's hidraw back end (devices/hid/hid_port.h opens what is found here), sysfs; in
+//           a browser WebHID, which tells no descriptor: simple haptic devices are not found there
 // Left out  Switch 2 controllers, force-feedback wheels, pads over Bluetooth as sound cards.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,10 @@ struct HidActuator {
 // All of them, by name and path. Some milliseconds: cheap enough to be asked once a second, from
 // any thread, so that controllers come and go by themselves.
 std::vector<HidActuator> hid_actuators();
+
+// Asks the person which controllers may be used, where that is theirs to allow (hid_port.h); null:
+// all that there are can be listed.
+std::function<void()> controller_request();
 
 // The same for the same controller at another port; "057e:2006", with its serial number if it has
 // one, with the path if that is all there is to tell twins apart.

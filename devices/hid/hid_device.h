@@ -31,6 +31,7 @@
 
 #include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
+#include "devices/device/device_info.h"
 #include "devices/device/ledger.h"
 #include "devices/hid/hid_actuator.h"
 #include "devices/hid/hid_port.h"
@@ -166,5 +167,9 @@ class HidDevice final : public Device {
 
     std::jthread thread_;  // last: starts when all else is there
 };
+
+// The controllers that there are, in a list of devices, and the one that a list has.
+std::vector<DeviceInfo> controllers();
+Expected<std::unique_ptr<Device>> open_controller(const DeviceInfo& device);
 
 }  // namespace tact

@@ -2,9 +2,11 @@
 
 #include <hidapi.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -14,6 +16,8 @@
 namespace tact {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Listing and opening share hidapi's text of the last error, which is not guarded.
 std::mutex hidapi_mutex;
@@ -58,15 +62,41 @@ std::string plain_text(const wchar_t* text) {
     return plain;
 }
 
-}  // namespace
+// The node's place in sysfs: what the kernel says of it.
+fs::path kernel_folder(const std::string& path) {
+    return fs::path("/sys/class/hidraw") / fs::path(path).filename();
+}
 
+// Whether there is such a node, and the kernel knows it.
 bool is_hidraw_node(const std::string& path) {
     struct stat about {};
     if (stat(path.c_str(), &about) != 0 || !S_ISCHR(about.st_mode)) return false;
     std::error_code none;
-    const auto name = std::filesystem::path(path).filename();
-    return std::filesystem::exists(std::filesystem::path("/sys/class/hidraw") / name, none);
+    return fs::exists(kernel_folder(path), none);
 }
+
+}  // namespace
+
+NodeAccess access_to_node(const std::string& path) {
+    if (!is_hidraw_node(path)) return NodeAccess::gone;
+    return access(path.c_str(), R_OK | W_OK) == 0 ? NodeAccess::allowed : NodeAccess::denied;
+}
+
+std::string driver_of_node(const std::string& path) {
+    std::error_code none;
+    return fs::read_symlink(kernel_folder(path) / "device" / "driver", none).filename().string();
+}
+
+Packet descriptor_of_node(const std::string& path) {
+    std::ifstream file(kernel_folder(path) / "device" / "report_descriptor", std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::string hid_fault() { return {}; }
+
+std::function<void()> hid_request(std::span<const HidKind>) { return nullptr; }
+
+void watch_hid_nodes(std::function<void()>) {}
 
 Expected<HidPort> open_hid_port(const std::string& path) {
     // hidapi 0.13.1 touches freed memory where it fails to open what is no hidraw node.

@@ -1,8 +1,10 @@
 // An open HID device: reports out, reports in.
 //
-// The one file that knows hidapi. What uses a port cannot tell it from one that a test makes.
+// One file knows hidapi, and in a browser one knows WebHID; what uses a port cannot tell either
+// from one that a test makes.
 //
-// Source    hidapi 0.13, hidraw back end: the kernel's driver keeps the device, too
+// Source    hidapi 0.13, hidraw back end: the kernel's driver keeps the device, too. WebHID of the
+//           WICG (hid_port_web.cpp)
 // Left out  input events, serial numbers that are changed
 #pragma once
 
@@ -31,11 +33,8 @@ struct HidPort {
     std::function<void(std::span<const std::uint8_t>)> set_emergency_packet;
 };
 
-// `path` as it is listed. An Error if it is no hidraw node or cannot be opened.
+// `path` as it is listed. An Error if there is no such node or it cannot be opened.
 Expected<HidPort> open_hid_port(const std::string& path);
-
-// Whether there is such a node, and the kernel knows it.
-bool is_hidraw_node(const std::string& path);
 
 // A node as hidapi lists it.
 struct HidNode {
@@ -49,5 +48,25 @@ struct HidNode {
 
 // By path, each once.
 std::vector<HidNode> hid_nodes();
+
+// What the system knows of a node without opening it.
+enum class NodeAccess { gone, denied, allowed };
+NodeAccess access_to_node(const std::string& path);
+std::string driver_of_node(const std::string& path);  // of the kernel; empty: none is known
+Packet descriptor_of_node(const std::string& path);   // empty: the system does not tell it
+
+// Why no node can be listed or opened here: a sentence; empty: they can.
+std::string hid_fault();
+
+// Where a person has to allow each device, the question to them, in the browser's own dialog: to be
+// asked right after a press. Null where the system lists all by itself.
+struct HidKind {
+    std::uint16_t vendor = 0;
+    std::uint16_t product = 0;
+};
+std::function<void()> hid_request(std::span<const HidKind> kinds);
+
+// Calls `changed` whenever a node has come or gone, where the system says so by itself.
+void watch_hid_nodes(std::function<void()> changed);
 
 }  // namespace tact

@@ -1,7 +1,34 @@
-// Whether a controller is there: unplugged, out of reach, back again.
+// Whether a controller is there: listed, unplugged, out of reach, back again.
+#include <utility>
+
 #include "devices/hid/hid_device.h"
 
 namespace tact {
+
+std::vector<DeviceInfo> controllers() {
+    std::vector<DeviceInfo> devices;
+    for (const HidActuator& actuator : hid_actuators()) {
+        DeviceInfo info;
+        info.id = lasting_id(actuator);
+        info.kind = DeviceKind::hid;
+        info.name = actuator.name;
+        info.interface = actuator.bus == HidBus::bluetooth ? "Bluetooth" : "USB";
+        info.latency_s = packet_period_s(actuator);
+        if (const auto allowed = may_be_opened(actuator); !allowed) {
+            info.trouble = allowed.error().message;
+        }
+        devices.push_back(std::move(info));
+    }
+    return devices;
+}
+
+Expected<std::unique_ptr<Device>> open_controller(const DeviceInfo& device) {
+    for (HidActuator& actuator : hid_actuators()) {
+        if (lasting_id(actuator) != device.id) continue;
+        return std::unique_ptr<Device>(std::make_unique<HidDevice>(std::move(actuator)));
+    }
+    return Error{device.name + " is not there any more: connect it again"};
+}
 
 // The play is over. The port stays: what follows is to be said through it.
 void HidDevice::fail(const std::string& why) {
