@@ -44,8 +44,28 @@ addToLibrary({
     input.click();
   },
 
-  page_listen__deps: ['$giveText', '$giveFiles'],
+#if PTHREADS
+  // A thread starts at once where a worker waits for it, and otherwise only once the page's own thread is idle: so
+  // some always wait, the oldest to be taken first.
+  $keepSpareWorkers__deps: ['$PThread'],
+  $keepSpareWorkers: () => {
+    const spare = 3;
+    const workers = PThread.unusedWorkers;
+    if (workers.length >= spare) return;
+    PThread.allocateUnusedWorker();
+    PThread.loadWasmModuleToWorker(workers.at(-1));
+    workers.unshift(workers.pop());
+  },
+  page_listen__deps: ['$giveText', '$giveFiles', '$keepSpareWorkers', 'page_hidden'],
+#else
+  page_listen__deps: ['$giveText', '$giveFiles', 'page_hidden'],
+#endif
   page_listen: () => {
+#if PTHREADS
+    setInterval(keepSpareWorkers, 100);
+#endif
+    addEventListener('pagehide', () => _page_hidden());
+    document.addEventListener('visibilitychange', () => { if (document.hidden) _page_hidden(); });
     addEventListener('paste', (event) => {
       giveText(Module['_page_pasted'], event.clipboardData.getData('text/plain'));
       event.preventDefault();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/page/page_events.h"
+#include "devices/device/halt.h"
 
 // In page.js.
 extern "C" {
@@ -274,6 +275,9 @@ extern "C" EMSCRIPTEN_KEEPALIVE void page_dropped(const char* names) {
     if (listening->client.drop && !files.empty()) listening->client.drop(std::move(files));
     wake_window();
 }
+
+// Nobody sees what is felt, and no frame comes to follow it.
+extern "C" EMSCRIPTEN_KEEPALIVE void page_hidden() { rest_all(); }
 
 void listen_to_page(PageEvents& events) {
     listening = &events;

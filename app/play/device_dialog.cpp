@@ -4,6 +4,8 @@
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
 #include "devices/device_list.h"
+#include "devices/hid/hid_actuator.h"
+#include "devices/hid/hid_port.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/marks.h"
@@ -62,6 +64,11 @@ void draw_list(Ui& ui, Timeline& timeline, PlayState& play) {
     const bool is_missing = !play.choice.id.empty() && !chosen_device(play);
     const bool is_none = play.listed && play.listed->empty();
     const bool has_cards_fault = play.choice.id.empty() && !play.cards_fault.empty();
+    if (const std::string fault = hid_fault(); !fault.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        dim_text(ui, fault);
+        ImGui::PopTextWrapPos();
+    }
     if (!is_missing && !is_none && !has_cards_fault) return;
     ImGui::PushTextWrapPos(0.0F);
     if (is_missing) ImGui::TextUnformatted(shown_text(device_text(play)).c_str());
@@ -242,6 +249,14 @@ void draw_devices(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& r
     }
     ImGui::SameLine(0.0F, ui.theme.gap_px);
     if (button(ui, {.id = "button:refresh", .label = "Refresh"})) refresh_devices(ui, play);
+    if (const auto ask = controller_request()) {
+        ImGui::SameLine(0.0F, ui.theme.gap_px);
+        if (button(ui, {.id = "button:connect",
+                        .label = "Connect a controller...",
+                        .tip = "The browser asks which one this page may use"})) {
+            ask();
+        }
+    }
     if (play.list_job.busy()) {
         ImGui::SameLine(0.0F, ui.theme.gap_px);
         dim_text(ui, "looking...");

@@ -298,6 +298,10 @@ Sounding of_transport(const Workspace& work, const Timeline& timeline, const Sho
 
 void make_sound(const Ui& ui, Timeline& timeline, PlayState& play) {
     play.audio = std::make_shared<AudioHost>();
+    watch_devices([&ui, &play] {
+        refresh_devices(ui, play);
+        if (ui.wake) ui.wake();
+    });
     refresh_devices(ui, play);
     // With an actuator connected, play means to feel it.
     if (!play.choice.id.empty()) timeline.playhead.speed = 1.0;

@@ -8,6 +8,8 @@
 #include "app/play/play.h"
 #include "app/ui/widgets.h"
 #include "devices/device/playback.h"
+#include "devices/hid/hid_actuator.h"
+#include "devices/hid/hid_port.h"
 #include "viz/drawing/colour.h"
 #include "viz/drawing/marks.h"
 
@@ -62,6 +64,15 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
     for (std::size_t k = 0; listed && k < listed->size(); ++k)
         draw_device_item(ui, timeline, play, (*listed)[k]);
     draw_divider(ui.theme);
+    if (const std::string fault = hid_fault(); !fault.empty()) {
+        ImGui::PushTextWrapPos(320.0F * ui.theme.scale);
+        dim_text(ui, {.id = "device:no controllers", .text = fault});
+        ImGui::PopTextWrapPos();
+        draw_divider(ui.theme);
+    }
+    if (const auto ask = controller_request()) {
+        if (menu_item(ui, {.id = "device:connect", .label = "Connect a controller..."})) ask();
+    }
     if (menu_item(ui, {.id = "device:refresh", .label = "Refresh devices"}))
         refresh_devices(ui, play);
     if (menu_item(ui, {.id = "device:dialog", .label = "Devices..."})) ui.dialog = kDevicesDialog;
@@ -70,6 +81,23 @@ void draw_device_menu(Ui& ui, Timeline& timeline, PlayState& play) {
 
 float device_width(const Ui& ui, bool wide) {
     return (wide ? kDeviceWidthPx : kNarrowDeviceWidthPx) * ui.theme.scale;
+}
+
+// What plays, in one word, for a bar that has no room for a name.
+const char* device_word(const PlayState& play) {
+    if (!is_device_chosen(play)) return "None";
+    if (play.for_ear) return "By ear";
+    const std::optional<DeviceInfo> info = chosen_device(play);
+    if (!info) return "Gone";
+    switch (info->kind) {
+        case DeviceKind::audio:
+            return "Sound";
+        case DeviceKind::hid:
+            return "Pad";
+        case DeviceKind::phone:
+            return "Phone";
+    }
+    return "";
 }
 
 void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) {
@@ -85,15 +113,18 @@ void draw_device_button(Ui& ui, Timeline& timeline, PlayState& play, bool wide) 
     if (button(ui, item, size)) ImGui::OpenPopup("device menu");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
-    // Looks and stands like a combo of ImGui.
-    ImGui::RenderArrow(&list, {corner.x + size.x - size.y + pad.y, corner.y + pad.y}, theme.text,
-                       ImGuiDir_Down);
     const bool is_lost = is_device_chosen(play) && !trouble.empty();
     const ImU32 ink = is_lost                  ? theme.warning
                       : is_device_chosen(play) ? theme.text
                                                : theme.dim_text;
+    // Looks and stands like a combo of ImGui; a word alone is as wide as the button.
+    if (wide) {
+        ImGui::RenderArrow(&list, {corner.x + size.x - size.y + pad.y, corner.y + pad.y},
+                           theme.text, ImGuiDir_Down);
+    }
+    const float room = size.x - 2.0F * pad.x - (wide ? size.y - pad.x : 0.0F);
     draw_text(list, theme.fonts.regular, corner + pad, ink,
-              shortened(theme.fonts.regular, text, size.x - size.y - pad.x));
+              shortened(theme.fonts.regular, wide ? text : device_word(play), room));
     draw_device_menu(ui, timeline, play);
 }
 
