@@ -1,16 +1,17 @@
 """Uses the window in a page (app/web) as a person does, in headless Chromium.
 
-    web_page.py BUILD --from disk|server|headers [--matrix CSV] [--edits 200] [--pictures FOLDER]
+    web_page.py BUILD --from disk|server|headers [--matrices FOLDER] [--edits 200] [--pictures FOLDER]
 
 BUILD is build/web. From the disk its one file is opened, from a server its folder; with headers the
-server sets the page apart as threads need it, without them the page's service worker does. CSV is
-what "tactspace predict" writes of the set that opens. Prints how long what a person waits for took.
+server sets the page apart as threads need it, without them the page's service worker does. FOLDER has NAME.csv, what
+"tactspace predict" writes of each set that is to be compared. Prints how long what a person waits for took.
 """
 
 import argparse
 import base64
 import contextlib
 import functools
+import gzip
 import http.server
 import json
 import pathlib
@@ -46,6 +47,55 @@ AudioNode.prototype.connect = function (to, ...more) {
   return connect.call(this, tap);
 };
 """
+# Controllers that are pretended, where a part wants some: what they are told is kept, and they answer as real ones do
+# to what they are asked. "pads" of the session are those that were allowed before; "none" is a browser without WebHID.
+BEFORE_THE_PAGE += """
+self.told = [];
+class Pad extends EventTarget {
+  constructor(kind) {
+    super();
+    Object.assign(this, {opened: false, ...{
+      dualshock: {vendorId: 0x054c, productId: 0x09cc, productName: 'Wireless Controller', outputs: [5]},
+      joycon: {vendorId: 0x057e, productId: 0x2006, productName: 'Joy-Con (L)', outputs: [1, 3, 16, 17, 18]},
+    }[kind]});
+    const reportsOf = (ids) => ids.map((reportId) => ({reportId, items: []}));
+    this.collections = [{usagePage: 1, usage: 5, inputReports: [], featureReports: [],
+                         outputReports: reportsOf(this.outputs)}];
+  }
+  async open() { this.opened = true; }
+  async close() { this.opened = false; }
+  async sendReport(id, data) {
+    if (!this.opened || !navigator.hid.there.includes(this)) throw new DOMException('gone', 'NotAllowedError');
+    const bytes = [id, ...new Uint8Array(data.buffer, data.byteOffset, data.byteLength)];
+    self.told.push(bytes);
+    if (id !== 1) return;
+    const answer = new DataView(new ArrayBuffer(48));
+    answer.setUint8(12, 0x80);
+    answer.setUint8(13, bytes[10]);
+    setTimeout(() => this.dispatchEvent(Object.assign(new Event('inputreport'), {reportId: 0x21, data: answer})), 5);
+  }
+  async receiveFeatureReport() { throw new DOMException('none', 'NotAllowedError'); }
+}
+class Pads extends EventTarget {
+  there = JSON.parse(sessionStorage.pads).map((kind) => new Pad(kind));
+  async getDevices() { return [...this.there]; }
+  async requestDevice(options) {
+    self.asked = {filters: options.filters, isAfterPress: navigator.userActivation.isActive};
+    const pad = new Pad(self.offered);
+    this.there.push(pad);
+    return [pad];
+  }
+  unplug() {
+    const device = this.there.pop();
+    device.opened = false;
+    this.dispatchEvent(Object.assign(new Event('disconnect'), {device}));
+  }
+}
+if (sessionStorage.pads) {
+  const hid = sessionStorage.pads === 'none' ? undefined : new Pads();
+  Object.defineProperty(navigator, 'hid', {value: hid});
+}
+"""
 CTRL, SHIFT = 2, 8
 MODIFIER_KEYS = ((CTRL, "Control", "ControlLeft", 17), (SHIFT, "Shift", "ShiftLeft", 16))
 MAP = "title:Perceptual space"
@@ -58,9 +108,24 @@ WITHIN = "park_choi_2011_am_4hz.tactspace.json"  # in the address itself
 
 class Server(http.server.SimpleHTTPRequestHandler):
     headers_too = False
+    packed = {}  # what was sent, compressed, by path: as servers do that many people load a page from
+
+    def do_GET(self):
+        path = pathlib.Path(self.translate_path(self.path))
+        if not path.is_file():
+            return super().do_GET()
+        key = (path, path.stat().st_mtime)
+        content = self.packed.get(key) or self.packed.setdefault(key, gzip.compress(path.read_bytes(), 9))
+        self.send_response(200)
+        self.send_header("Content-Type", self.guess_type(path))
+        self.send_header("Content-Encoding", "gzip")
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self.wfile.write(content)
 
     def translate_path(self, path):
-        return str(SETS / NAMED) if path == "/" + NAMED else super().translate_path(path)
+        beside = SETS / path.lstrip("/")
+        return str(beside) if beside.is_file() else super().translate_path(path)
 
     def end_headers(self):
         if self.headers_too:
@@ -208,14 +273,31 @@ def open_page(page, address):
           f"{page.value('self.crossOriginIsolated')}")
 
 
-def same_matrix(page, path):
-    page.command("Copy table")
-    page.until(lambda: page.value("!!self.copied"), "the matrix is copied")
-    copied = page.value("self.copied")
-    if copied.encode() != pathlib.Path(path).read_bytes():
-        pathlib.Path("copied.csv").write_text(copied)
-        sys.exit("the matrix has other bytes than the terminal's")
-    print("the matrix has the bytes of the terminal's")
+def visit(page, address, name):
+    """Opens the page with a set: beside it, or within the address from the disk, where a page may read nothing else."""
+    content = base64.b64encode((SETS / name).read_bytes()).decode()
+    page.browser.ask("Page.navigate", url="about:blank")
+    page.browser.ask("Page.navigate", url=f"{address}#set=" +
+                     (f"data:;base64,{content}" if address.startswith("file:") else name))
+    first = json.loads((SETS / name).read_text())["patterns"][0]["name"]
+    page.until(lambda: "row:" + first in page.widgets(), f"{name} is open", 60)
+
+
+def same_matrices(page, address, folder):
+    """The matrix of each set has the bytes of the terminal's."""
+    for path in sorted(pathlib.Path(folder).glob("*.csv")):
+        visit(page, address, path.stem + ".tactspace.json")
+        page.exact(f"the exact map of {path.stem}")
+        page.value("self.copied = ''; 0")
+        page.command("Copy table")
+        page.until(lambda: page.value("self.copied"), "the matrix is copied", 60)
+        copied = page.value("self.copied")
+        if copied.encode() != path.read_bytes():
+            pathlib.Path("copied.csv").write_text(copied)
+            sys.exit(f"the matrix of {path.stem} has other bytes than the terminal's: copied.csv")
+    print(f"{len(list(pathlib.Path(folder).glob('*.csv')))} matrices have the bytes of the terminal's")
+    page.browser.ask("Page.navigate", url="about:blank")
+    open_page(page, address)
 
 
 def slide(page, share):
@@ -471,13 +553,107 @@ def vibrate(page):
     print(f"this phone: {len(ms)} on-off times, {sum(ms)} ms")
 
 
+# By the number of its report: its length, and whether it asks for no vibration.
+REPORTS = {
+    0x05: (32, lambda report: report[4] == report[5] == 0),
+    0x10: (10, lambda report: report[2:10] == [0x00, 0x01, 0x40, 0x40] * 2),
+    0x01: (49, lambda report: report[2:10] == [0x00, 0x01, 0x40, 0x40] * 2),
+}
+NEUTRAL = 5  # reports that end each play
+
+
+def controller(page, source):
+    """Controllers that are pretended are allowed, listed, played on, silenced, hidden and unplugged."""
+    def with_pads(pads):
+        page.value(f"sessionStorage.pads = {json.dumps(pads)}; 0")
+        reload(page)
+
+    def menu():
+        page.click("device")
+        page.widget("device:dialog", "the list of devices is open", seconds=60)
+
+    def told():
+        reports = page.value("self.told")
+        for report in reports:
+            if report[0] not in REPORTS or len(report) != REPORTS[report[0]][0]:
+                sys.exit(f"a report that no controller is sent on the desktop: {report}")
+        return reports
+
+    def is_neutral(report):
+        return REPORTS[report[0]][1](report)
+
+    def rests(what):
+        page.until(lambda: len(last := told()[-NEUTRAL:]) == NEUTRAL and all(map(is_neutral, last)), what, 60)
+
+    def play(what):
+        page.value("self.told = []; 0")
+        page.key(" ", "Space", 0, 32)
+        page.until(lambda: not all(map(is_neutral, told())), f"{what} is told to vibrate", 60)
+
+    page.screen(1280, 800)
+    with_pads("none")
+    menu()
+    sentence = page.widget("device:no controllers", "a browser without WebHID says so", seconds=60)[4]
+    with_pads("[]")
+    menu()
+    if source == "disk":  # without threads
+        told_why = page.widget("device:no controllers", "the page says why it has no controllers", seconds=60)[4]
+        if "device:connect" in page.widgets() or told_why == sentence:
+            sys.exit(f"a page from the disk offers controllers, or says {told_why!r}")
+        page.value("delete sessionStorage.pads")
+        reload(page)
+        print(f"controllers: {told_why!r}")
+        return
+    for kind, device in (("dualshock", "hid:054c:09cc:"), ("joycon", "hid:057e:2006:")):
+        page.value(f"self.offered = {json.dumps(kind)}; 0")
+        if "device:connect" not in page.widgets():
+            menu()
+        page.click("device:connect")
+        page.until(lambda: page.value("!!self.asked"), "the browser asks which controller", 60)
+        asked = page.value("self.asked")
+        if not asked["isAfterPress"] or {"vendorId": 0x054c, "productId": 0x0ce6} not in asked["filters"]:
+            sys.exit(f"the browser was asked {asked}")
+        page.until(lambda: "device:connect" not in page.widgets(), "the menu closes", 60)
+        menu()
+        name = page.until(lambda: next((one for one in page.widgets() if one.startswith("device:" + device)), None),
+                          f"{kind} is listed", 60)
+        page.click(name)
+        page.widget("device", f"{kind} is chosen", lambda value: "No device" not in value and "Sound" not in value, 60)
+        play(kind)
+        count = len(told())
+        page.until(lambda: len(told()) > count + 3, "it goes on", 60)
+        page.key("Escape", "Escape", 0, 27)
+        rests("Esc puts it to rest")
+        strong = sum(not is_neutral(report) for report in told())
+        play(kind)
+        page.value("Object.defineProperty(document, 'hidden', {get: () => true, configurable: true});"
+                   "document.dispatchEvent(new Event('visibilitychange')); 0")
+        rests("a hidden page puts it to rest")
+        page.value("delete document.hidden; 0")
+        play(kind)
+        page.value("navigator.hid.unplug(); 0")
+        menu()
+        page.widget("device advice", "the list of devices says that it is gone", seconds=60)
+        page.key("Escape", "Escape", 0, 27)
+        page.until(lambda: "device:dialog" not in page.widgets(), "the menu closes", 60)
+        print(f"{kind}: {strong} reports of {REPORTS[told()[0][0]][0]} bytes, and at rest after Esc, hidden, unplugged")
+    with_pads('["joycon"]')
+    menu()
+    page.until(lambda: any(one.startswith("device:hid:057e:2006:") for one in page.widgets()),
+               "a controller that was allowed before is listed", 60)
+    page.value("delete sessionStorage.pads")
+    reload(page)
+    print(f"without WebHID: {sentence!r}")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--from", dest="source", choices=("disk", "server", "headers"), default="disk")
-    parser.add_argument("--matrix")
+    parser.add_argument("--matrices")
     parser.add_argument("--edits", type=int, default=200)
     parser.add_argument("--pictures")
+    parser.add_argument("--mbit-s", type=float, help="of the line to the server, with 40 ms to it and back")
     parser.add_argument("--only", help="names of parts, with commas between them")
     args = parser.parse_args()
     if args.source == "disk":
@@ -491,12 +667,17 @@ def main():
         at_end.callback(browser.process.wait)
         at_end.callback(browser.process.terminate)
         page = Page(browser, folder / "downloads")
+        if args.mbit_s:
+            browser.ask("Network.enable")
+            browser.ask("Network.emulateNetworkConditions", offline=False, latency=40,
+                        downloadThroughput=args.mbit_s * 1e6 / 8, uploadThroughput=args.mbit_s * 1e6 / 8)
         open_page(page, address)
         parts = {
             "picture": lambda: args.pictures and page.picture(pathlib.Path(args.pictures) / f"{args.source}_1280.png"),
-            "matrix": lambda: args.matrix and same_matrix(page, args.matrix),
+            "matrices": lambda: args.matrices and same_matrices(page, address, args.matrices),
             "edit": lambda: edit(page),
             "play": lambda: play(page),
+            "controller": lambda: controller(page, args.source),
             "save": lambda: save_and_reopen(page),
             "edits": lambda: many_edits(page, args.edits),
             "named": lambda: named(page, address),
