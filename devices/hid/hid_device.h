@@ -31,7 +31,6 @@
 
 #include "devices/device/actuator_lock.h"
 #include "devices/device/device.h"
-#include "devices/device/device_info.h"
 #include "devices/device/ledger.h"
 #include "devices/hid/hid_actuator.h"
 #include "devices/hid/hid_port.h"
