@@ -17,7 +17,7 @@
 #include "model/io/formats/openxr/openxr.h"
 #include "model/io/formats/pulsar/pulsar.h"
 #include "model/io/formats/samples/samples.h"
-#include "model/io/formats/web/web.h"
+#include "model/io/formats/vibrate/vibrate.h"
 
 namespace tact {
 
@@ -31,7 +31,7 @@ inline constexpr std::array<FormatFolder, 10> kFormatFolders{{{kHapticFormats, k
                                                               {kHapsFormats, {}},
                                                               {kHjifFormats, kHjifTargets},
                                                               {kAndroidFormats, kAndroidTargets},
-                                                              {kWebFormats, kWebTargets},
+                                                              {kVibrateFormats, kVibrateTargets},
                                                               {kPulsarFormats, kPulsarTargets},
                                                               {kHeFormats, kHeTargets},
                                                               {{}, kOpenxrTargets},

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/io/formats/web/web.h"
+#include "model/io/formats/vibrate/vibrate.h"
 #include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
@@ -45,13 +45,13 @@ bool is_of_numbers(const Json& document) {
 
 }  // namespace
 
-Likeness web_likeness(const Json& document, std::string_view path) {
+Likeness vibrate_likeness(const Json& document, std::string_view path) {
     const bool is_array_named_so =
         document.is_array() && lower_case(std::string(path)).ends_with(kVibrateEnding);
     return is_of_numbers(document) || is_array_named_so ? Likeness::certain : Likeness::none;
 }
 
-Expected<Effects> read_web(const Json& document, const EffectFile& file) {
+Expected<Effects> read_vibrate(const Json& document, const EffectFile& file) {
     JsonReading reading = reading_of(file);
     std::vector<std::string> remarks;
     if (document.size() > kMostVoicePoints) {

@@ -12,7 +12,7 @@
 #include "model/io/effects_out/on_off.h"
 #include "model/io/effects_out/shares.h"
 #include "model/io/effects_out/stepped.h"
-#include "model/io/formats/web/web.h"
+#include "model/io/formats/vibrate/vibrate.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -79,7 +79,7 @@ std::vector<int> fitting_entries(const SteppedAmplitudes& steps,
 
 }  // namespace
 
-WrittenEffect write_web(const Pattern& pattern, const EffectTarget& target) {
+WrittenEffect write_vibrate(const Pattern& pattern, const EffectTarget& target) {
     WrittenEffect written;
     PlainCurves curves = with_pulses(as_curves(pattern, written), written.remarks);
     remark_left_out_hz(curves.frequency, written.remarks);
