@@ -95,10 +95,13 @@ bool hand_over(Desk& desk, std::span<const std::uint8_t> packet, const Patience&
 
 }  // namespace
 
+// A page has no ranks, and without threads not even the call.
 void rank_before_drawing() {
+#ifndef __EMSCRIPTEN__
     sched_param param{};
     param.sched_priority = 1;
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
+#endif
 }
 
 HidPort patient_port(HidPort port, std::chrono::milliseconds patience,
