@@ -339,6 +339,36 @@ void follow_wheel(StripState& strip, bool hovered) {
     if (io.MouseWheel != 0.0F && !hovered) strip.is_scrolled_past = true;
 }
 
+// Where the mouse is, over the strip that is the last item.
+struct StripMouse {
+    const Pattern& pattern;
+    const StripScale& scale;
+    std::optional<Grip> under;
+    bool hovered;
+    bool on_ruler;
+};
+
+void take_mouse(Ui& ui, Workspace& work, StripState& strip, StripTime& time,
+                const StripMouse& mouse) {
+    if (mouse.on_ruler && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        time.range = {};
+    } else if (mouse.on_ruler && ImGui::IsItemActivated()) {
+        strip.is_scrubbed = true;
+    } else if (mouse.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        double_click(ui, work, strip, mouse.pattern, mouse.scale, mouse.under);
+    } else if (ImGui::IsItemActivated()) {
+        press(ui, work, strip, mouse.pattern, mouse.scale, mouse.under);
+    }
+    if (strip.is_scrubbed) scrub(strip, time, mouse.pattern, mouse.scale);
+    if (strip.held && ImGui::IsItemActive()) drag(ui, work, strip);
+    if (strip.held && !ImGui::IsItemActive()) let_go(ui, work, strip);
+    if (strip.box) strip.box->to_px = ImGui::GetIO().MousePos.x;
+    if (strip.box && !ImGui::IsItemActive()) {
+        choose_boxed(strip, mouse.pattern, kClickPx * ui.theme.scale);
+        if (!strip.notes.empty()) ui.field.active = kChosenValue;
+    }
+}
+
 }  // namespace
 
 void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time,
@@ -382,23 +412,7 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time
         zoom_and_pan(time, pattern, scale);
     }
     const bool on_ruler = hovered && ruler.contains(ImGui::GetIO().MousePos);
-    if (on_ruler && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        time.range = {};
-    } else if (on_ruler && ImGui::IsItemActivated()) {
-        strip.is_scrubbed = true;
-    } else if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        double_click(ui, work, strip, pattern, scale, under);
-    } else if (ImGui::IsItemActivated()) {
-        press(ui, work, strip, pattern, scale, under);
-    }
-    if (strip.is_scrubbed) scrub(strip, time, pattern, scale);
-    if (strip.held && ImGui::IsItemActive()) drag(ui, work, strip);
-    if (strip.held && !ImGui::IsItemActive()) let_go(ui, work, strip);
-    if (strip.box) strip.box->to_px = ImGui::GetIO().MousePos.x;
-    if (strip.box && !ImGui::IsItemActive()) {
-        choose_boxed(strip, pattern, kClickPx * ui.theme.scale);
-        if (!strip.notes.empty()) ui.field.active = kChosenValue;
-    }
+    take_mouse(ui, work, strip, time, {pattern, scale, under, hovered, on_ruler});
     strip.pointed_s.reset();
     if (hovered) strip.pointed_s = to_value(scale.amplitude.x, ImGui::GetIO().MousePos.x);
     const PatternLook look = look_of(ui, work, work.selection.current);
