@@ -1,7 +1,6 @@
 #include "app/candidates/candidates.h"
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -78,12 +77,14 @@ CandidateRow row_of(const Vibration& vibration, std::size_t place, DrawnByName& 
     return row;
 }
 
-void add_nearest(CandidateRow& row, const NearestOnes& nearest, const RowsByName& in_map,
+void add_nearest(CandidateRow& row, const LiveMap& map, const RowsByName& in_map,
                  const std::string& name) {
     const auto found = in_map.find(name);
-    if (found == in_map.end() || found->second >= nearest.pm.size()) return;
-    row.nearest_pm = nearest.pm[found->second];
-    row.nearest_name = nearest.of->request.set->vibrations[nearest.row[found->second]].name;
+    if (found == in_map.end() || found->second >= map.nearest.size()) return;
+    const NearestNeighbour& nearest = map.nearest[found->second];
+    if (nearest.place == found->second) return;
+    row.nearest_pm = nearest.dissimilarity;
+    row.nearest_name = map.request.set->vibrations[nearest.place].name;
 }
 
 template <class Value>
@@ -132,26 +133,6 @@ std::optional<double> number_in(const CandidateRow& row, CandidateColumn column)
     }
 }
 
-NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map) {
-    NearestOnes nearest{map, {}, {}};
-    if (!map || map->prediction.pm.size < 2) return nearest;
-    const Dissimilarity& pm = map->prediction.pm;
-    nearest.pm.assign(pm.size, std::numeric_limits<double>::infinity());
-    nearest.row.assign(pm.size, 0);
-    const auto take = [&nearest](std::size_t row, std::size_t other, double value) {
-        if (value >= nearest.pm[row]) return;
-        nearest.pm[row] = value;
-        nearest.row[row] = other;
-    };
-    for (std::size_t i = 0; i < pm.size; ++i) {
-        for (std::size_t j = i + 1; j < pm.size; ++j) {
-            take(i, j, pm(i, j));
-            take(j, i, pm(i, j));
-        }
-    }
-    return nearest;
-}
-
 const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const ShownMap& shown_map,
                                                 CandidatesState& state) {
     const Selection& selection = work.selection;
@@ -162,7 +143,6 @@ const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const Sho
                                  selection.picked};
     if (state.asked == wanted) return state.rows;
     state.asked = wanted;
-    if (state.nearest.of != map) state.nearest = nearest_ones(map);
     RowsByName in_map;
     for (std::size_t k = 0; map && k < map->request.set->vibrations.size(); ++k) {
         in_map.emplace(map->request.set->vibrations[k].name, k);
@@ -172,7 +152,7 @@ const std::vector<CandidateRow>& candidate_rows(const Workspace& work, const Sho
     for (const std::size_t place : listed_indices(work)) {
         const Vibration& vibration = work.document.set.vibrations[place];
         CandidateRow row = row_of(vibration, place, before, state.drawn);
-        add_nearest(row, state.nearest, in_map, vibration.name);
+        if (map) add_nearest(row, *map, in_map, vibration.name);
         row.picked = selection.picked.contains(vibration.name);
         state.rows.push_back(std::move(row));
     }

@@ -32,13 +32,6 @@ enum class CandidateColumn {
     picked
 };
 
-// The closest other pattern of a set, for each row of a map.
-struct NearestOnes {
-    std::shared_ptr<const LiveMap> of;
-    std::vector<double> pm;
-    std::vector<std::size_t> row;
-};
-
 // One pattern, as the table says it. None: it has no such number.
 struct CandidateRow {
     std::size_t place = 0;  // in the document
@@ -82,7 +75,6 @@ struct CandidatesAsked {
 struct CandidatesState {
     CandidateColumn by = CandidateColumn::picture;
     bool descending = false;
-    NearestOnes nearest;
     std::optional<CandidatesAsked> asked;
     std::vector<CandidateRow> rows;
     DrawnByName drawn;  // of the rows
@@ -92,9 +84,6 @@ struct CandidatesState {
 
 // What a column of numbers says of a pattern; none: it has no such number, or the column no number.
 std::optional<double> number_in(const CandidateRow& row, CandidateColumn column);
-
-// The row closest to each row by PM; empty if there is only one.
-NearestOnes nearest_ones(const std::shared_ptr<const LiveMap>& map);
 
 // Those that the search finds, sorted; what a pattern has not comes last either way, and equal ones
 // keep the order of the set.

@@ -11,7 +11,7 @@
 #include "model/io/people/study_file.h"
 #include "model/set/felt_versions.h"
 #include "model/set/measured_twin.h"
-#include "model/set/set_ratings.h"
+#include "model/tasks/set_people.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
 
@@ -32,13 +32,12 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
     if (set.ratings.empty()) {
         return Error{path.string() + ": has no ratings of its own, expected --ratings FILE"};
     }
-    Expected<RatingStudy> study = study_of(set);
-    if (!study) return Error{path.string() + ": " + study.error().message};
-    Expected<Counted> counted = who_counts(*std::move(study), who);
+    Expected<Counted> counted = set_people(set, who);
     if (!counted) return Error{path.string() + ": " + counted.error().message};
     return counted;
 }
 
+// `set`: as it is meant.
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
                               std::span<const fs::path> files, const RatingFiles& how) {
     if (files.empty()) return own_ratings(set, path, how.who);
@@ -52,6 +51,7 @@ Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
     if (const auto recorded = record_who_counts(files, how.who); !recorded) {
         return recorded.error();
     }
+    note_edited(*study, set);
     return Counted{*std::move(study), std::move(loaded->left_out)};
 }
 
@@ -123,18 +123,14 @@ Expected<std::vector<RatedPatterns>> load_rated(const CommonOptions& common,
         if (const auto pair = need_a_pair(set, one); !pair) return pair.error();
         const auto all_files = std::span(ratings);
         const bool one_each = sets.size() > 1 && !ratings.empty();
-        auto people =
-            ratings_for(set, sets[k], one_each ? all_files.subspan(k, 1) : all_files, files);
+        auto people = ratings_for(of_side(loaded->meant, common.only), sets[k],
+                                  one_each ? all_files.subspan(k, 1) : all_files, files);
         if (!people) return with_hint(people.error(), set);
-        if (common.only != Side::measured && common.rendered_by.empty() &&
-            common.rendered_calibration.empty() && common.exported_as.empty()) {
-            note_edited(people->study, loaded->meant);
-            loaded->labels.edited = people->study.edited;
-            if (!people->study.edited.empty()) {
-                std::cerr << "tactspace: the patterns have changed since they were felt\n";
-            }
-        } else {
-            people->study.edited.clear();  // known of patterns as they are meant
+        // What measures a pattern is no version of it.
+        if (common.only == Side::measured) people->study.edited.clear();
+        loaded->labels.edited = people->study.edited;
+        if (!people->study.edited.empty()) {
+            std::cerr << "tactspace: the patterns have changed since they were felt\n";
         }
         loaded->labels.mark = loaded->labels.mark | mark_of(people->study);
         loaded->labels.gone = people->study.gone;

@@ -93,9 +93,10 @@ std::optional<MorseCheck> check_morse(const MorseOptions& options) {
     }
     const Dissimilarity& ratings = people->rated.people.dissimilarity;
     MorseCheck check{set->vibrations.size(), people->rated_pairs, {}};
+    auto evaluated = *evaluations(*matrices, *people, params);
     for (std::size_t k = 0; k < kMetrics.size(); ++k) {
         const Dissimilarity& matrix = (*matrices)[k];
-        check.rows.push_back({kMetrics[k], evaluate(matrix, people->rated, params),
+        check.rows.push_back({kMetrics[k], std::move(evaluated[k]),
                               duration_control(matrix, ratings, lasting_s),
                               distinct_values(matrix)});
     }

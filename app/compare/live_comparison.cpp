@@ -7,7 +7,7 @@
 #include "model/io/tables/matrix_file.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/physiology/spike_train.h"
-#include "model/set/set_ratings.h"
+#include "model/tasks/set_people.h"
 #include "model/text/numbers.h"
 
 namespace tact {
@@ -41,12 +41,12 @@ std::optional<ComparedPeople> people_of(const LiveMap& map, const EvaluationPara
                                         std::stop_token stop, std::string& fault) {
     const PatternSet& set = *map.request.set;
     if (set.ratings.empty()) return std::nullopt;
-    const Expected<RatingStudy> study = study_of(set);
-    if (!study) {
-        fault = study.error().message;
+    const Expected<Counted> counted = set_people(set);
+    if (!counted) {
+        fault = counted.error().message;
         return std::nullopt;
     }
-    Expected<RatedPeople> said = rated_people(*study, params);
+    Expected<RatedPeople> said = rated_people(counted->study, params);
     if (!said) {
         fault = said.error().message;
         return std::nullopt;
@@ -131,14 +131,21 @@ std::optional<Comparison> ComparisonWork::operator()(const ComparisonRequest& re
     Comparison comparison{request, {}, {}, metrics_, failed_};
     comparison.people = people_of(*request.map, params, stop, comparison.fault);
     if (!comparison.people) return comparison;
+    const RatedPeople& said = comparison.people->said;
+    std::vector<Dissimilarity> matrices;
+    for (const ComparedMetric& metric : comparison.metrics) matrices.push_back(metric.matrix);
+    auto evaluated = evaluations(
+        matrices, said, params,
+        [&progress](double share) {
+            progress = kMapShare + (1.0F - kMapShare) * static_cast<float>(share);
+        },
+        stop);
+    if (!evaluated) return std::nullopt;
     for (std::size_t k = 0; k < comparison.metrics.size(); ++k) {
-        if (stop.stop_requested()) return std::nullopt;
         ComparedMetric& metric = comparison.metrics[k];
-        const RatedSet& rated = comparison.people->said.rated;
-        metric.evaluation = evaluate(metric.matrix, rated, params);
-        metric.farthest = disagreements(metric.matrix, rated.people.dissimilarity);
+        metric.evaluation = std::move((*evaluated)[k]);
+        metric.farthest = disagreements(metric.matrix, said.rated.people.dissimilarity);
         metric.farthest.resize(std::min(metric.farthest.size(), kFarthest));
-        progress = std::min(1.0F, kMapShare + (1.0F - kMapShare) * part_done(k));
     }
     return comparison;
 }

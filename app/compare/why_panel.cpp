@@ -68,15 +68,16 @@ void draw_names(Ui& ui, Workspace& work, Layout& layout, const ChosenPair& pair)
 }
 
 // PM as its two parts, weighted ranks both.
-void draw_parts(Ui& ui, const Prediction& prediction, std::size_t k) {
+void draw_parts(Ui& ui, const LiveMap& map, std::size_t k) {
+    const Prediction& prediction = map.prediction;
     const Theme& theme = ui.theme;
     const PartShares shares = part_shares(prediction, k);
     const std::string pm = "PM " + significant(prediction.pm.condensed[k]) + " of " +
                            significant(*std::ranges::max_element(prediction.pm.condensed));
     draw_heading(ui, pm.c_str(),
-                 "NC " + significant(prediction.nc.condensed[k]) + ", rank " +
+                 "NC " + significant(map.nc.condensed[k]) + ", rank " +
                      significant(prediction.nc_rank[k]) + "    OC " +
-                     significant(prediction.oc.condensed[k]) + ", rank " +
+                     significant(map.oc.condensed[k]) + ", rank " +
                      significant(prediction.oc_rank[k]));
     const Rect row = take_row(20.0F * theme.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -412,7 +413,7 @@ void draw_why_panel(Ui& ui, Workspace& work, Layout& layout, Timeline& timeline,
     ImGui::BeginChild("why", ImGui::GetContentRegionAvail());
     const auto [a, b] = *rows;
     const std::size_t k = pair_index(count, std::min(a, b), std::max(a, b));
-    draw_parts(ui, map->prediction, k);
+    draw_parts(ui, *map, k);
     draw_foreign_parts(ui, comparing, *map, k);
     draw_noticed(ui, *map, k, *rows);
     const std::shared_ptr<const LiveDifference> live = comparing.difference;

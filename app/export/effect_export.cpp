@@ -68,15 +68,6 @@ std::vector<std::string> written_names(const EffectExport& effects) {
                              effects.request.target.format);
 }
 
-void add_pattern(std::vector<TextFile>& files, const std::string& name, const LossRequest& request,
-                 const ExportTarget& target, const ExportLoss* loss, std::size_t place) {
-    if (loss != nullptr) {
-        return add_files(files, name, target.format, loss->files[place], loss->beside[place]);
-    }
-    const ExportedPattern one = exported(request.part->vibrations[place], target, request.date);
-    add_files(files, name, target.format, one.text, one.beside);
-}
-
 }  // namespace
 
 ExportTarget target_of(const EffectExport& effects) {
@@ -176,13 +167,14 @@ void continue_effect_export(Ui& ui, EffectExport& effects) {
     const std::filesystem::path folder = std::exchange(effects.export_to, {});
     const LossRequest& request = effects.request;
     const ExportLoss* loss = is_loss_current(effects) ? &effects.answer->loss : nullptr;
-    const std::vector<std::string> names = written_names(effects);
-    const ExportTarget target =
-        loss != nullptr ? loss->target : with_full_scale(request.target, *request.part);
-    std::vector<TextFile> files;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        add_pattern(files, names[k], request, target, loss, request.written[k]);
-    }
+    ExportedFilesOptions options;
+    options.without_loss = true;
+    options.written = request.written;
+    options.known = loss;
+    ExportedFiles exported = *exported_files(*request.part, request.target, request.date, options);
+    const std::vector<std::string>& names = exported.names;
+    const ExportTarget& target = exported.target;
+    std::vector<TextFile>& files = exported.files;
     if (loss != nullptr) {
         files.push_back(
             {kExportReport, export_report({*loss, *request.part, request.written, names})});

@@ -20,6 +20,7 @@
 #include "model/perceptual_model/refinement.h"
 #include "model/perceptual_model/rhythm_envelope.h"
 #include "model/subset/separation.h"
+#include "model/tasks/set_report.h"
 
 namespace tact {
 
@@ -74,9 +75,9 @@ double cells_per_s() {
     return kernel == "avx2" ? 6.5e9 : 2.5e9;
 }
 
-// What is known of the pairs in four parts, which threads may note side by side. The order of the
+// What is known of the pairs in six parts, which threads may note side by side. The order of the
 // rows of 2,000 patterns takes a tenth of a second: a stop is heeded between them.
-constexpr std::size_t kPairParts = 4;
+constexpr std::size_t kPairParts = 6;
 
 void note_pairs(LiveMap& map, std::size_t part) {
     const Prediction& prediction = map.prediction;
@@ -91,6 +92,14 @@ void note_pairs(LiveMap& map, std::size_t part) {
             break;
         case 2:
             map.alike.oc = rows(prediction.oc);
+            break;
+        case 3:
+            map.nearest =
+                nearest_neighbours(felt_pairs(as_ranked(Metric::pm, pm), unfelt(prediction.codes)));
+            break;
+        case 4:
+            map.nc = as_ranked(Metric::nc, prediction.nc);
+            map.oc = as_ranked(Metric::oc, prediction.oc);
             break;
         default:
             map.sorted_pm = sorted_values(pm);
@@ -489,9 +498,8 @@ std::string matrix_csv(const LiveMap& map) {
     const PatternSet& set = *map.request.set;
     for (const Vibration& one : set.vibrations) labels.push_back(one.name);
     std::ostringstream csv;
-    Dissimilarity pm = map.prediction.pm;
-    tie_rounding_noise(pm.condensed);
-    write_matrix_csv(csv, labels, pm, corner_text(mark_of(set)));
+    write_matrix_csv(csv, labels, as_ranked(Metric::pm, map.prediction.pm),
+                     corner_text(mark_of(set)));
     return csv.str();
 }
 

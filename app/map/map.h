@@ -24,6 +24,7 @@
 #include "model/perceptual_model/perceptual_model.h"
 #include "model/perceptual_model/refinement.h"
 #include "model/set/pattern_set.h"
+#include "model/subset/close_groups.h"
 #include "viz/drawing/geometry.h"
 #include "viz/space/space_view.h"
 
@@ -109,6 +110,11 @@ struct LiveMap {
     // Facts of all pairs: of half a million, no frame could wait for them.
     std::vector<double> sorted_pm;  // ascending
     std::size_t closest = 0;        // the pair of the least PM, in condensed order
+    // By PM, to each row; as pages have it, what nobody feels is close to nothing.
+    std::vector<NearestNeighbour> nearest;
+    // As they are told everywhere: without rounding noise (as_ranked()). PM has none.
+    Dissimilarity nc;
+    Dissimilarity oc;
     RowOrders alike;
     double length_of_pm = 0.0;  // of one PM in the space (map_scale.h)
 };
@@ -122,7 +128,7 @@ double largest_pm(const LiveMap& map);
 // PM of every pair, as a matrix file has it.
 std::string matrix_csv(const LiveMap& map);
 
-// The maps that are kept for undo, and the pairs of all of them: 48 bytes each. An edit of one
+// The maps that are kept for undo, and the pairs of all of them: 64 bytes each. An edit of one
 // pattern keeps its code, too: 180 kB for each second of it.
 inline constexpr std::size_t kKeptMaps = 50;
 inline constexpr std::size_t kKeptPairs = 500'000;

@@ -17,10 +17,10 @@ namespace tact {
 namespace {
 
 const Dissimilarity& shown_matrix(const ShownMap& shown_map) {
-    const Prediction& prediction = shown_map.transition.shown->prediction;
-    if (shown_map.quantity == MatrixQuantity::nc) return prediction.nc;
-    if (shown_map.quantity == MatrixQuantity::oc) return prediction.oc;
-    return prediction.pm;
+    const LiveMap& map = *shown_map.transition.shown;
+    if (shown_map.quantity == MatrixQuantity::nc) return map.nc;
+    if (shown_map.quantity == MatrixQuantity::oc) return map.oc;
+    return map.prediction.pm;
 }
 
 double shown_largest(ShownMap& shown_map) {
@@ -145,9 +145,9 @@ void draw_pair(Ui& ui, const ShownMap& shown_map, const Rect& area, std::optiona
     const ImVec2 taken = text_size(theme.fonts.semibold, shown_names);
     const std::string numbers = "PM " + grouped(prediction.pm.condensed[k], 4) + " of " +
                                 grouped(static_cast<double>(m), 4) + "    NC " +
-                                significant_digits(prediction.nc.condensed[k], 3) + ", rank " +
+                                significant_digits(map.nc.condensed[k], 3) + ", rank " +
                                 grouped(prediction.nc_rank[k], 4) + "    OC " +
-                                significant_digits(prediction.oc.condensed[k], 4) + ", rank " +
+                                significant_digits(map.oc.condensed[k], 4) + ", rank " +
                                 grouped(prediction.oc_rank[k], 4);
     const float left = area.min.x + taken.x + 1.5F * theme.gap_px;
     const float lower = 0.8F * (taken.y - text_size(theme.fonts.small, numbers).y);

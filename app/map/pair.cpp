@@ -31,16 +31,26 @@ std::optional<ChosenPair> closest_pair(const Workspace& work, const ShownMap& sh
     ChosenPair pair{current, current == 0 ? 1U : 0U, PartnerKind::closest};
     if (!shown_map.transition.shown) return pair;
     const PatternSet& mapped = *shown_map.transition.shown->request.set;
-    const Dissimilarity& pm = shown_map.transition.shown->prediction.pm;
+    const LiveMap& map = *shown_map.transition.shown;
+    const Dissimilarity& pm = map.prediction.pm;
     const auto row = place_named(mapped, work.document.set.vibrations[current].name);
-    std::optional<std::size_t> closest;
-    for (std::size_t k = 0; row && k < pm.size; ++k) {
-        const bool closer = !closest || pm(*row, k) < pm(*row, *closest);
-        if (k != *row && closer && place_named(work.document.set, mapped.vibrations[k].name)) {
-            closest = k;
+    if (!row || *row >= map.nearest.size()) return pair;
+    const auto here = [&](std::size_t k) {
+        return place_named(work.document.set, mapped.vibrations[k].name);
+    };
+    std::size_t closest = map.nearest[*row].place;
+    if (closest == *row || !here(closest)) {
+        // Another one, as that one is gone; or any, for one that nobody feels.
+        const bool is_felt = closest != *row;
+        std::optional<std::size_t> other;
+        for (std::size_t k = 0; k < pm.size; ++k) {
+            if (k == *row || !here(k) || (is_felt && map.nearest[k].place == k)) continue;
+            if (!other || pm(*row, k) < pm(*row, *other)) other = k;
         }
+        if (!other) return pair;
+        closest = *other;
     }
-    if (closest) pair.partner = *place_named(work.document.set, mapped.vibrations[*closest].name);
+    pair.partner = *here(closest);
     return pair;
 }
 

@@ -7,6 +7,7 @@
 #include "app/progress/progress.h"
 #include "app/ui/ui.h"
 #include "model/io/set/measured_files.h"
+#include "model/tasks/set_import.h"
 #include "model/text/atomic_file.h"
 #include "model/text/names.h"
 #include "model/text/utf8.h"
@@ -55,17 +56,11 @@ std::string keep(Twin& twin, const fs::path& folder) {
 }
 
 ImportedFile imported(const ImportRequest& request, std::size_t k) {
-    const auto recording = read_acceleration_file(
-        request.files[k], options_among(request.files[k], request.files, request.options));
-    if (!recording) return {recording.error().message, {}, {}};
-    ImportedFile file{{}, recording->remarks, {}};
-    const auto place = place_named(*request.set, request.patterns[k]);
-    if (!place) return file;
-    file.twin = measured_twin(request.set->vibrations[*place], recording->waveform);
-    for (const std::string& remark : remarks_on(file.twin->alignment)) {
-        file.remarks.push_back(remark);
-    }
-    file.fault = keep(*file.twin, request.keep_in);
+    auto read = read_twin(*request.set, place_named(*request.set, request.patterns[k]),
+                          request.files[k], request.files, request.options);
+    if (!read) return {read.error().message, {}, {}};
+    ImportedFile file{{}, std::move(read->remarks), std::move(read->twin)};
+    if (file.twin) file.fault = keep(*file.twin, request.keep_in);
     return file;
 }
 

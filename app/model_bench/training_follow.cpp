@@ -7,9 +7,9 @@
 #include "app/session/program_version.h"
 #include "app/ui/ui.h"
 #include "model/io/set/load.h"
-#include "model/set/measured_twin.h"
 #include "model/set/pattern_set.h"
-#include "model/set/set_ratings.h"
+#include "model/tasks/set_people.h"
+#include "model/tasks/set_training.h"
 #include "model/text/atomic_file.h"
 #include "model/text/names.h"
 
@@ -19,50 +19,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<TrainingSet> training_sets(const TrainingRequest& request) {
-    std::vector<TrainingSet> sets;
-    for (const SetToFit& rated : request.sets) {
-        sets.push_back({rated.name, own_waveforms(*rated.set), *rated.study});
+// Results are told under the names of the list; the record has those of the sets.
+void name_as_listed(FoundTraining& found) {
+    for (std::size_t s = 0; s < found.request.sets.size(); ++s) {
+        const std::string& name = found.request.sets[s].name;
+        found.training.sets[s].name = name;
+        if (s < found.training.without_set.size()) found.training.without_set[s].name = name;
     }
-    return sets;
 }
 
 std::optional<FoundTraining> find_parameters(const TrainingRequest& request, std::stop_token stop,
                                              std::atomic<float>& progress) {
-    TrainingParams params;
-    params.model = request.model;
-    params.units = request.units;
-    params.objective = request.objective;
-    params.leave_out_participants = request.leave_out_participants;
-    params.stop = stop;
-    params.progress = [&progress](double share) { progress = static_cast<float>(share); };
-    const std::vector<TrainingSet> sets = training_sets(request);
+    TrainRequest asked;
+    for (const SetToFit& rated : request.sets) {
+        asked.sets.push_back(training_set(rated.set_name, *rated.set, *rated.study));
+    }
+    asked.model = request.model;
+    asked.units = request.units;
+    asked.objective = request.objective;
+    if (request.leave_out_participants) asked.leave_out = LeaveOut::participants;
+    asked.program = kProgramVersion;
+    asked.stop = stop;
+    asked.progress = [&progress](double share) { progress = static_cast<float>(share); };
     FoundTraining found{request, {}, {}, {}};
-    if (const auto fits = can_train(sets, params); !fits) {
+    if (const auto fits = can_train(asked); !fits) {
         found.fault = fits.error().message;
         return found;
     }
-    std::optional<Training> training = train(sets, params);
-    if (!training) return std::nullopt;
-    found.training = *std::move(training);
-    found.record = record_of(found.training, sets, kProgramVersion);
+    std::optional<Trained> trained = train(asked);
+    if (!trained) return std::nullopt;
+    found.training = std::move(trained->training);
+    found.record = std::move(trained->record);
+    name_as_listed(found);
     return found;
 }
 
-// People rate intended patterns: what measures them is left aside where it has no ratings.
-Expected<SetToFit> rated_set(const PatternSet& set, const std::string& name) {
-    SetToFit rated{name, std::make_shared<const PatternSet>(set), {}, 0, {}};
-    Expected<RatingStudy> study = study_of(set);
-    if (!study) {
-        PatternSet intended = one_side(set, Side::intended);
-        if (auto of_intended = study_of(intended)) {
-            study = std::move(of_intended);
-            rated.set = std::make_shared<const PatternSet>(std::move(intended));
-        }
-    }
-    if (!study) return study.error();
-    rated.people = participant_means(*study).size();
-    rated.study = std::make_shared<const RatingStudy>(*std::move(study));
+// `file`: the name of its file, which stands for one without a name.
+Expected<SetToFit> rated_set(const PatternSet& set, const std::string& file) {
+    const std::string& name = set.name.empty() ? file : set.name;
+    Expected<Counted> people = set_people(set);
+    if (!people) return people.error();
+    SetToFit rated{name, std::make_shared<const PatternSet>(set), {}, 0, {}, true, name};
+    rated.people = participant_means(people->study).size();
+    rated.study = std::make_shared<const RatingStudy>(std::move(people->study));
     if (const std::string words = words_of(mark_of(*rated.study)); !words.empty()) {
         rated.name += ", " + words + " ratings";
     }
@@ -121,7 +120,8 @@ const OwnRatings& own_ratings(const Workspace& work, ModelBench& model_bench) {
     own.set.reset();
     own.fault.clear();
     if (set.ratings.empty()) return own;
-    auto rated = rated_set(set, set.name.empty() ? "the open set" : set.name);
+    const fs::path& path = work.document.path;
+    auto rated = rated_set(set, path.empty() ? "the open set" : path.filename().string());
     if (rated) {
         own.set = *std::move(rated);
     } else {
@@ -180,7 +180,7 @@ void add_training_set(Ui& ui, const Workspace& work, ModelBench& model_bench,
     }
     const auto loaded = load_set(path);
     if (!loaded) return complain(ui, loaded.error().message);
-    auto rated = rated_set(loaded->set, loaded->set.name.empty() ? file : loaded->set.name);
+    auto rated = rated_set(loaded->set, file);
     if (!rated) {
         return complain(ui, file + ": " + rated.error().message +
                                 "; open it and load its ratings, then save it");

@@ -109,6 +109,9 @@ std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& sho
     if (!pair || !shown_map.transition.shown) return std::nullopt;
     const auto rows = rows_in_map(work, shown_map, *pair);
     if (!rows) return std::nullopt;
+    const auto& nearest = shown_map.transition.shown->nearest;
+    const bool has_one = nearest[rows->first].place != rows->first;  // what nobody feels has none
+    if (!has_one) return std::nullopt;
     return Neighbour{rows->first, rows->second, pair->partner};
 }
 

@@ -222,7 +222,7 @@ void follow_pair(const Workspace& work, const ShownMap& shown_map, Physiology& p
     const auto pinned = place_named(work.document.set, work.selection.pinned);
     const std::size_t current = work.selection.current;
     if (!pinned || *pinned == current || map_state(work, shown_map) != MapState::exact) return;
-    const Dissimilarity& oc = shown_map.transition.shown->prediction.oc;
+    const Dissimilarity& oc = shown_map.transition.shown->oc;
     if (*pinned < oc.size && current < oc.size) physiology.view.pair_oc = oc(current, *pinned);
 }
 

@@ -8,6 +8,7 @@
 #include "app/python/parts.h"
 #include "model/io/people/agreement_json.h"
 #include "model/io/people/table2.h"
+#include "model/tasks/set_agreement.h"
 
 namespace tact {
 
@@ -15,33 +16,6 @@ namespace py = pybind11;
 using namespace py::literals;
 
 namespace {
-
-struct Compared {
-    RatedPeople people;
-    InterRater raters;
-    MetricTable table;
-};
-
-// Ends work that does not heed a stop by itself, where it tells how far it is.
-struct Stopped {};
-
-Expected<Compared> compared(const RatingStudy& study, const std::vector<Metric>& metrics,
-                            std::vector<Dissimilarity> matrices,
-                            const std::vector<Nuisance>& nuisances, const EvaluationParams& params,
-                            const std::function<void(double)>& progress,
-                            const std::stop_token& stop) {
-    const auto step = [&](double share) {
-        if (stop.stop_requested()) throw Stopped{};
-        if (progress) progress(share);
-    };
-    step(0.0);
-    Expected<RatedPeople> people = rated_people(study, params);
-    if (!people) return people.error();
-    step(0.0);
-    MetricTable table =
-        metric_table(study, *people, metrics, std::move(matrices), nuisances, params, step);
-    return Compared{*std::move(people), inter_rater(study), std::move(table)};
-}
 
 Dissimilarity of_patterns(const py::handle& matrix, const std::string& name,
                           const RatingStudy& study) {
@@ -106,7 +80,7 @@ std::vector<Nuisance> nuisances_of(const py::object& given, const RatingStudy& s
     return nuisances;
 }
 
-py::dict dict_of(const Compared& all, std::size_t metric) {
+py::dict dict_of(const PeopleAgreement& all, std::size_t metric) {
     const RatedPeople& people = all.people;
     py::dict dict =
         python_of(json_of(RatedTable{people, all.raters, all.table}, metric, Bookkeeping::plain));
@@ -123,15 +97,17 @@ py::dict compare(const py::object& matrix, const py::object& ratings, const py::
     Progress told(progress);
     const RatingStudy study = study_of(ratings);
     const Keyed of_all = keyed(matrix, text_in(metric, "metric"), study);
-    EvaluationParams params;
-    params.threads = threads_of(threads);
-    const Compared all = value_of(beside_python_or_alone(
-        [study, metrics = of_all.metrics, matrices = of_all.matrices,
-         nuisances = nuisances_of(given, study), params,
-         to_tell = told.for_work("comparing with people")](const std::stop_token& stop) {
-            return compared(study, metrics, matrices, nuisances, params, to_tell, stop);
+    AgreementRequest request{of_all.metrics, of_all.matrices, nuisances_of(given, study)};
+    request.params.threads = threads_of(threads);
+    request.progress = told.for_work("comparing with people");
+    const auto found = beside_python_or_alone(
+        [study, request](const std::stop_token& stop) mutable {
+            request.stop = stop;
+            return people_agreement(study, std::move(request));
         },
-        &told));
+        &told);
+    if (!found->fault.empty()) throw_error(found->fault);
+    const PeopleAgreement& all = *found;
     if (!py::isinstance<py::dict>(matrix)) return dict_of(all, 0);
     py::dict by_key;
     for (std::size_t m = 0; m < of_all.keys.size(); ++m) {
@@ -207,20 +183,22 @@ Expected<std::array<std::string, 3>> paper_tables(const std::vector<PaperSet>& s
                                                   const std::function<void(double)>& progress,
                                                   const std::stop_token& stop) {
     const std::vector<Metric> metrics(table2_metrics().begin(), table2_metrics().end());
-    std::vector<Compared> all;
-    EvaluationParams params;
-    params.threads = threads;
+    std::vector<PeopleAgreement> all;
     for (const PaperSet& one : sets) {
         MetricOptions options;
         options.threads = threads;
         options.stop = stop;
         auto matrices = compared_matrices(one.set, metrics, nullptr, options);
-        if (!matrices) throw Stopped{};
-        const auto step = [&, done = static_cast<double>(all.size())](double share) {
+        if (!matrices) return Error{"stopped"};
+        AgreementRequest request{metrics, *std::move(matrices)};
+        request.params.threads = threads;
+        request.stop = stop;
+        request.progress = [&, done = static_cast<double>(all.size())](double share) {
             if (progress) progress((done + share) / static_cast<double>(sets.size()));
         };
-        auto answer = compared(one.study, metrics, *std::move(matrices), {}, params, step, stop);
-        if (!answer) return Error{one.set.name + ": " + answer.error().message};
+        auto answer = people_agreement(one.study, std::move(request));
+        if (!answer) return Error{"stopped"};
+        if (!answer->fault.empty()) return Error{one.set.name + ": " + answer->fault};
         all.push_back(*std::move(answer));
     }
     std::vector<Table2Set> rated;

@@ -259,11 +259,14 @@ progress   None, True or a function of (share, text)
 
 Returns a dict: model (for predict() and write_set(), with its origin), parameters and
 parameters_before (L_E, L_I layers; w_.. weights),
-value, value_before (of the objective), combinations, equally_good, share_near_best (0 to 1), near_best,
+objective, step, value, value_before (of the objective), combinations, equally_good,
+equally_good_classes, ties (a dict each, of a class of proportional weights: parameters, None where any
+will do, and combinations), share_near_best (0 to 1), near_best,
 best_of (a dict of arrays, (5,) of layers 0 to 4 and (1 / step + 1,) of weights 0 to 1: the best value
-with each), synthetic, sets (a dict each: name, patterns, rated_pairs, synthetic,
-participants_left_out, rehearsals_left_out, rho_before,
-rho_after), and without_set, without_participant or without_pattern (a dict each) where asked for. A fit flatters itself: only what was left out tells how it does on others.)";
+with each), synthetic, sets (a dict each: name, patterns, rated_pairs, participants, synthetic,
+unrated_patterns, participants_left_out, rehearsals_left_out, rho_before,
+rho_after), and without_set (of several sets), without_participant and without_pattern (a dict each;
+none where they were not asked for). A fit flatters itself: only what was left out tells how it does on others.)";
 
 // What help() says of the functions that take, read and write sets: as help.h.
 

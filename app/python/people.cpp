@@ -1,13 +1,11 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/python/parts.h"
-#include "model/io/set/model_file.h"
 #include "model/planning/study_plan.h"
-#include "model/training/training.h"
+#include "model/tasks/set_training.h"
 
 namespace tact {
 
@@ -97,61 +95,23 @@ py::dict plan_study(const py::object& matrix, const py::object& rival, const py:
 
 namespace {
 
-py::dict trained_dict(const PerceptualModelParams& model) {
-    py::dict result;
-    const auto values = trained_values(model);
-    for (std::size_t p = 0; p < values.size(); ++p) result[kTrainedNames[p]] = values[p];
-    return result;
-}
-
-py::list list_of(const std::vector<LeftOut>& left_out) {
-    py::list all;
-    for (const LeftOut& one : left_out) {
-        all.append(py::dict("name"_a = one.name, "parameters"_a = trained_dict(one.model),
-                            "value"_a = one.value, "combinations"_a = one.combinations,
-                            "rho_before"_a = one.rho_before, "rho_after"_a = one.rho_after));
-    }
-    return all;
-}
-
-py::dict dict_of(const Training& training, std::span<const TrainingSet> given) {
-    py::dict best_of;
+// With the model to predict with, and arrays in place of lists.
+py::dict dict_of(const Trained& trained, const TrainRequest& request) {
+    py::dict dict = python_of(json_of(trained, request));
+    const Training& training = trained.training;
+    dict["model"] = python_of(training.model, origin_of({training.model, trained.record}));
     for (std::size_t p = 0; p < kTrainedParameters; ++p) {
-        best_of[kTrainedNames[p]] = array_of(training.best_of[p]);
+        dict["best_of"][kTrainedNames[p]] = array_of(training.best_of[p]);
     }
-    py::list sets;
-    bool synthetic = false;
-    for (std::size_t k = 0; k < given.size(); ++k) {
-        const TrainedSet& set = training.sets[k];
-        const bool is_synthetic = is_partly_synthetic(given[k].study);
-        synthetic = synthetic || is_synthetic;
-        sets.append(py::dict("name"_a = set.name, "patterns"_a = set.patterns,
-                             "rated_pairs"_a = set.rated_pairs, "synthetic"_a = is_synthetic,
-                             "participants_left_out"_a = given[k].study.left_out,
-                             "rehearsals_left_out"_a = given[k].study.rehearsals,
-                             "rho_before"_a = set.rho_before, "rho_after"_a = set.rho_after));
+    for (std::size_t k = 0; k < request.sets.size(); ++k) {
+        const RatingStudy& study = request.sets[k].study;
+        dict["sets"][py::int_(k)]["participants_left_out"] = study.left_out;
+        dict["sets"][py::int_(k)]["rehearsals_left_out"] = study.rehearsals;
     }
-    const ModelFile file{training.model, record_of(training, given, "tactspace " TACT_VERSION)};
-    return py::dict("model"_a = python_of(training.model, origin_of(file)),
-                    "parameters"_a = trained_dict(training.model),
-                    "parameters_before"_a = trained_dict(training.before),
-                    "value"_a = training.best.value, "value_before"_a = training.value_before,
-                    "combinations"_a = combination_count(training.grid.units),
-                    "equally_good"_a = training.best.combinations,
-                    "share_near_best"_a = training.share_near_best, "near_best"_a = kNearBest,
-                    "best_of"_a = best_of, "synthetic"_a = synthetic, "sets"_a = sets,
-                    "without_set"_a = list_of(training.without_set),
-                    "without_participant"_a = list_of(training.without_participant),
-                    "without_pattern"_a = list_of(training.without_pattern));
-}
-
-// A weight in steps of this.
-int units_of(double step) {
-    for (int units = 1; units <= kMostTrainingUnits; ++units) {
-        if (std::abs(step * units - 1.0) < 1e-9) return units;
+    for (const char* key : {"without_set", "without_participant", "without_pattern"}) {
+        if (!dict.contains(key)) dict[key] = py::list();
     }
-    throw py::value_error("step: expected 1 divided by a whole number up to " +
-                          std::to_string(kMostTrainingUnits) + ", such as 0.1");
+    return dict;
 }
 
 TrainingSet training_set_of(const py::dict& set, std::size_t number, double rate_hz) {
@@ -168,14 +128,6 @@ TrainingSet training_set_of(const py::dict& set, std::size_t number, double rate
                           std::to_string(result.study.labels.size()) + " patterns");
 }
 
-// Pads waveforms to one length, as those of a set are.
-std::vector<Waveform> padded_to_longest(std::vector<Waveform> waves) {
-    std::size_t longest = 0;
-    for (const Waveform& wave : waves) longest = std::max(longest, wave.samples_g.size());
-    for (Waveform& wave : waves) wave = padded(std::move(wave), longest);
-    return waves;
-}
-
 }  // namespace
 
 py::dict train_sets(const py::object& given, const py::object& objective, const py::object& step,
@@ -186,33 +138,31 @@ py::dict train_sets(const py::object& given, const py::object& objective, const 
     const std::vector<py::dict> dicts = dicts_in(given, "sets");
     if (dicts.empty()) throw py::value_error("sets: expected at least one");
     if (model.is_none() && dicts.front().contains("model")) model = dicts.front()["model"];
-    std::vector<TrainingSet> sets;
-    for (const py::dict& set : dicts) sets.push_back(training_set_of(set, sets.size(), rate));
-    constexpr const char* kLeftOut[] = {"", "sets", "participants", "patterns"};
-    const std::size_t left_out = choice_of(leave_out, "leave_out", kLeftOut);
-    if (left_out == 1 && sets.size() < 2) {
-        throw py::value_error("leave_out: expected several sets to leave one out, got one");
+    TrainRequest request;
+    for (const py::dict& set : dicts) {
+        request.sets.push_back(training_set_of(set, request.sets.size(), rate));
     }
-    TrainingParams params;
-    params.model = model_of(model);
-    params.units = units_of(within(step, "step", {0.0, 1.0}));
-    params.objective =
+    request.model = model_of(model);
+    const auto units = units_of_step(within(step, "step", {0.0, 1.0}));
+    if (!units) throw py::value_error("step: " + units.error().message);
+    request.units = *units;
+    request.objective =
         static_cast<TrainingObjective>(choice_of(objective, "objective", kObjectiveNames));
-    params.leave_out_participants = left_out == 2;
-    params.leave_out_patterns = left_out == 3;
-    params.threads = threads_of(threads);
-    value_of(can_train(sets, params));
-    params.progress = told.for_work("training");
-    const auto training = beside_python(
+    request.leave_out = static_cast<LeaveOut>(choice_of(leave_out, "leave_out", kLeaveOutNames));
+    request.program = "tactspace " TACT_VERSION;
+    request.threads = threads_of(threads);
+    value_of(can_train(request));
+    request.progress = told.for_work("training");
+    const auto trained = beside_python(
         [&](std::stop_token stop) {
-            for (TrainingSet& set : sets) {
-                set.waveforms = padded_to_longest(at_model_rate(std::move(set.waveforms), stop));
+            for (TrainingSet& set : request.sets) {
+                set.waveforms = at_model_rate(std::move(set.waveforms), stop);
             }
-            params.stop = stop;
-            return train(sets, params);
+            request.stop = stop;
+            return train(request);
         },
         &told);
-    return dict_of(*training, sets);
+    return dict_of(*trained, request);
 }
 
 }  // namespace tact

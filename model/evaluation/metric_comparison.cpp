@@ -85,43 +85,72 @@ Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationPar
                        study.gone};
 }
 
-MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
-                         std::span<const Metric> metrics, std::vector<Dissimilarity> matrices,
-                         std::span<const Nuisance> nuisances, const EvaluationParams& params,
-                         const std::function<void(double)>& progress) {
-    MetricTable table{{metrics.begin(), metrics.end()}, std::move(matrices), {}, {}, {}, {}};
-    const auto steps = static_cast<double>(table.matrices.size() + nuisances.size() + 2);
-    double done = 0.0;
-    const auto step = [&] {
-        if (progress) progress(++done / steps);
-    };
-    for (const Dissimilarity& matrix : table.matrices) {
-        table.evaluations.push_back(evaluate(matrix, people.rated, params));
-        step();
-    }
-    table.individuals = individuals(study, people.rated, table.matrices, table.evaluations, params);
-    step();
-    const auto pm = std::ranges::find(metrics, Metric::pm);
-    std::optional<std::size_t> reference;
-    if (pm != metrics.end()) reference = static_cast<std::size_t>(pm - metrics.begin());
+namespace {
+
+UncertaintyParams resampling_of(const EvaluationParams& params) {
     UncertaintyParams resampling;
     resampling.draws = params.bootstrap_draws;
     resampling.threads = params.threads;
-    table.uncertainty =
-        uncertainty(study, people.rated, table.matrices, table.evaluations, reference, resampling);
-    // One interval a number: where a metric does not know every pair, the pairs that all know.
-    constexpr auto kPatterns = static_cast<std::size_t>(Resampled::patterns);
-    for (std::size_t m = 0; m < table.evaluations.size(); ++m) {
-        table.evaluations[m].rho_interval = table.uncertainty.rho[m].interval[kPatterns];
+    return resampling;
+}
+
+}  // namespace
+
+std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity> matrices,
+                                                   const RatedPeople& people,
+                                                   const EvaluationParams& params,
+                                                   const std::function<void(double)>& progress,
+                                                   std::stop_token stop) {
+    std::vector<Evaluation> all;
+    for (const Dissimilarity& matrix : matrices) {
+        if (stop.stop_requested()) return std::nullopt;
+        all.push_back(evaluate(matrix, people.rated, params));
+        if (progress) {
+            progress(static_cast<double>(all.size()) / static_cast<double>(matrices.size()));
+        }
     }
-    step();
+    const auto intervals = rho_intervals(people.rated, matrices, all, resampling_of(params));
+    for (std::size_t m = 0; m < all.size(); ++m) all[m].rho_interval = intervals[m];
+    return all;
+}
+
+std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeople& people,
+                                        std::span<const Metric> metrics,
+                                        std::vector<Dissimilarity> matrices,
+                                        std::span<const Nuisance> nuisances,
+                                        const EvaluationParams& params,
+                                        const std::function<void(double)>& progress,
+                                        std::stop_token stop) {
+    MetricTable table{{metrics.begin(), metrics.end()}, std::move(matrices), {}, {}, {}, {}};
+    const auto steps = static_cast<double>(table.matrices.size() + nuisances.size() + 2);
+    double done = static_cast<double>(table.matrices.size());
+    const auto is_stopped = [&] {
+        if (progress) progress(++done / steps);
+        return stop.stop_requested();
+    };
+    auto evaluated = evaluations(
+        table.matrices, people, params,
+        [&](double share) {
+            if (progress) progress(share * static_cast<double>(table.matrices.size()) / steps);
+        },
+        stop);
+    if (!evaluated) return std::nullopt;
+    table.evaluations = *std::move(evaluated);
+    table.individuals = individuals(study, people.rated, table.matrices, table.evaluations, params);
+    if (is_stopped()) return std::nullopt;
+    const auto pm = std::ranges::find(metrics, Metric::pm);
+    std::optional<std::size_t> reference;
+    if (pm != metrics.end()) reference = static_cast<std::size_t>(pm - metrics.begin());
+    table.uncertainty = uncertainty(study, people.rated, table.matrices, table.evaluations,
+                                    reference, resampling_of(params));
+    if (is_stopped()) return std::nullopt;
     BootstrapParams bootstrap;
     bootstrap.draws = params.bootstrap_draws;
     bootstrap.threads = params.threads;
     for (const Nuisance& one : nuisances) {
         table.given.push_back(given(one.name, one.apart, people.rated.people.dissimilarity,
                                     table.matrices, bootstrap));
-        step();
+        if (is_stopped()) return std::nullopt;
     }
     return table;
 }

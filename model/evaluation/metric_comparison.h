@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,16 @@ struct RatedPeople {
 // Errors: as rated_set().
 Expected<RatedPeople> rated_people(const RatingStudy& study, const EvaluationParams& params);
 
-// Each metric against the same people.
+// Each metric against the same people. The interval of a rho is over the pairs that all of these
+// metrics know. `matrices`: as compared_matrices() has them, or of others. Progress is the share of
+// the metrics; nothing when stopped.
+std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity> matrices,
+                                                   const RatedPeople& people,
+                                                   const EvaluationParams& params,
+                                                   const std::function<void(double)>& progress = {},
+                                                   std::stop_token stop = {});
+
+// The same, with what people taken singly and other samples would say.
 struct MetricTable {
     std::vector<Metric> metrics;
     std::vector<Dissimilarity> matrices;
@@ -63,11 +73,15 @@ struct Nuisance {
     Dissimilarity apart;
 };
 
-// `matrices`: of the metrics, as compared_matrices() has them. Progress is the share of the work.
-MetricTable metric_table(const RatingStudy& study, const RatedPeople& people,
-                         std::span<const Metric> metrics, std::vector<Dissimilarity> matrices,
-                         std::span<const Nuisance> nuisances, const EvaluationParams& params,
-                         const std::function<void(double)>& progress = {});
+// `matrices`: of the metrics, as compared_matrices() has them, then of others. Progress is the
+// share of the work; nothing when stopped.
+std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeople& people,
+                                        std::span<const Metric> metrics,
+                                        std::vector<Dissimilarity> matrices,
+                                        std::span<const Nuisance> nuisances,
+                                        const EvaluationParams& params,
+                                        const std::function<void(double)>& progress = {},
+                                        std::stop_token stop = {});
 
 struct MetricRho {
     Metric metric = Metric::pm;

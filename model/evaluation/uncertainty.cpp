@@ -116,18 +116,25 @@ Row ks(const Sample& sample, const Places& patterns, const MatrixXd& people_map)
     return row;
 }
 
-Sample sample_of(const RatingStudy& study, const RatedSet& rated,
-                 std::span<const Dissimilarity> metrics, std::span<const Evaluation> evaluations) {
+// Without people and maps.
+Sample sample_of(const RatedSet& rated, std::span<const Dissimilarity> metrics) {
     const RatedSet& part = rated_part(rated);
     Sample sample;
     sample.patterns = part.people.dissimilarity.size;
     sample.mean = part.people.dissimilarity.condensed;
+    for (const Dissimilarity& metric : metrics) {
+        sample.metrics.push_back(among_rated(metric, rated));
+    }
+    return sample;
+}
+
+Sample sample_of(const RatingStudy& study, const RatedSet& rated,
+                 std::span<const Dissimilarity> metrics, std::span<const Evaluation> evaluations) {
+    const RatedSet& part = rated_part(rated);
+    Sample sample = sample_of(rated, metrics);
     for (Judgement& said : participant_means(study)) {
         sample.people.push_back(
             among_rated({study.labels.size(), std::move(said.condensed)}, rated).condensed);
-    }
-    for (const Dissimilarity& metric : metrics) {
-        sample.metrics.push_back(among_rated(metric, rated));
     }
     for (const Evaluation& one : evaluations) sample.maps.push_back(one.map);
     if (!part.people.maps.empty()) {
@@ -148,19 +155,25 @@ struct Resamples {
     std::vector<Resample> both;    // the same people, of drawn patterns; K of the first ones only
 };
 
-Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
-    const std::size_t people = sample.people.size() > 1 ? sample.people.size() : 0;
+// Drawn patterns, with the people as they are.
+std::vector<Resample> pattern_resamples(const Sample& sample, const UncertaintyParams& params) {
     const std::vector<ObjectDraw> draws =
         object_draws(sample.patterns, params.draws, params.pattern_seed);
-    const std::vector<Resample> none(people > 0 ? params.draws : 0);
-    Resamples result{sample.patterns, std::vector<Resample>(draws.size()),
-                     std::vector<Resample>(people), none, none};
-    const Places everything = all_of(sample.patterns);
+    std::vector<Resample> resamples(draws.size());
     parallel_for(draws.size(), params.threads, {}, [&](std::size_t draw) {
         const auto& [patterns, weight] = draws[draw];
-        result.patterns[draw] = {rhos(sample, pairs_of(sample, patterns, sample.mean), sample.mean),
-                                 ks(sample, patterns, sample.people_map), weight};
+        resamples[draw] = {rhos(sample, pairs_of(sample, patterns, sample.mean), sample.mean),
+                           ks(sample, patterns, sample.people_map), weight};
     });
+    return resamples;
+}
+
+Resamples resampled(const Sample& sample, const UncertaintyParams& params) {
+    const std::size_t people = sample.people.size() > 1 ? sample.people.size() : 0;
+    const std::vector<Resample> none(people > 0 ? params.draws : 0);
+    Resamples result{sample.patterns, pattern_resamples(sample, params),
+                     std::vector<Resample>(people), none, none};
+    const Places everything = all_of(sample.patterns);
     parallel_for(result.both.size(), params.threads, {}, [&](std::size_t draw) {
         const Places patterns = drawn_objects(sample.patterns, params.pattern_seed, draw);
         const auto said = mean_over(sample, drawn_objects(people, params.people_seed, draw));
@@ -261,6 +274,20 @@ void correct(std::vector<MetricDifference>& differences) {
 }
 
 }  // namespace
+
+std::vector<Interval> rho_intervals(const RatedSet& rated, std::span<const Dissimilarity> metrics,
+                                    std::span<const Evaluation> evaluations,
+                                    const UncertaintyParams& params) {
+    const Sample sample = sample_of(rated, metrics);
+    const Resamples resamples{sample.patterns, pattern_resamples(sample, params), {}, {}, {}};
+    std::vector<Interval> intervals;
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        const Uncertain rho = uncertain(evaluations[m].rho, {-1.0, 1.0}, resamples, params,
+                                        [m](const Resample& one) { return at(one.rho, m); });
+        intervals.push_back(rho.interval[static_cast<std::size_t>(Resampled::patterns)]);
+    }
+    return intervals;
+}
 
 Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,
                         std::span<const Dissimilarity> metrics,

@@ -75,6 +75,12 @@ struct Uncertainty {
     std::vector<MetricDifference> differences;  // none without a reference
 };
 
+// The interval of each metric's rho over patterns alone, as uncertainty() has it, for a fraction of
+// the work.
+std::vector<Interval> rho_intervals(const RatedSet& rated, std::span<const Dissimilarity> metrics,
+                                    std::span<const Evaluation> evaluations,
+                                    const UncertaintyParams& params = {});
+
 // `evaluations` are of each metric by `rated`, the ratings of `study`. `reference`: the place of
 // the metric that the others are subtracted from.
 Uncertainty uncertainty(const RatingStudy& study, const RatedSet& rated,

@@ -1,6 +1,9 @@
 #include "model/export/exported_files.h"
 
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include "model/export/exported_set.h"
 #include "model/export/loss_words.h"
@@ -34,17 +37,34 @@ nlohmann::json target_json(const ExportTarget& target) {
     return answer;
 }
 
-std::optional<ExportedFiles> files_alone(const PatternSet& part, ExportedFiles result,
-                                         const std::string& date,
-                                         const ExportedFilesOptions& options) {
-    const auto made = exported_set(part, result.target, options.threads, options.stop, date);
-    if (!made) return std::nullopt;
-    result.target = made->target;
+std::vector<std::size_t> written_places(const PatternSet& part,
+                                        const ExportedFilesOptions& options) {
+    if (!options.written.empty()) return options.written;
+    std::vector<std::size_t> all(part.vibrations.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+ExportedFiles files_alone(const ExportedSet& made, ExportedFiles result) {
+    result.target = made.target;
     for (std::size_t k = 0; k < result.names.size(); ++k) {
-        const ExportedPattern& one = *made->patterns[k];
+        const ExportedPattern& one = *made.patterns[k];
         add_files(result.files, result.names[k], result.target.format, one.text, one.beside);
         result.remarks.push_back(one.remarks);
     }
+    return result;
+}
+
+ExportedFiles files_with_loss(const ExportLoss& loss, std::span<const std::size_t> written,
+                              ExportedFiles result) {
+    result.target = loss.target;
+    for (std::size_t k = 0; k < result.names.size(); ++k) {
+        const std::size_t place = written[k];
+        add_files(result.files, result.names[k], result.target.format, loss.files[place],
+                  loss.beside[place]);
+        result.remarks.push_back(loss.patterns[place].remarks);
+    }
+    result.loss = loss;
     return result;
 }
 
@@ -81,8 +101,16 @@ void take_wave_bits(SampledAs& sampled, const std::string& bits) {
 std::optional<ExportedFiles> exported_files(const PatternSet& part, const ExportTarget& target,
                                             const std::string& date,
                                             const ExportedFilesOptions& options) {
-    ExportedFiles result{target, effect_file_names(part, target.format), {}, {}, {}};
-    if (options.without_loss) return files_alone(part, std::move(result), date, options);
+    const std::vector<std::size_t> written = written_places(part, options);
+    ExportedFiles result{
+        target, effect_file_names(part_of(part, written), target.format), {}, {}, {}};
+    if (options.known != nullptr) return files_with_loss(*options.known, written, result);
+    if (options.without_loss) {
+        const ExportTarget scaled = with_full_scale(target, part, options.threads, options.stop);
+        const auto made =
+            exported_set(part_of(part, written), scaled, options.threads, options.stop, date);
+        return made ? std::optional(files_alone(*made, std::move(result))) : std::nullopt;
+    }
     ExportLossOptions of_loss;
     of_loss.subset_count = options.subset_count;
     of_loss.time_limit_s = kSubsetLimitS;
@@ -90,15 +118,9 @@ std::optional<ExportedFiles> exported_files(const PatternSet& part, const Export
     of_loss.threads = options.threads;
     of_loss.stop = options.stop;
     of_loss.progress = options.progress;
-    result.loss = export_loss(part, target, of_loss);
-    if (!result.loss) return std::nullopt;
-    result.target = result.loss->target;
-    for (std::size_t k = 0; k < result.names.size(); ++k) {
-        add_files(result.files, result.names[k], target.format, result.loss->files[k],
-                  result.loss->beside[k]);
-        result.remarks.push_back(result.loss->patterns[k].remarks);
-    }
-    return result;
+    const auto loss = export_loss(part, target, of_loss);
+    if (!loss) return std::nullopt;
+    return files_with_loss(*loss, written, std::move(result));
 }
 
 nlohmann::json json_of(const ExportedFiles& exported, const PatternSet& part,

@@ -1,5 +1,5 @@
 // A set as files of another program, before any is written: their names and texts, what each loses,
-// and what the whole costs; of the command export and of Python.
+// and what the whole costs; for window, command line and Python.
 //
 // Exact     as model/export/export_loss.h
 #pragma once
@@ -76,14 +76,17 @@ struct ExportedFiles {
 };
 
 struct ExportedFilesOptions {
-    bool without_loss = false;     // nothing is predicted
-    std::size_t subset_count = 0;  // 0: usual_subset_count()
-    int threads = 0;               // 0: all cores
+    bool without_loss = false;          // nothing is predicted
+    std::vector<std::size_t> written;   // places of the part that become files; empty: all
+    const ExportLoss* known = nullptr;  // of this part, target and date, which saves predicting it
+    std::size_t subset_count = 0;       // 0: usual_subset_count()
+    int threads = 0;                    // 0: all cores
     std::stop_token stop{};
     std::function<void(double)> progress{};  // 0..1, from any thread
 };
 
-// `part`: as part_to_export() has it. Nothing when stopped.
+// `part`: as part_to_export() has it; of samples the loudest of it sets the full scale. Nothing
+// when stopped.
 std::optional<ExportedFiles> exported_files(const PatternSet& part, const ExportTarget& target,
                                             const std::string& date,
                                             const ExportedFilesOptions& options);

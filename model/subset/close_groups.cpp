@@ -64,24 +64,11 @@ std::vector<CloseGroup> groups_of(Joined joined, const Dissimilarity& dissimilar
 
 // `pairs` count as close, in any order.
 CloseGroups grouped(const Dissimilarity& dissimilarity, std::vector<ConfusablePair> pairs) {
-    const std::size_t n = dissimilarity.size;
     CloseGroups result;
-    for (std::size_t i = 0; i < n; ++i) {
-        result.nearest.push_back({i, std::numeric_limits<double>::infinity()});
-    }
-    const auto look = [&](std::size_t i, std::size_t j, double apart) {
-        if (apart < result.nearest[i].dissimilarity) result.nearest[i] = {j, apart};
-    };
-    for (std::size_t k = 0; k < dissimilarity.condensed.size(); ++k) {
-        const double apart = dissimilarity.condensed[k];
-        if (!std::isfinite(apart)) continue;
-        const auto [i, j] = pair_at(n, k);
-        look(i, j, apart);
-        look(j, i, apart);
-    }
+    result.nearest = nearest_neighbours(dissimilarity);
     result.pairs = pairs.size();
     std::ranges::stable_sort(pairs, {}, &ConfusablePair::dissimilarity);
-    Joined joined(n);
+    Joined joined(dissimilarity.size);
     for (const ConfusablePair& pair : pairs) {
         if (joined.join(pair.a, pair.b)) result.links.push_back(pair);
     }
@@ -90,6 +77,27 @@ CloseGroups grouped(const Dissimilarity& dissimilarity, std::vector<ConfusablePa
 }
 
 }  // namespace
+
+std::vector<NearestNeighbour> nearest_neighbours(const Dissimilarity& dissimilarity) {
+    const std::size_t n = dissimilarity.size;
+    std::vector<NearestNeighbour> nearest;
+    for (std::size_t i = 0; i < n; ++i) {
+        nearest.push_back({i, std::numeric_limits<double>::infinity()});
+    }
+    const auto look = [&nearest](std::size_t i, std::size_t j, double apart) {
+        if (apart < nearest[i].dissimilarity) nearest[i] = {j, apart};
+    };
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i + 1; j < n; ++j, ++k) {
+            const double apart = dissimilarity.condensed[k];
+            if (!std::isfinite(apart)) continue;
+            look(i, j, apart);
+            look(j, i, apart);
+        }
+    }
+    return nearest;
+}
 
 CloseGroups groups_below(const Dissimilarity& dissimilarity, double threshold) {
     std::vector<ConfusablePair> below;

@@ -26,6 +26,9 @@ struct NearestNeighbour {
     bool operator==(const NearestNeighbour&) const = default;
 };
 
+// The nearest other one of each object; equals are decided by the lowest index.
+std::vector<NearestNeighbour> nearest_neighbours(const Dissimilarity& dissimilarity);
+
 struct CloseGroup {
     std::vector<std::size_t> members;  // ascending
     ConfusablePair closest;
@@ -35,7 +38,7 @@ struct CloseGroup {
 };
 
 struct CloseGroups {
-    std::vector<NearestNeighbour> nearest;  // of each object; of equals the lowest index
+    std::vector<NearestNeighbour> nearest;  // of each object
     std::vector<CloseGroup> groups;
     std::vector<ConfusablePair> links;  // that hold groups together, one fewer than members each
     std::size_t pairs = 0;              // all that count as close

@@ -11,6 +11,7 @@
 #include "app/command_line/rated_sets.h"
 #include "app/foreign/foreign_metric.h"
 #include "app/session/program_version.h"
+#include "model/tasks/set_agreement.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
 #include "model/text/utc_time.h"
@@ -284,24 +285,21 @@ Expected<SetAgreement> agreement_of(const CompareCommand& command, std::span<con
     EvaluationParams params;
     params.threads = command.common.threads;
     params.dimensions = command.dimensions;
-    Expected<RatedPeople> people = rated_people(patterns.study, params);
-    if (!people) return Error{patterns.name + ": " + people.error().message};
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
     auto matrices = *compared_matrices(patterns.set, metrics, nullptr, options);
     std::ranges::move(theirs, std::back_inserter(matrices));
-    MetricTable table = metric_table(patterns.study, *people, metrics, std::move(matrices),
-                                     *nuisances, params, progress_line("resampling"));
-    const std::size_t rated = patterns.set.vibrations.size() - people->unrated.size();
-    return SetAgreement{patterns.name,
-                        rated,
-                        *std::move(people),
-                        patterns.left_out,
-                        patterns.labels,
-                        std::move(table),
-                        inter_rater(patterns.study),
-                        std::move(foreign)};
+    AgreementRequest request{{metrics.begin(), metrics.end()}, std::move(matrices), *nuisances};
+    request.params = params;
+    request.progress = progress_line("resampling");
+    PeopleAgreement all = *people_agreement(patterns.study, std::move(request));
+    if (!all.fault.empty()) return Error{patterns.name + ": " + all.fault};
+    const std::size_t rated = patterns.set.vibrations.size() - all.people.unrated.size();
+    return SetAgreement{patterns.name,         rated,
+                        std::move(all.people), patterns.left_out,
+                        patterns.labels,       std::move(all.table),
+                        std::move(all.raters), std::move(foreign)};
 }
 
 }  // namespace

@@ -102,9 +102,9 @@ Expected<ReportedStudy> reported_study(const StudyCommand& command, const Patter
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
-    MetricTable table = metric_table(*spread, *people, kMetrics,
-                                     *compared_matrices(set, kMetrics, nullptr, options),
-                                     simple_reasons(set), params, progress_line("resampling"));
+    MetricTable table = *metric_table(*spread, *people, kMetrics,
+                                      *compared_matrices(set, kMetrics, nullptr, options),
+                                      simple_reasons(set), params, progress_line("resampling"));
     for (std::size_t k = 0; k < kMetrics.size(); ++k) {
         MetricOfStudy metric;
         metric.key = traits(kMetrics[k]).key;

@@ -10,6 +10,7 @@
 #include "model/io/set/measured_files.h"
 #include "model/io/set/set_file.h"
 #include "model/set/measured_twin.h"
+#include "model/tasks/set_import.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"
@@ -66,18 +67,11 @@ Expected<std::size_t> measured_place(const PatternSet& set, const ImportCommand&
 Expected<Imported> import_one(PatternSet& set, const ImportCommand& command, const fs::path& path) {
     const auto place = measured_place(set, command, path);
     if (!place) return place.error();
-    if (measures_another(set.vibrations[*place])) {
-        return Error{in_quotes(set.vibrations[*place].name) +
-                     " is a measurement itself, expected the pattern that it measures"};
-    }
-    auto recording =
-        read_acceleration_file(path, options_among(path, command.recordings, command.options));
-    if (!recording) return recording.error();
-    const Twin twin = measured_twin(set.vibrations[*place], recording->waveform);
-    const std::size_t at = insert_twin(set, twin.vibration);
-    Imported report = report_on(path.string(), set.vibrations[at].name, twin);
-    report.remarks.insert(report.remarks.begin(), recording->remarks.begin(),
-                          recording->remarks.end());
+    auto read = read_twin(set, *place, path, command.recordings, command.options);
+    if (!read) return read.error();
+    const std::size_t at = insert_twin(set, read->twin->vibration);
+    Imported report = report_on(path.string(), set.vibrations[at].name, *read->twin);
+    report.remarks = std::move(read->remarks);
     return report;
 }
 

@@ -14,6 +14,7 @@
 #include "app/session/program_version.h"
 #include "model/io/set/model_file.h"
 #include "model/set/pattern_set.h"
+#include "model/tasks/set_training.h"
 #include "model/text/atomic_file.h"
 #include "model/text/json_fields.h"
 #include "model/text/numbers.h"
@@ -143,36 +144,6 @@ std::string left_out_text(const Training& training, const LeftOutTable& table) {
            ", before " + fixed_digits(mean.rho_before, 3) + "\n";
 }
 
-nlohmann::json json_of(const PerceptualModelParams& model) {
-    nlohmann::json json = nlohmann::json::object();
-    const auto values = trained_values(model);
-    for (std::size_t p = 0; p < values.size(); ++p) json[kTrainedNames[p]] = values[p];
-    return json;
-}
-
-nlohmann::json json_of(const std::vector<LeftOut>& left_out) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const LeftOut& one : left_out) {
-        all.push_back({{"name", one.name},
-                       {"parameters", json_of(one.model)},
-                       {"value", one.value},
-                       {"combinations", one.combinations},
-                       {"rho_before", one.rho_before},
-                       {"rho_after", one.rho_after}});
-    }
-    return all;
-}
-
-// The parameters of a class: the smallest of its proportion. null: any.
-nlohmann::json json_of(const Training& training, const GridPoint& point) {
-    PerceptualModelParams none;
-    none.channel_weight = {};
-    none.nc_weight = none.oc_weight = 0.0;
-    nlohmann::json json = json_of(nearest_model(training.grid, point, none));
-    for (std::size_t p = 0; point.channel == kAny && p < 6; ++p) json[kTrainedNames[p]] = nullptr;
-    return {{"parameters", json}, {"combinations", combinations_of(training.grid, point)}};
-}
-
 std::string people_text(const std::vector<RatedPatterns>& rated) {
     std::string text;
     for (const RatedPatterns& one : rated) {
@@ -184,49 +155,12 @@ std::string people_text(const std::vector<RatedPatterns>& rated) {
     return text;
 }
 
-std::string json_text(const Training& training, const TrainCommand& command,
+std::string json_text(const Trained& trained, const TrainRequest& request,
                       const std::vector<RatedPatterns>& rated) {
-    nlohmann::json best_of = nlohmann::json::object();
-    for (std::size_t p = 0; p < kTrainedParameters; ++p) {
-        best_of[kTrainedNames[p]] = training.best_of[p];
-    }
-    nlohmann::json sets = nlohmann::json::array();
-    bool synthetic = false;
+    nlohmann::json all = json_of(trained, request);
     for (std::size_t s = 0; s < rated.size(); ++s) {
-        const TrainedSet& set = training.sets[s];
-        const RatingStudy& study = rated[s].study;
-        synthetic = synthetic || is_partly_synthetic(study);
-        sets.push_back({{"name", set.name},
-                        {"patterns", set.patterns},
-                        {"rated_pairs", set.rated_pairs},
-                        {"participants", participant_means(study).size()},
-                        {"synthetic", is_partly_synthetic(study)},
-                        {"left_out", json_of(rated[s].left_out)},
-                        {"unrated_patterns", unrated_patterns(study)},
-                        {"rho_before", set.rho_before},
-                        {"rho_after", set.rho_after}});
-        add_labels(sets.back(), rated[s].labels);
-    }
-    nlohmann::json ties = nlohmann::json::array();
-    for (const GridPoint& point : training.best.points) ties.push_back(json_of(training, point));
-    nlohmann::json all = {{"objective", command.objective},
-                          {"step", 1.0 / training.grid.units},
-                          {"value", training.best.value},
-                          {"value_before", training.value_before},
-                          {"parameters", json_of(training.model)},
-                          {"parameters_before", json_of(training.before)},
-                          {"combinations", combination_count(training.grid.units)},
-                          {"equally_good", training.best.combinations},
-                          {"equally_good_classes", training.best.classes},
-                          {"ties", ties},
-                          {"share_near_best", training.share_near_best},
-                          {"near_best", kNearBest},
-                          {"best_of", best_of},
-                          {"synthetic", synthetic},
-                          {"sets", sets}};
-    for (const LeftOutTable& table : left_out_tables(training)) {
-        if (command.leave_out != table.option) continue;
-        all[std::string("without_") + table.what] = json_of(table.rows);
+        all["sets"][s]["left_out"] = json_of(rated[s].left_out);
+        add_labels(all["sets"][s], rated[s].labels);
     }
     return text_of_json(all) + "\n";
 }
@@ -280,64 +214,64 @@ void write_csv(std::ostream& stream, const Training& training, const TrainComman
     }
 }
 
-Expected<Done> fit_to_leave_out(const TrainCommand& command, std::size_t sets) {
-    if (command.leave_out != "sets" || sets > 1) return Done{};
-    return Error{"--leave-out sets needs several sets with ratings, got one"};
+// The sets that are asked for, with the choices of the first one's model.
+TrainRequest request_of(const TrainCommand& command, const std::vector<RatedPatterns>& rated) {
+    TrainRequest request;
+    for (const RatedPatterns& one : rated) {
+        request.sets.push_back(training_set(one.name, one.set, one.study, command.common.threads));
+        if (!(one.set.model == rated.front().set.model)) {
+            std::cerr << "tactspace: " << one.name << ": has another model than "
+                      << rated.front().name << ", whose choices are taken for all\n";
+        }
+    }
+    const auto place_of = [](const std::string& word, const auto& words) {
+        return std::ranges::find(words, word) - std::begin(words);
+    };
+    request.model = rated.front().set.model;
+    request.units = *units_of_step(command.step);
+    request.objective =
+        static_cast<TrainingObjective>(place_of(command.objective, kObjectiveNames));
+    request.leave_out = static_cast<LeaveOut>(place_of(command.leave_out, kLeaveOutNames));
+    request.program = kProgramVersion;
+    request.threads = command.common.threads;
+    request.progress = progress_line("searching");
+    return request;
 }
 
 }  // namespace
 
 std::string fault_of_step(const std::string& text) {
-    for (int units = 1; units <= kMostTrainingUnits; ++units) {
-        if (std::abs(std::strtod(text.c_str(), nullptr) * units - 1.0) < 1e-9) return {};
-    }
-    return "expected 1 divided by a whole number up to " + std::to_string(kMostTrainingUnits) +
-           ", such as 0.1, got " + text;
+    const auto units = units_of_step(std::strtod(text.c_str(), nullptr));
+    return units ? std::string() : units.error().message;
 }
 
 Expected<Done> run(const TrainCommand& command) {
     const Interrupt interrupt;  // first: threads inherit what it blocks
     const Expected<std::vector<RatedPatterns>> rated = load_rated(command.common, command.ratings);
     if (!rated) return rated.error();
-    if (const auto fits = fit_to_leave_out(command, rated->size()); !fits) return fits;
-    std::vector<TrainingSet> sets;
-    for (const RatedPatterns& one : *rated) {
-        sets.push_back({one.name, own_waveforms(one.set, command.common.threads), one.study});
-        if (!(one.set.model == rated->front().set.model)) {
-            std::cerr << "tactspace: " << one.name << ": has another model than "
-                      << rated->front().name << ", whose choices are taken for all\n";
-        }
-    }
-    TrainingParams params;
-    params.model = rated->front().set.model;
-    params.units = static_cast<int>(std::lround(1.0 / command.step));
-    params.objective = command.objective == "mean-rho" ? TrainingObjective::mean_rho
-                                                       : TrainingObjective::mean_absolute_rho;
-    params.leave_out_participants = command.leave_out == "participants";
-    params.leave_out_patterns = command.leave_out == "patterns";
-    params.threads = command.common.threads;
-    params.stop = interrupt.token();
-    params.progress = progress_line("searching");
-    if (const auto fits = can_train(sets, params); !fits) return fits;
+    TrainRequest request = request_of(command, *rated);
+    request.stop = interrupt.token();
+    if (const auto fits = can_train(request); !fits) return fits;
     if (const auto writable = writable_result(command.csv); !writable) return writable;
     if (!command.out.empty()) {
         // Better known before the work than after it.
         if (const auto file = AtomicFile::open(command.out); !file) return file.error();
     }
-    const std::optional<Training> training = train(sets, params);
-    if (!training) return Error{"stopped before the search was done; nothing was written"};
+    const std::optional<Trained> trained = train(request);
+    if (!trained) return Error{"stopped before the search was done; nothing was written"};
+    const Training& training = trained->training;
     if (!command.out.empty()) {
-        const ModelFile file{training->model, record_of(*training, sets, kProgramVersion)};
-        if (const auto written = write_model_file(command.out, file); !written) return written;
+        const auto written = write_model_file(command.out, {training.model, trained->record});
+        if (!written) return written;
     }
     if (!command.csv.empty()) {
         const auto written = write_result(command.csv, [&](std::ostream& stream) {
-            write_csv(stream, *training, command, *rated);
+            write_csv(stream, training, command, *rated);
         });
         if (!written) return written;
     }
-    const std::string text = command.common.json ? json_text(*training, command, *rated)
-                                                 : text_of(*training, command, *rated);
+    const std::string text = command.common.json ? json_text(*trained, request, *rated)
+                                                 : text_of(training, command, *rated);
     return write_result({}, [&text](std::ostream& stream) { stream << text; });
 }
 

@@ -105,7 +105,7 @@ TEST_CASE("train: says what is missing, and writes nothing then") {
                    "has no ratings of its own, expected --ratings FILE"));
     CHECK(contains(
         run_program({"train", study.set, "--ratings", study.ratings, "--leave-out", "sets"}).err,
-        "--leave-out sets needs several sets with ratings, got one"));
+        "expected several sets with ratings to leave one out, got one"));
     CHECK(contains(
         run_program({"train", study.set, "--ratings", study.ratings, "--leave-out", "participants"})
             .err,

@@ -302,8 +302,10 @@ TEST_CASE("training panel: ratings nobody gave are called synthetic") {
     TrainingBench bench(set);
     CHECK(bench.program.shows("train on:drawn, synthetic ratings"));
     bench.train();
-    CHECK(bench.app.model_bench.training.found->record.sets.front().name ==
-          "drawn, synthetic ratings");
+    const FoundTraining& found = *bench.app.model_bench.training.found;
+    CHECK(bench.program.shows("trained set:drawn, synthetic ratings"));
+    CHECK(found.record.sets.front().name == "drawn");
+    CHECK(found.record.sets.front().mark.synthetic);
     CHECK(bench.program.at("train:synthetic").value.starts_with("synthetic mean rho"));
 }
 

@@ -203,7 +203,7 @@ class Refusals(unittest.TestCase):
                      tactspace.train, [dict(GIVEN, ratings=[1.0, 2.0, 3.0])])
         self.refused("step: expected 1 divided by a whole number up to 40",
                      tactspace.train, [dict(GIVEN, ratings=square)], step=0.3)
-        self.refused("leave_out: expected several sets", tactspace.train,
+        self.refused("expected several sets with ratings to leave one out", tactspace.train,
                      [dict(GIVEN, ratings=square)], leave_out="sets")
 
     def test_documents(self):

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ask/ask.h"
+#include "app/candidates/candidates.h"
+#include "app/map/map.h"
+#include "app/patterns/patterns.h"
 #include "app/rendering/rendering.h"
 #include "app/subset/parts.h"
 #include "app/subset/subset.h"
@@ -291,6 +294,47 @@ TEST_CASE("same answers: what parts a pair, and steps between two" * doctest::te
     CHECK(placed.at("shares") == steps.shares);
     CHECK(placed.at("apart") == steps.apart);
     CHECK(placed.at("pm") == steps.pm);
+}
+
+TEST_CASE("same answers: what is nearest to each pattern, and NC, OC and PM as they are told" *
+          doctest::test_suite("long")) {
+    for (const auto& by : {std::optional<RenderedBy>(), dualshock()}) {
+        CAPTURE(by.has_value());
+        Asked asked(by);
+        App& app = asked.app;
+        const LiveMap& map = *app.shown_map.transition.shown;
+        const auto out = (asked.folder.path / "page.html").string();
+        const Json nearest =
+            asked.told({"report", "--out", out, "-k", std::to_string(kPicked)}).at("nearest");
+        const auto rows = candidate_rows(app.work, app.shown_map, app.candidates);
+        REQUIRE(rows.size() == asked.names().size());
+        for (const CandidateRow& row : rows) {
+            const std::string name = asked.names()[row.place];
+            CAPTURE(name);
+            const Json& told = nearest.at(name);
+            select_only(app.work, row.place);
+            const auto card = neighbour_of(app.work, app.shown_map);
+            CHECK(told.at("dissimilarity").is_null() == !row.nearest_pm.has_value());
+            CHECK(card.has_value() == row.nearest_pm.has_value());
+            if (!row.nearest_pm || !card) continue;
+            CHECK(told.at("dissimilarity") == *row.nearest_pm);
+            CHECK(told.at("pattern") == row.nearest_name);
+            CHECK(asked.names()[card->closest] == row.nearest_name);
+        }
+        CHECK(nearest.at("p3").at("dissimilarity").is_null());  // nobody feels it
+        for (const Metric metric : {Metric::pm, Metric::nc, Metric::oc}) {
+            CAPTURE(std::string(traits(metric).key));
+            std::vector<std::string> words{"predict", asked.file, "--metric", traits(metric).key};
+            if (by) {
+                words.insert(words.end(), {"--rendered-by", traits(by->kind).key, "--level",
+                                           std::to_string(by->level)});
+            }
+            const Dissimilarity& window = metric == Metric::pm   ? map.prediction.pm
+                                          : metric == Metric::nc ? map.nc
+                                                                 : map.oc;
+            CHECK(condensed_in(output_of(words)) == window.condensed);
+        }
+    }
 }
 
 }  // namespace same_answers_test
