@@ -180,6 +180,54 @@ double liveliest_s(const Vibration& vibration, const NeuralCodingParams& params)
     return static_cast<double>(best) * kStepS;
 }
 
+struct PhysiologyView {
+    PaperFigure figure;
+    const char* view;
+    const char* stage;
+    bool tilted;
+    int width;
+    int height;
+};
+
+std::vector<PhysiologyView> physiology_views(const std::string& name, double at_s) {
+    const std::string of = " of " + name;
+    const std::string when = html_escaped(of) + " at " + significant(at_s) + " s.";
+    return {{{"figure-4", "How one receptor fires" + of,
+              "Figure 4. How one receptor fires" + html_escaped(of) +
+                  ": windows of 10 ms, the energy since its last spike, its spikes."},
+             "firing",
+             "",
+             false,
+             1000,
+             560},
+            {{"figure-5", "Slopes and thresholds of four receptor types",
+              "Figure 5. Slopes and thresholds that the model reads; dashed beyond a type's band."},
+             "tables",
+             "",
+             false,
+             1000,
+             460},
+            {{"figure-6a", "Receptors on the skin" + of, "Figure 6a. Rates of receptors" + when},
+             "physiology",
+             "receptors",
+             false,
+             1200,
+             760},
+            {{"figure-6b", "Receptors on the skin, tilted" + of,
+              "Figure 6b. The same, tilted: height is the rate."},
+             "physiology",
+             "receptors",
+             true,
+             1200,
+             760},
+            {{"figure-7", "Relay networks" + of, "Figure 7. Relay networks" + when},
+             "physiology",
+             "networks",
+             false,
+             1200,
+             760}};
+}
+
 // Figures 4 to 7, of the first pattern of the first set.
 Expected<std::string> physiology_html(const PaperCommand& command, const ComparedSet& first,
                                       const fs::path& folder) {
@@ -188,54 +236,9 @@ Expected<std::string> physiology_html(const PaperCommand& command, const Compare
     snapshot.common = command.common;
     snapshot.common.sets.resize(1);
     snapshot.theme = "light";
-    struct View {
-        PaperFigure figure;
-        const char* view;
-        const char* stage;
-        bool tilted;
-        int width;
-        int height;
-    };
-    const std::string of = " of " + vibration.name;
     const double at_s = liveliest_s(vibration, first.set.model.coding);
-    const std::string when = html_escaped(of) + " at " + significant(at_s) + " s.";
-    const View views[] = {
-        {{"figure-4", "How one receptor fires" + of,
-          "Figure 4. How one receptor fires" + html_escaped(of) +
-              ": windows of 10 ms, the energy since its last spike, its spikes."},
-         "firing",
-         "",
-         false,
-         1000,
-         560},
-        {{"figure-5", "Slopes and thresholds of four receptor types",
-          "Figure 5. Slopes and thresholds that the model reads; dashed beyond a type's band."},
-         "tables",
-         "",
-         false,
-         1000,
-         460},
-        {{"figure-6a", "Receptors on the skin" + of, "Figure 6a. Rates of receptors" + when},
-         "physiology",
-         "receptors",
-         false,
-         1200,
-         760},
-        {{"figure-6b", "Receptors on the skin, tilted" + of,
-          "Figure 6b. The same, tilted: height is the rate."},
-         "physiology",
-         "receptors",
-         true,
-         1200,
-         760},
-        {{"figure-7", "Relay networks" + of, "Figure 7. Relay networks" + when},
-         "physiology",
-         "networks",
-         false,
-         1200,
-         760}};
     std::string html;
-    for (const View& view : views) {
+    for (const PhysiologyView& view : physiology_views(vibration.name, at_s)) {
         snapshot.view = view.view;
         snapshot.stage = view.stage;
         snapshot.tilted = view.tilted;
