@@ -185,6 +185,12 @@ save_as() {
     until_true "$1 is there" test -s "$1"
 }
 
+# Where the pointer is; whether COMMAND succeeds then. Two clicks of a busy machine may come too far apart.
+double_clicks() { # COMMAND...
+    xdotool click --repeat 2 --delay 60 1
+    soon "$@"
+}
+
 press() { xdotool mousedown 1; }
 release() { xdotool mouseup 1; }
 
