@@ -223,7 +223,8 @@ std::vector<PageFile> phone_page();
 // An address as a QR code, which a phone's camera reads.
 //
 // Source    ISO/IEC 18004, by libqrencode; the quiet zone of four modules around it is the
-// standard's Valid     addresses of at most some hundred characters
+//           standard's
+// Valid     addresses of at most some hundred characters
 
 inline constexpr std::size_t kQuietModules = 4;
 

@@ -304,7 +304,7 @@ void toggle_playing(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap&
 void set_speed(Ui& ui, Workspace& work, Timeline& timeline, const ShownMap& shown_map,
                PlayState& play, double speed);
 
-// Plays a preview on headphones if no actuator is chosen (app/play/parts.h): first the
+// Plays a preview on headphones if no actuator is chosen: first the
 // current pattern, then everything that is played, until a device is chosen.
 void listen_by_ear(Ui& ui, Workspace& work, Timeline& timeline, PlayState& play);
 

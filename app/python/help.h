@@ -152,7 +152,7 @@ Returns a dict for render(); what cannot be mixed into one pattern, as layers. A
 rhythm where its notes lie on the grid of the result; elsewhere they are drawn as an amplitude
 curve. What cannot be is a ValueError that begins with the edit.)";
 
-// What help() says of the functions that take what people said: as help.h.
+// What help() says of the functions that take what people said.
 
 inline constexpr const char* kCompare =
     R"(compare(D, ratings, metric="", threads=0, *, given=None, progress=None)
@@ -268,7 +268,7 @@ unrated_patterns, participants_left_out, rehearsals_left_out, rho_before,
 rho_after), and without_set (of several sets), without_participant and without_pattern (a dict each;
 none where they were not asked for). A fit flatters itself: only what was left out tells how it does on others.)";
 
-// What help() says of the functions that take, read and write sets: as help.h.
+// What help() says of the functions that take, read and write sets.
 
 inline constexpr const char* kSeparate =
     R"(separate(set, pair, change=None, among=(), closest=5.0, threshold=None, threads=0, *, progress=None)

@@ -153,7 +153,7 @@ auto beside_python_or_alone(Work work, Progress* progress = nullptr) {
 // Dicts that Python hands over as parts of a set: models, patterns, ratings; and ratings as a dict.
 //
 // Input     the keys of a set file, or those that read_ratings() gives
-// Output    errors are those of app/python/parts.h
+// Output    TypeError where the type is wrong, else ValueError: "NAME: expected .., got .."
 // Valid     to be called with the interpreter's lock held
 
 pybind11::dict dict_in(const pybind11::handle& value, const std::string& name);
@@ -187,7 +187,7 @@ Json json_of(const pybind11::handle& document, const std::string& name);
 // The functions of the module that take what people said, patterns and files, or write them
 // (help.h).
 //
-// Output    errors are those of app/python/parts.h
+// Output    TypeError where the type is wrong, else ValueError: "NAME: expected .., got .."
 
 pybind11::dict compare(const pybind11::object& matrix, const pybind11::object& ratings,
                        const pybind11::object& metric, const pybind11::object& threads,
@@ -292,7 +292,7 @@ Value value_of(Expected<Value> expected) {
 
 // Sets as dicts: what read_set() gives, and what write_set() and others take.
 //
-// Output    errors are those of app/python/parts.h
+// Output    TypeError where the type is wrong, else ValueError: "NAME: expected .., got .."
 // Valid     to be called with the interpreter's lock held
 
 // With the whole set file behind "document", without samples.
@@ -312,7 +312,7 @@ std::size_t place_in(const pybind11::object& pattern, const PatternSet& set,
 // Input     arrays: anything that NumPy makes an array of real numbers, of any type, order and
 //           stride. Distances of all pairs: a square, or condensed as SciPy's squareform has it,
 //           (0,1),(0,2)..(0,n-1),(1,2)..
-// Output    errors are those of app/python/parts.h
+// Output    TypeError where the type is wrong, else ValueError: "NAME: expected .., got .."
 // Valid     to be called with the interpreter's lock held
 
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;

@@ -29,7 +29,7 @@ struct Document {
     PatternSet set;
     std::filesystem::path path;  // empty: never saved
     PatternSet saved;            // as it was last read or written: unsaved means set != saved
-    // Mark of the file's bytes at that time (app/session/session.h); empty: unknown.
+    // Mark of the file's bytes at that time; empty: unknown.
     std::optional<std::uint64_t> file_mark{};
 };
 
@@ -57,7 +57,7 @@ std::optional<FileLock> try_lock(const std::filesystem::path& path);
 // What survives the program: recent files, layout, looks, and which document was open.
 //
 // The first running instance owns the folder. Another one reads the same settings but writes none,
-// and keeps its unsaved changes (app/session/session.h) in a file of its own.
+// and keeps its unsaved changes in a file of its own.
 //
 // Input     session.json in the state folder, written by any earlier run
 // Output    settings; nothing missing or damaged there keeps the program from starting
@@ -180,9 +180,9 @@ std::filesystem::path running_program();
 // of the content of a set. Addresses are those of the program's file: addr2line -Cfe tells lines.
 //
 // Source    signal-safety(7), backtrace(3), whose first call loads a library and is made
-// beforehand. Left out  SIGKILL and a loss of power; where a sanitizer or a debugger answers a
-// signal, it
-//           stays theirs.
+//           beforehand.
+// Left out  SIGKILL and a loss of power; where a sanitizer or a debugger answers a signal, it stays
+//           theirs.
 
 // From now on a crash writes the file, over an older one. A path longer than 4,000 bytes is left.
 void watch_for_crashes(const std::filesystem::path& file);

@@ -14,7 +14,7 @@
 #include "app/jobs/jobs.h"
 #include "app/map/map.h"
 #include "app/play/play.h"
-#include "app/screen/input_queue.h"
+#include "app/screen/screen.h"
 #include "app/timeline/timeline.h"
 #include "app/ui/ui.h"
 #include "app/ui/widgets.h"
@@ -193,7 +193,7 @@ struct LeavingOut {
     std::string because;
 };
 
-// What is known of the device that a run is felt by (app/study/parts.h).
+// What is known of the device that a run is felt by.
 struct StudyActuator {
     bool is_there = false;        // when the run began; otherwise it is a rehearsal
     std::vector<Drive> drives;    // of every pattern of the run, turned down ...
@@ -246,8 +246,6 @@ struct StudyState {
 };
 
 // Studies of the window: the folder of participants, the run of one, and what they said so far.
-//
-// Left out  drawing: app/study/study.h.
 
 // Before the program ends: actuator and noise stop. The file of a run is complete.
 void stop_study(StudyState& studying);

@@ -14,8 +14,9 @@
 //
 // Source    THD < 10 % and an error < 3 % (0.26 dB) to be taken: a choice of ours
 // Input     a recording in g at the plan's rate, begun before the plan and ended after it
-// The recording's clock is told by the signal, which is known: what it is off is told and taken
-// out. Left out  phase; several sensors; a clock that drifts; a sweep's by a clock that is off.
+//           The recording's clock is told by the signal, which is known: what it is off is told
+//           and taken out.
+// Left out  phase; several sensors; a clock that drifts; a sweep's by a clock that is off.
 // Exact     same input, same table.
 #pragma once
 

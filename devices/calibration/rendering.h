@@ -8,8 +8,8 @@
 // On, off     a phone's motor as a browser switches it (model/io/effects_out/on_off.h), with a rise
 //             and a fall that are guessed (devices/rumble/motor_envelope.h)
 // Voice coil  the waveform within the coil's band and within full scale; of a calibrated one what
-// its
-//             response makes of the drive that it is given, turned down as a whole by the limiter
+//             its response makes of the drive that it is given, which the limiter turns down as a
+//             whole
 //
 // Source    two bands: the protocol; a calibrated coil: its table; all else: own choices, none
 //           measured.

@@ -1,8 +1,8 @@
 // A drive signal as the frames that a controller is told one after the other.
 //
 // Left out  when each is sent (devices/hid/hid_device.h), and as which bytes
-// (devices/hid/hid_protocol.h). Exact     the frames depend on the signal, the language and the
-// period alone.
+//           (devices/hid/hid_protocol.h)
+// Exact     the frames depend on the signal, the language and the period alone
 #pragma once
 
 #include <cstddef>

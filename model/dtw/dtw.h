@@ -63,7 +63,7 @@ std::vector<double> dtw(std::span<const SignalPair> pairs, const DtwOptions& opt
 //
 // traced back from the end; of equal ways the diagonal one, then the one that lets b wait.
 //
-// Source    Sakoe & Chiba 1978; cost and steps as in model/dtw/dtw.h.
+// Source    Sakoe & Chiba 1978; cost and steps are those of dtw().
 // Input     two signals, both with samples or both empty; what a sample of waiting costs
 // Output    pairs of positions from (0, 0) to the last of both, each one step on from the last
 // Valid     finite values; memory of one byte a cell, so coarse signals for long ones

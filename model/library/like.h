@@ -1,7 +1,7 @@
 // Which of a library feel most like a vibration, or can take its place on another device: what
 // comes back of each from the files of an export is held against what was meant.
 //
-// Source    ours; PM of a row: model/library/like.h, what comes back: model/export
+// Source    ours; what comes back: model/export
 // Valid     at most kMaxSetSamples compared in all; with more, an Error says to narrow the search
 // Left out  what the device makes of its files: devices/calibration
 // Exact     same input, same bits, on any number of threads

@@ -159,7 +159,7 @@ std::optional<std::size_t> place_named(const PatternSet& set, const std::string&
 // `wanted`, or `wanted 2`, `wanted 3`, ... whichever no vibration of the set has yet.
 std::string unused_name(const PatternSet& set, const std::string& wanted);
 
-// The waveforms of a set (pattern_set.h), rendered by many threads.
+// The waveforms of a set, rendered by many threads.
 
 // Each at its own length, which is what PM and every metric take. One clip of a minute does not
 // make all others a minute long. threads = 0: all cores.

@@ -68,7 +68,7 @@ std::optional<double> value_over(const TextbookFact& fact, double at);
 // Whether people notice the difference of two patterns, by the just noticeable differences of the
 // textbook.
 //
-// Source    facts "frequency jnd" and "amplitude jnd" (textbook.h)
+// Source    facts "frequency jnd" and "amplitude jnd"
 // Valid     patterns with one carrier each, of constant frequency. If the frequencies differ,
 //           nothing is said of the amplitudes, which are then felt at different strengths; if they
 //           are equal, the patterns differ in amplitude alone.

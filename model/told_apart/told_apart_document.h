@@ -2,7 +2,7 @@
 //
 // Output    shares from 0 to 1, times in seconds, PM as it was in the answers; every one says that
 //           it was measured on one person, on one device
-// Left out  the form in which a set file keeps the answers (model/told_apart/told_apart_document.h)
+// Left out  the form in which a set file keeps the answers: told_apart_field()
 // Exact     numbers read back as the same ones
 #pragma once
 
@@ -35,7 +35,7 @@ std::string told_apart_csv(const ToldApart& told);
 // Source    ours. Plays are counted from 1; `odd_one` is the one of the two that is played once.
 //           A trial needs all of its keys but `response_s`: none has a usual value.
 //           "synthetic": true: nobody was asked
-// Left out  what the trials say (model/told_apart/told_apart_document.h): it is computed.
+// Left out  what the trials say: it is computed.
 
 // None where the key is missing. A fault is left in the reading.
 std::vector<ToldApart> told_apart_field(JsonObject& object);

@@ -149,8 +149,8 @@ void frame_points(SpaceCamera& camera, const SpaceFit& fit, const Rect& pane,
 void orbit(SpaceCamera& camera, ImVec2 drag_px, float scale);
 void pan(SpaceCamera& camera, const Rect& pane, ImVec2 drag_px);
 
-// How large a map is in its pane, and what is in the middle of that; see space_camera.h. Private to
-// the camera.
+// How large a map is in its pane, and what is in the middle of that. Private to the
+// camera.
 
 // Pixels of one radius at zoom 1, and what of X and Y is in the middle of the pane.
 struct Framing {

@@ -2,7 +2,8 @@
 //
 // Source    the set file's layout: "waveform": "measured/NAME.wav"
 // Output    WAV, 32 bits float, in g; each file whole or not at all; names by
-// model/text/names.h Left out  removing files that no set names any more.
+//           model/text/names.h
+// Left out  removing files that no set names any more
 #pragma once
 
 #include <filesystem>

@@ -10,7 +10,8 @@
 // Source    jspsych.org, psychopy.org
 // Input     a set with its study; sorting is not packed
 // Output    files by their paths. The answers are read back by
-// model/io/studies_out/packed_answers.h Exact     same input, same bytes.
+//           model/io/studies_out/packed_answers.h
+// Exact     same input, same bytes
 #pragma once
 
 #include <string>
