@@ -94,13 +94,10 @@ UncertaintyParams resampling_of(const EvaluationParams& params) {
     return resampling;
 }
 
-}  // namespace
-
-std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity> matrices,
-                                                   const RatedPeople& people,
-                                                   const EvaluationParams& params,
-                                                   const std::function<void(double)>& progress,
-                                                   std::stop_token stop) {
+std::optional<std::vector<Evaluation>> without_intervals(
+    std::span<const Dissimilarity> matrices, const RatedPeople& people,
+    const EvaluationParams& params, const std::function<void(double)>& progress,
+    const std::stop_token& stop) {
     std::vector<Evaluation> all;
     for (const Dissimilarity& matrix : matrices) {
         if (stop.stop_requested()) return std::nullopt;
@@ -109,8 +106,20 @@ std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity
             progress(static_cast<double>(all.size()) / static_cast<double>(matrices.size()));
         }
     }
-    const auto intervals = rho_intervals(people.rated, matrices, all, resampling_of(params));
-    for (std::size_t m = 0; m < all.size(); ++m) all[m].rho_interval = intervals[m];
+    return all;
+}
+
+}  // namespace
+
+std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity> matrices,
+                                                   const RatedPeople& people,
+                                                   const EvaluationParams& params,
+                                                   const std::function<void(double)>& progress,
+                                                   std::stop_token stop) {
+    auto all = without_intervals(matrices, people, params, progress, stop);
+    if (!all) return std::nullopt;
+    const auto intervals = rho_intervals(people.rated, matrices, *all, resampling_of(params));
+    for (std::size_t m = 0; m < all->size(); ++m) (*all)[m].rho_interval = intervals[m];
     return all;
 }
 
@@ -128,7 +137,7 @@ std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeo
         if (progress) progress(++done / steps);
         return stop.stop_requested();
     };
-    auto evaluated = evaluations(
+    auto evaluated = without_intervals(
         table.matrices, people, params,
         [&](double share) {
             if (progress) progress(share * static_cast<double>(table.matrices.size()) / steps);
@@ -143,6 +152,10 @@ std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeo
     if (pm != metrics.end()) reference = static_cast<std::size_t>(pm - metrics.begin());
     table.uncertainty = uncertainty(study, people.rated, table.matrices, table.evaluations,
                                     reference, resampling_of(params));
+    for (std::size_t m = 0; m < table.evaluations.size(); ++m) {
+        table.evaluations[m].rho_interval =
+            table.uncertainty.rho[m].interval[static_cast<std::size_t>(Resampled::patterns)];
+    }
     if (is_stopped()) return std::nullopt;
     BootstrapParams bootstrap;
     bootstrap.draws = params.bootstrap_draws;
