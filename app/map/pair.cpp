@@ -38,13 +38,13 @@ std::optional<ChosenPair> closest_pair(const Workspace& work, const ShownMap& sh
     const auto here = [&](std::size_t k) {
         return place_named(work.document.set, mapped.vibrations[k].name);
     };
+    const bool is_felt = map.nearest[*row].exists_for(*row);
     std::size_t closest = map.nearest[*row].place;
-    if (closest == *row || !here(closest)) {
+    if (!is_felt || !here(closest)) {
         // Another one, as that one is gone; or any, for one that nobody feels.
-        const bool is_felt = closest != *row;
         std::optional<std::size_t> other;
         for (std::size_t k = 0; k < pm.size; ++k) {
-            if (k == *row || !here(k) || (is_felt && map.nearest[k].place == k)) continue;
+            if (k == *row || !here(k) || (is_felt && !map.nearest[k].exists_for(k))) continue;
             if (!other || pm(*row, k) < pm(*row, *other)) other = k;
         }
         if (!other) return pair;

@@ -142,7 +142,7 @@ std::string verdict_html(PairVerdict verdict) {
 
 std::string nearest_html(const Report& report, std::size_t place) {
     const NearestNeighbour& nearest = report.alike.closer.nearest[place];
-    if (nearest.place == place) return "";
+    if (!nearest.exists_for(place)) return "";
     return name_html(report, nearest.place) + " <span class=\"value\">" +
            value_text(report, nearest.dissimilarity) + "</span>";
 }

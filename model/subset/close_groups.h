@@ -21,7 +21,9 @@ namespace tact {
 
 struct NearestNeighbour {
     std::size_t place = 0;
-    double dissimilarity = 0.0;  // infinite where no pair is a number; `place` is the pattern's own
+    double dissimilarity = 0.0;  // infinite where no pair is a number; `place` is the object's own
+
+    bool exists_for(std::size_t object) const { return place != object; }
 
     bool operator==(const NearestNeighbour&) const = default;
 };

@@ -62,7 +62,7 @@ nlohmann::json json_of(const NearestNeighbour& nearest, std::size_t place, const
     nlohmann::json json{{"pattern", set.vibrations[nearest.place].name},
                         {"dissimilarity", nullptr},
                         {"verdict", nullptr}};
-    if (nearest.place == place) return json;
+    if (!nearest.exists_for(place)) return json;
     json["dissimilarity"] = nearest.dissimilarity;
     json["verdict"] = words_of(pair_verdict(set, place, nearest.place));
     return json;
