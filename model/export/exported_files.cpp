@@ -55,7 +55,7 @@ ExportedFiles files_alone(const ExportedSet& made, ExportedFiles result) {
     return result;
 }
 
-ExportedFiles files_with_loss(const ExportLoss& loss, std::span<const std::size_t> written,
+ExportedFiles files_with_loss(ExportLoss loss, std::span<const std::size_t> written,
                               ExportedFiles result) {
     result.target = loss.target;
     for (std::size_t k = 0; k < result.names.size(); ++k) {
@@ -64,7 +64,7 @@ ExportedFiles files_with_loss(const ExportLoss& loss, std::span<const std::size_
                   loss.beside[place]);
         result.remarks.push_back(loss.patterns[place].remarks);
     }
-    result.loss = loss;
+    result.loss = std::move(loss);
     return result;
 }
 
@@ -120,7 +120,7 @@ std::optional<ExportedFiles> exported_files(const PatternSet& part, const Export
     of_loss.progress = options.progress;
     const auto loss = export_loss(part, target, of_loss);
     if (!loss) return std::nullopt;
-    return files_with_loss(*loss, written, std::move(result));
+    return files_with_loss(*std::move(loss), written, std::move(result));
 }
 
 nlohmann::json json_of(const ExportedFiles& exported, const PatternSet& part,
