@@ -37,7 +37,7 @@ Expected<Counted> own_ratings(const PatternSet& set, const fs::path& path, const
     return counted;
 }
 
-// `set`: as it is meant.
+// `set`: before --side and --exported-as.
 Expected<Counted> ratings_for(const PatternSet& set, const fs::path& path,
                               std::span<const fs::path> files, const RatingFiles& how) {
     if (files.empty()) return own_ratings(set, path, how.who);

@@ -24,13 +24,13 @@ namespace tact {
 
 // A set with ratings that takes part, or could.
 struct SetToFit {
-    std::string name;  // with what is to be said of its ratings
+    std::string set_name;    // as a record has it
+    std::string shown_name;  // with what is to be said of its ratings
     std::shared_ptr<const PatternSet> set;
     std::shared_ptr<const RatingStudy> study;  // in the order of its patterns
     std::size_t people = 0;
     std::filesystem::path file;  // empty: the document
     bool takes_part = true;
-    std::string set_name;  // alone, as a record has it
 };
 
 struct TrainingRequest {

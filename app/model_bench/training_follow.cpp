@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 // Results are told under the names of the list; the record has those of the sets.
 void name_as_listed(FoundTraining& found) {
     for (std::size_t s = 0; s < found.request.sets.size(); ++s) {
-        const std::string& name = found.request.sets[s].name;
+        const std::string& name = found.request.sets[s].shown_name;
         found.training.sets[s].name = name;
         if (s < found.training.without_set.size()) found.training.without_set[s].name = name;
     }
@@ -56,14 +56,16 @@ std::optional<FoundTraining> find_parameters(const TrainingRequest& request, std
 
 // `file`: the name of its file, which stands for one without a name.
 Expected<SetToFit> rated_set(const PatternSet& set, const std::string& file) {
-    const std::string& name = set.name.empty() ? file : set.name;
     Expected<Counted> people = set_people(set);
     if (!people) return people.error();
-    SetToFit rated{name, std::make_shared<const PatternSet>(set), {}, 0, {}, true, name};
+    SetToFit rated;
+    rated.set_name = set.name.empty() ? file : set.name;
+    rated.shown_name = rated.set_name;
+    rated.set = std::make_shared<const PatternSet>(set);
     rated.people = participant_means(people->study).size();
     rated.study = std::make_shared<const RatingStudy>(std::move(people->study));
     if (const std::string words = words_of(mark_of(*rated.study)); !words.empty()) {
-        rated.name += ", " + words + " ratings";
+        rated.shown_name += ", " + words + " ratings";
     }
     return rated;
 }
@@ -93,7 +95,7 @@ bool differ(const TrainingRequest& asked, const TrainingRequest& now) {
 }
 
 std::string proposed_name(const FoundTraining& found) {
-    return file_stem(found.request.sets.front().name + " " + found.record.date.substr(0, 10));
+    return file_stem(found.request.sets.front().shown_name + " " + found.record.date.substr(0, 10));
 }
 
 }  // namespace

@@ -31,13 +31,13 @@ std::string size_text(const SetToFit& set) {
 
 void draw_set(Ui& ui, const SetToFit& set, bool& takes_part, bool* removed) {
     ImGui::PushID(set.file.empty() ? "the document" : set.file.c_str());
-    check(ui, {.id = "train on:" + set.name, .label = set.name}, takes_part);
+    check(ui, {.id = "train on:" + set.shown_name, .label = set.shown_name}, takes_part);
     const std::string size = size_text(set);
     flow_on(ImGui::CalcTextSize(size.c_str()).x, ui.theme.gap_px);
     dim_text(ui, {.id = "train:size", .text = size});
     if (removed != nullptr) {
         flow_on(ImGui::CalcTextSize("Remove").x, ui.theme.gap_px);
-        *removed = link(ui, {.id = "link:remove " + set.name, .label = "Remove"});
+        *removed = link(ui, {.id = "link:remove " + set.shown_name, .label = "Remove"});
     }
     ImGui::PopID();
 }

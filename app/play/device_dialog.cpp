@@ -203,8 +203,7 @@ void draw_strength(Ui& ui, Workspace& work, Timeline& timeline, RenderingState& 
         .label = "Protect the actuator",
         .tip =
             "Leaves out what is slower than 16 Hz, fades both ends of a pattern in 5 ms and "
-            "stops after a minute on end. Without it an actuator may be harmed.",
-        .value = play.is_protected ? "on" : "off"};
+            "stops after a minute on end. Without it an actuator may be harmed."};
     if (check(ui, protect, play.is_protected)) begin_softly(play);
     draw_calibration_links(ui, work, timeline, rendered, play);
 }

@@ -59,8 +59,7 @@ void draw_switch(Ui& ui, Workspace& work, RenderingState& rendered) {
         .label = kLabel,
         .tip =
             "Stages, matrix, map and metrics of what the device plays, instead of what was "
-            "meant. Titles say so; the document does not change.",
-        .value = rendered.on ? "on" : "off"};
+            "meant. Titles say so; the document does not change."};
     if (check(ui, item, rendered.on)) predictions_changed(work);
 }
 
@@ -94,8 +93,7 @@ void draw_level(Ui& ui, Workspace& work, RenderingState& rendered, const PlaySta
         .tip =
             "As strong as it is played now, by the level at the top of the window: a weak "
             "motor's dead zone included. When it is off, patterns are taken at "
-            "full level, with the strength that they say.",
-        .value = rendered.at_bar_level ? "on" : "off"};
+            "full level, with the strength that they say."};
     if (check(ui, item, rendered.at_bar_level)) {
         take_level(work, rendered, rendered.at_bar_level ? play.level : 1.0);
     }

@@ -130,20 +130,20 @@ std::string device_words(const Report& report) {
            html_escaped(strength_words(*report.by)) + ".";
 }
 
-// How many patterns a sentence is said of.
-struct SaidOf {
+// A note, and of how many patterns it is said.
+struct SharedNote {
     std::string text;
     std::size_t patterns = 0;
 };
 
 // What notes say behind their first sentence, such as the actuator map of an effect.
-std::vector<SaidOf> said_in_notes(const PatternSet& set) {
-    std::vector<SaidOf> all;
+std::vector<SharedNote> said_in_notes(const PatternSet& set) {
+    std::vector<SharedNote> all;
     for (const Vibration& vibration : set.vibrations) {
         const std::string first = first_sentence(vibration.note);
         if (first.size() + 1 >= vibration.note.size()) continue;
         const std::string rest = vibration.note.substr(first.size() + 1);
-        const auto known = std::ranges::find(all, rest, &SaidOf::text);
+        const auto known = std::ranges::find(all, rest, &SharedNote::text);
         if (known == all.end()) {
             all.push_back({rest, 1});
         } else {
@@ -189,7 +189,7 @@ std::string assumed_section(const Report& report) {
         "<dl>\n" + item("Patterns", kinds_words(report.set)) + item("Scale", scale_words(report)) +
         item("Thresholds", thresholds_words(report)) + item("Model", model_words(report)) +
         item("Device", device_words(report)) + actuators_item(report.set);
-    for (const SaidOf& said : said_in_notes(report.set)) {
+    for (const SharedNote& said : said_in_notes(report.set)) {
         html += item(counted(said.patterns, "pattern", "patterns"), html_escaped(said.text));
     }
     return html_section("assumed", "What was assumed", html + "</dl>\n");

@@ -78,7 +78,7 @@ bool begin_dialog(const Ui& ui, const char* title, float width_px, DialogSide si
 }
 
 bool begin_dialog(const Ui& ui, const Dialog& dialog, float width_px, DialogSide side) {
-    return ui.dialog == dialog && begin_dialog(ui, dialog.title.data(), width_px, side);
+    return ui.dialog == dialog && begin_dialog(ui, dialog.title, width_px, side);
 }
 
 void begin_foot(const Ui& ui) {

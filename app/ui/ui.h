@@ -194,10 +194,10 @@ void write_rects(WidgetRects& rects);
 
 // A dialog over the panes. A room declares its own, and draws it while it is that of Ui.
 struct Dialog {
-    std::string_view title{};     // tells it from the others
+    const char* title = "";       // tells it from the others
     bool is_of_document = false;  // it holds data of the document, and closes with it
 
-    bool operator==(const Dialog&) const = default;
+    bool operator==(const Dialog& other) const { return std::string_view(title) == other.title; }
 };
 inline constexpr Dialog kNoDialog{};
 
