@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ask/proposals_work.h"
+#include "app/ask/parts.h"
 #include "app/document/editing.h"
 #include "app/map/map.h"
 #include "devices/calibration/rendering.h"

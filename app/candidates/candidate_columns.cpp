@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/candidates/candidate_parts.h"
+#include "app/candidates/parts.h"
 #include "app/document/workspace.h"
 #include "app/patterns/patterns.h"
 #include "app/ui/widgets.h"

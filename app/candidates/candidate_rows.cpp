@@ -82,7 +82,7 @@ void add_nearest(CandidateRow& row, const LiveMap& map, const RowsByName& in_map
     const auto found = in_map.find(name);
     if (found == in_map.end() || found->second >= map.nearest.size()) return;
     const NearestNeighbour& nearest = map.nearest[found->second];
-    if (nearest.place == found->second) return;
+    if (!nearest.exists_for(found->second)) return;
     row.nearest_pm = nearest.dissimilarity;
     row.nearest_name = map.request.set->vibrations[nearest.place].name;
 }

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include "app/candidates/candidate_parts.h"
+#include "app/candidates/parts.h"
 #include "app/document/editing.h"
 #include "app/document/workspace.h"
 #include "app/ui/widgets.h"

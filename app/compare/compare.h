@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "app/document/workspace.h"
-#include "app/foreign/foreign_metric.h"
+#include "app/foreign/foreign.h"
 #include "app/jobs/jobs.h"
 #include "app/map/map.h"
 #include "app/tables/tables.h"

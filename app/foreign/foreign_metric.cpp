@@ -1,4 +1,4 @@
-#include "app/foreign/foreign_metric.h"
+#include "app/foreign/foreign.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -10,7 +10,7 @@
 
 #include "app/document/editing.h"
 #include "app/library/library.h"
-#include "app/library/library_parts.h"
+#include "app/library/parts.h"
 #include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "model/io/formats/write_effect.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/library/library.h"
-#include "app/library/library_parts.h"
+#include "app/library/parts.h"
 #include "app/ui/widgets.h"
 #include "model/text/numbers.h"
 #include "model/text/shown_text.h"

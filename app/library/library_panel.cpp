@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/library/library_parts.h"
+#include "app/library/parts.h"
 #include "app/progress/progress.h"
 #include "app/ui/widgets.h"
 #include "viz/drawing/marks.h"

@@ -2,7 +2,7 @@
 // clipboard, files dropped.
 //
 // Input     events of the browser, between two frames
-// Output    what GLFW would have told (window_events.h): codes of its keys, pixels of the canvas
+// Output    what GLFW would have told: codes of its keys, pixels of the canvas
 // Left out  input methods; what a browser keeps for itself (Ctrl+W, Ctrl+T, Ctrl+N); fingers from
 // the
 //           third on
@@ -11,8 +11,7 @@
 
 #include <string>
 
-#include "app/screen/input_queue.h"
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 
 namespace tact {
 

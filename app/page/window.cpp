@@ -13,8 +13,7 @@
 
 #include "app/jobs/jobs.h"
 #include "app/page/page_events.h"
-#include "app/screen/kept_frame.h"
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
 

@@ -1,4 +1,4 @@
-#include "app/screen/display_loss.h"
+#include "app/screen/parts.h"
 
 #include <X11/Xlib.h>
 #include <unistd.h>
@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include "app/screen/wayland.h"
 #include "devices/device/halt.h"
 
 namespace tact {

@@ -1,4 +1,4 @@
-#include "app/screen/escape_watch.h"
+#include "app/screen/parts.h"
 
 #include <X11/Xlib.h>
 #include <X11/keysym.h>
@@ -10,9 +10,6 @@
 #include <array>
 #include <stop_token>
 #include <utility>
-
-#include "app/screen/wayland.h"
-#include "app/screen/wayland_escape.h"
 
 namespace tact {
 

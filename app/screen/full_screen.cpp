@@ -1,4 +1,4 @@
-#include "app/screen/full_screen.h"
+#include "app/screen/parts.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

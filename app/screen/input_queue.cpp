@@ -1,4 +1,4 @@
-#include "app/screen/input_queue.h"
+#include "app/screen/screen.h"
 
 #include <algorithm>
 #include <array>

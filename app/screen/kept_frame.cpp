@@ -1,4 +1,4 @@
-#include "app/screen/kept_frame.h"
+#include "app/screen/screen.h"
 
 #include <backends/imgui_impl_opengl3.h>
 

@@ -1,4 +1,4 @@
-#include "app/screen/side_window.h"
+#include "app/screen/parts.h"
 
 #include <epoxy/gl.h>
 // After OpenGL's own header.
@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <span>
-
-#include "app/screen/wayland.h"
 
 namespace tact {
 

@@ -1,4 +1,4 @@
-#include "app/screen/wayland.h"
+#include "app/screen/parts.h"
 
 #include <dlfcn.h>
 

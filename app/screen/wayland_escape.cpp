@@ -1,4 +1,4 @@
-#include "app/screen/wayland_escape.h"
+#include "app/screen/parts.h"
 
 #include <linux/input-event-codes.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 
 #include <epoxy/gl.h>
 // After OpenGL's own header.
@@ -15,13 +15,7 @@
 #include <mutex>
 #include <string_view>
 
-#include "app/screen/display_loss.h"
-#include "app/screen/escape_watch.h"
-#include "app/screen/full_screen.h"
-#include "app/screen/kept_frame.h"
-#include "app/screen/side_window.h"
-#include "app/screen/wayland.h"
-#include "app/screen/window_events.h"
+#include "app/screen/parts.h"
 #include "model/text/shown_text.h"
 #include "viz/drawing/imgui_versions.h"
 #include "viz/picture/program_icon.h"

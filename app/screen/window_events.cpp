@@ -1,13 +1,10 @@
-#include "app/screen/window_events.h"
+#include "app/screen/parts.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <span>
-
-#include "app/screen/display_loss.h"
-#include "app/screen/key_sign.h"
 
 namespace tact {
 namespace {

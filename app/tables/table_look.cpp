@@ -6,7 +6,7 @@
 
 #include "app/document/editing.h"
 #include "app/progress/progress.h"
-#include "app/tables/table_words.h"
+#include "app/tables/parts.h"
 #include "app/ui/ui.h"
 #include "model/signal/waveform.h"
 #include "model/table/table.h"

@@ -1,4 +1,4 @@
-#include "app/tables/table_words.h"
+#include "app/tables/parts.h"
 
 #include <nlohmann/json.hpp>
 

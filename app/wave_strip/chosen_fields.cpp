@@ -12,7 +12,7 @@
 
 #include "app/document/editing.h"
 #include "app/ui/widgets.h"
-#include "app/wave_strip/note_grips.h"
+#include "app/wave_strip/parts.h"
 #include "app/wave_strip/wave_strip.h"
 #include "model/pattern/pattern_numbers.h"
 #include "model/text/numbers.h"

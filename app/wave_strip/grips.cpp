@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/wave_strip/note_grips.h"
+#include "app/wave_strip/parts.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/marks.h"
 

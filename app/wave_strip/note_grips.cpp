@@ -1,4 +1,4 @@
-#include "app/wave_strip/note_grips.h"
+#include "app/wave_strip/parts.h"
 
 #include <imgui.h>
 

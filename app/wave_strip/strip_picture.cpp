@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/wave_strip/note_grips.h"
+#include "app/wave_strip/parts.h"
 #include "model/pattern/rhythm_edit.h"
 #include "model/text/numbers.h"
 #include "viz/drawing/colour.h"

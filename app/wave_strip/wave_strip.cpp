@@ -11,7 +11,7 @@
 #include "app/document/editing.h"
 #include "app/document/workspace.h"
 #include "app/ui/widgets.h"
-#include "app/wave_strip/note_grips.h"
+#include "app/wave_strip/parts.h"
 #include "model/set/felt_versions.h"
 #include "model/set/layers.h"
 #include "model/text/numbers.h"

@@ -11,7 +11,7 @@
 #include "app/map/map.h"
 #include "app/phones/phones.h"
 #include "app/play/play.h"
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 #include "app/session/session.h"
 #include "app/study/study.h"
 #include "app/window/window.h"

@@ -14,7 +14,7 @@
 #include "app/map/map.h"
 #include "app/physiology/physiology.h"
 #include "app/pictures/pictures.h"
-#include "app/screen/input_queue.h"
+#include "app/screen/screen.h"
 #include "app/window/app.h"
 #include "devices/calibration/rendering.h"
 #include "model/common/expected.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/map/map.h"
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 #include "app/subset/subset.h"
 #include "app/workspaces/workspaces.h"
 #include "model/common/random.h"

@@ -18,7 +18,7 @@
 
 #include "app/document/editing.h"
 #include "app/map/map.h"
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 #include "app/workspaces/workspaces.h"
 #include "tests/bench/owed.h"
 #include "tests/support/mixed_set.h"

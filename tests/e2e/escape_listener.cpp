@@ -7,7 +7,7 @@
 #include <iostream>
 #include <mutex>
 
-#include "app/screen/escape_watch.h"
+#include "app/screen/parts.h"
 #include "tests/support/patience.h"
 
 int main() {

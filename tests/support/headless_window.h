@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "app/screen/input_queue.h"
+#include "app/screen/screen.h"
 #include "viz/drawing/imgui_versions.h"
 
 namespace tact {

@@ -58,7 +58,7 @@ inline void set_draw_lists(ImDrawData& frame, std::span<ImDrawList*> lists) {
 // The space bar, whose own name presses buttons, goes by that of a key that nothing else means.
 inline constexpr ImGuiKey kSpaceBar = ImGuiKey_F12;
 
-// Which events share a frame is app/screen/input_queue's word, not ImGui's.
+// Which events share a frame is app/screen/screen's word, not ImGui's.
 inline void name_keys(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
 
 inline void add_key(ImGuiIO& io, ImGuiKey key, bool down) { io.AddKeyEvent(key, down); }

@@ -9,7 +9,7 @@
 
 #include "app/command_line/commands.h"
 #include "app/command_line/people/people.h"
-#include "app/foreign/foreign_metric.h"
+#include "app/foreign/foreign.h"
 #include "app/rendering/rendering.h"
 #include "model/common/expected.h"
 #include "model/evaluation/evaluation.h"

@@ -9,7 +9,7 @@
 
 #include "app/command_line/output.h"
 #include "app/command_line/rated_sets.h"
-#include "app/foreign/foreign_metric.h"
+#include "app/foreign/foreign.h"
 #include "app/session/program_version.h"
 #include "model/tasks/set_agreement.h"
 #include "model/text/numbers.h"

@@ -1,5 +1,5 @@
 // The parts of the window that need no screen; the rest is tested with a real one (tests/e2e).
-#include "app/screen/window.h"
+#include "app/screen/screen.h"
 
 #include <doctest/doctest.h>
 

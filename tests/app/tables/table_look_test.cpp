@@ -7,7 +7,7 @@
 
 #include "app/document/editing.h"
 #include "app/session/session.h"
-#include "app/tables/table_words.h"
+#include "app/tables/parts.h"
 #include "app/window/window.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_steps.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/document/editing.h"
-#include "app/screen/input_queue.h"
+#include "app/screen/screen.h"
 #include "app/workspaces/workspaces.h"
 #include "model/set/measured_twin.h"
 #include "tests/support/program.h"
