@@ -62,6 +62,7 @@ void paste(Ui& ui, Workspace& work) {
 }
 
 Expected<Done> copy_to_clipboard(const Image& image) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe)
     const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
     const bool has_wayland = wayland && is_installed("wl-copy");
     if (!has_wayland && !is_installed("xclip")) {
@@ -80,7 +81,7 @@ Expected<Done> copy_to_clipboard(const Image& image) {
 }
 
 bool is_installed(const std::string& program) {
-    const char* folders = std::getenv("PATH");
+    const char* folders = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
     std::string left = folders == nullptr ? "" : folders;
     while (!left.empty()) {
         const std::size_t end = left.find(':');

@@ -45,7 +45,7 @@ std::string glfw_reason() {
 // to the terminal what GLFW then says once more.
 bool has_wayland_folder() {
     const auto is_path = [](const char* variable) {
-        const char* value = std::getenv(variable);
+        const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
         return value != nullptr && std::string_view(value).starts_with('/');
     };
     return is_path("XDG_RUNTIME_DIR") || is_path("WAYLAND_DISPLAY");

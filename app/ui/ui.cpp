@@ -50,7 +50,7 @@ double aging_wake_s(const Ui& ui) {
 }
 
 WidgetRects widget_rects_wanted() {
-    const char* file = std::getenv("TACTSPACE_WIDGET_RECTS");
+    const char* file = std::getenv("TACTSPACE_WIDGET_RECTS");  // NOLINT(concurrency-mt-unsafe)
     WidgetRects rects;
     if (file != nullptr) rects.file = file;
     return rects;

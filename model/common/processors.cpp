@@ -60,7 +60,7 @@ double least_quota(const fs::path& root, std::string_view group, const Quota& qu
 }
 
 int variable(const char* name) {
-    const char* text = std::getenv(name);
+    const char* text = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
     return text == nullptr ? 0 : static_cast<int>(std::min(number_of(text), 1e6));
 }
 

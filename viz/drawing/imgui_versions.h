@@ -16,9 +16,11 @@ namespace tact {
 #if IMGUI_VERSION_NUM < 19000
 
 // Keys without a name there have the first numbers behind those that have one.
+// NOLINTBEGIN(readability-identifier-naming): the newer version's own names
 inline constexpr ImGuiKey ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnter;
 inline constexpr ImGuiKey ImGuiKey_T = ImGuiKey_COUNT;
 inline constexpr ImGuiKey ImGuiKey_F1 = ImGuiKey_COUNT + 1;
+// NOLINTEND(readability-identifier-naming)
 inline constexpr ImGuiKey kSpaceBar = ImGuiKey_COUNT + 2;  // its own name presses buttons
 
 // Once per context, before its first frame: keys are known by their names.
