@@ -124,34 +124,32 @@ std::optional<std::vector<Evaluation>> evaluations(std::span<const Dissimilarity
 }
 
 std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeople& people,
-                                        std::span<const Metric> metrics,
-                                        std::vector<Dissimilarity> matrices,
-                                        std::span<const Nuisance> nuisances,
-                                        const EvaluationParams& params,
-                                        const std::function<void(double)>& progress,
-                                        std::stop_token stop) {
-    MetricTable table{{metrics.begin(), metrics.end()}, std::move(matrices), {}, {}, {}, {}};
-    const auto steps = static_cast<double>(table.matrices.size() + nuisances.size() + 2);
-    double done = static_cast<double>(table.matrices.size());
+                                        AgreementRequest request) {
+    const std::vector<Metric>& metrics = request.metrics;
+    const std::vector<Dissimilarity>& matrices = request.matrices;
+    const EvaluationParams& params = request.params;
+    const auto steps = static_cast<double>(matrices.size() + request.nuisances.size() + 2);
+    double done = static_cast<double>(matrices.size());
     const auto is_stopped = [&] {
-        if (progress) progress(++done / steps);
-        return stop.stop_requested();
+        if (request.progress) request.progress(++done / steps);
+        return request.stop.stop_requested();
     };
     auto evaluated = without_intervals(
-        table.matrices, people, params,
+        matrices, people, params,
         [&](double share) {
-            if (progress) progress(share * static_cast<double>(table.matrices.size()) / steps);
+            const auto evaluating = static_cast<double>(matrices.size());
+            if (request.progress) request.progress(share * evaluating / steps);
         },
-        stop);
+        request.stop);
     if (!evaluated) return std::nullopt;
-    table.evaluations = *std::move(evaluated);
-    table.individuals = individuals(study, people.rated, table.matrices, table.evaluations, params);
+    MetricTable table{metrics, {}, *std::move(evaluated), {}, {}, {}};
+    table.individuals = individuals(study, people.rated, matrices, table.evaluations, params);
     if (is_stopped()) return std::nullopt;
     const auto pm = std::ranges::find(metrics, Metric::pm);
     std::optional<std::size_t> reference;
     if (pm != metrics.end()) reference = static_cast<std::size_t>(pm - metrics.begin());
-    table.uncertainty = uncertainty(study, people.rated, table.matrices, table.evaluations,
-                                    reference, resampling_of(params));
+    table.uncertainty = uncertainty(study, people.rated, matrices, table.evaluations, reference,
+                                    resampling_of(params));
     for (std::size_t m = 0; m < table.evaluations.size(); ++m) {
         table.evaluations[m].rho_interval =
             table.uncertainty.rho[m].interval[static_cast<std::size_t>(Resampled::patterns)];
@@ -160,11 +158,12 @@ std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeo
     BootstrapParams bootstrap;
     bootstrap.draws = params.bootstrap_draws;
     bootstrap.threads = params.threads;
-    for (const Nuisance& one : nuisances) {
-        table.given.push_back(given(one.name, one.apart, people.rated.people.dissimilarity,
-                                    table.matrices, bootstrap));
+    for (const Nuisance& one : request.nuisances) {
+        table.given.push_back(
+            given(one.name, one.apart, people.rated.people.dissimilarity, matrices, bootstrap));
         if (is_stopped()) return std::nullopt;
     }
+    table.matrices = std::move(request.matrices);
     return table;
 }
 

@@ -73,15 +73,19 @@ struct Nuisance {
     Dissimilarity apart;
 };
 
-// `matrices`: of the metrics, as compared_matrices() has them, then of others. Progress is the
-// share of the work; nothing when stopped.
+struct AgreementRequest {
+    std::vector<Metric> metrics;
+    // Those of the metrics, as compared_matrices() has them, then those of others.
+    std::vector<Dissimilarity> matrices;
+    std::vector<Nuisance> nuisances{};
+    EvaluationParams params{};
+    std::stop_token stop{};
+    std::function<void(double)> progress{};  // 0..1, from this thread
+};
+
+// Nothing when stopped.
 std::optional<MetricTable> metric_table(const RatingStudy& study, const RatedPeople& people,
-                                        std::span<const Metric> metrics,
-                                        std::vector<Dissimilarity> matrices,
-                                        std::span<const Nuisance> nuisances,
-                                        const EvaluationParams& params,
-                                        const std::function<void(double)>& progress = {},
-                                        std::stop_token stop = {});
+                                        AgreementRequest request);
 
 struct MetricRho {
     Metric metric = Metric::pm;

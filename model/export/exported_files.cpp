@@ -118,7 +118,7 @@ std::optional<ExportedFiles> exported_files(const PatternSet& part, const Export
     of_loss.threads = options.threads;
     of_loss.stop = options.stop;
     of_loss.progress = options.progress;
-    const auto loss = export_loss(part, target, of_loss);
+    auto loss = export_loss(part, target, of_loss);
     if (!loss) return std::nullopt;
     return files_with_loss(*std::move(loss), written, std::move(result));
 }

@@ -13,8 +13,7 @@ std::optional<PeopleAgreement> people_agreement(const RatingStudy& study,
         agreement.fault = people.error().message;
         return agreement;
     }
-    auto table = metric_table(study, *people, request.metrics, std::move(request.matrices),
-                              request.nuisances, request.params, request.progress, request.stop);
+    auto table = metric_table(study, *people, std::move(request));
     if (!table) return std::nullopt;
     agreement.people = *std::move(people);
     agreement.raters = inter_rater(study);

@@ -19,16 +19,6 @@
 
 namespace tact {
 
-struct AgreementRequest {
-    std::vector<Metric> metrics;
-    // Those of the metrics, as compared_matrices() has them, then those of others.
-    std::vector<Dissimilarity> matrices;
-    std::vector<Nuisance> nuisances{};
-    EvaluationParams params{};
-    std::stop_token stop{};
-    std::function<void(double)> progress{};  // 0..1, from this thread
-};
-
 struct PeopleAgreement {
     std::string fault;  // why there is nothing to compare with: what follows is empty then
     RatedPeople people;

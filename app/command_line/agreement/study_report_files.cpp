@@ -19,6 +19,7 @@
 #include "model/io/people/study_tables.h"
 #include "model/io/set/set_file.h"
 #include "model/io/studies_out/preregistration_file.h"
+#include "model/tasks/set_agreement.h"
 #include "model/text/atomic_file.h"
 #include "model/text/utc_time.h"
 
@@ -85,30 +86,34 @@ Expected<ReportedStudy> reported_study(const StudyCommand& command, const Patter
     params.threads = command.common.threads;
     const Expected<RatingStudy> spread = matched(study.results.study, names_of(set));
     if (!spread) return spread.error();
-    Expected<RatedPeople> people = rated_people(*spread, params);
-    if (!people) return people.error();
-    ReportedStudy reported;
-    StudyTables& tables = reported.tables;
-    tables.raters = inter_rater(study.results.study);
-    tables.weights = individual_weights(study.results.study,
-                                        command.weights.value_or(shown_weight_dimensions(
-                                            rated_part(people->rated).people.dissimilarity.size)));
-    tables.effects = order_effects(counted_records(study.records, study.results));
-    tables.records = std::move(study.records);
-    tables.results = std::move(study.results);
-    tables.people = rated_part(people->rated).people;
-    tables.k_chance = rated_part(people->rated).k_chance;
-    tables.labels = names_of(rated_patterns_of(set, people->rated));
     MetricOptions options;
     options.threads = command.common.threads;
     options.progress = progress_line("comparing metrics");
-    MetricTable table = *metric_table(*spread, *people, kMetrics,
-                                      *compared_matrices(set, kMetrics, nullptr, options),
-                                      simple_reasons(set), params, progress_line("resampling"));
+    AgreementRequest request{{kMetrics.begin(), kMetrics.end()},
+                             *compared_matrices(set, kMetrics, nullptr, options),
+                             simple_reasons(set),
+                             params};
+    request.progress = progress_line("resampling");
+    PeopleAgreement agreed = *people_agreement(*spread, std::move(request));
+    if (!agreed.fault.empty()) return Error{agreed.fault};
+    const RatedSet& rated = rated_part(agreed.people.rated);
+    ReportedStudy reported;
+    StudyTables& tables = reported.tables;
+    tables.raters = inter_rater(study.results.study);
+    tables.weights = individual_weights(
+        study.results.study,
+        command.weights.value_or(shown_weight_dimensions(rated.people.dissimilarity.size)));
+    tables.effects = order_effects(counted_records(study.records, study.results));
+    tables.records = std::move(study.records);
+    tables.results = std::move(study.results);
+    tables.people = rated.people;
+    tables.k_chance = rated.k_chance;
+    tables.labels = names_of(rated_patterns_of(set, agreed.people.rated));
+    MetricTable& table = agreed.table;
     for (std::size_t k = 0; k < kMetrics.size(); ++k) {
         MetricOfStudy metric;
         metric.key = traits(kMetrics[k]).key;
-        metric.matrix = among_rated(table.matrices[k], people->rated);
+        metric.matrix = among_rated(table.matrices[k], agreed.people.rated);
         metric.evaluation = table.evaluations[k];
         MdsParams map = standard_mds_params(metric.matrix.size, params.dimensions);
         map.threads = params.threads;
@@ -124,7 +129,7 @@ Expected<ReportedStudy> reported_study(const StudyCommand& command, const Patter
     }
     const SetAgreement agreement{set.name.empty() ? "this study" : set.name,
                                  tables.labels.size(),
-                                 *std::move(people),
+                                 std::move(agreed.people),
                                  std::move(left_out),
                                  {},
                                  std::move(table),
