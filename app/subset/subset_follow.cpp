@@ -41,17 +41,18 @@ Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::sto
     return std::move(found->apart);
 }
 
-// Where there are no threads: the request that took the last turn, and the time of the next.
+// Where there are no threads: the request that took the last turn, what it found out before it
+// searched, and the time of the next.
 struct PickTurns {
     PickRequest of;
     double limit_s = kFirstTurnS;
+    std::shared_ptr<const Dissimilarity> dissimilarity;
+    NumberMark mark;
 };
 
-double pick_limit_s(const PickRequest& request, PickTurns& turns) {
+double pick_limit_s(const PickRequest& request, const PickTurns& turns) {
     const double limit_s = is_of_preview(request) ? kPreviewLimitS : kPickLimitS;
-    if (!work_takes_turns()) return limit_s;
-    if (turns.of != request) turns = {request};
-    return std::min(limit_s, turns.limit_s);
+    return work_takes_turns() ? std::min(limit_s, turns.limit_s) : limit_s;
 }
 
 // Whether the search begins again, with more time, after the next frame.
@@ -67,7 +68,12 @@ bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
 }
 
 // False: it cannot be found, and the pick says why.
-bool find_dissimilarity(Pick& pick, std::stop_token stop) {
+bool find_dissimilarity(Pick& pick, std::stop_token stop, PickTurns& turns) {
+    if (work_takes_turns() && turns.of != pick.request) turns = {pick.request, kFirstTurnS, {}, {}};
+    if (!pick.dissimilarity && turns.dissimilarity) {
+        pick.dissimilarity = turns.dissimilarity;
+        pick.mark = turns.mark;
+    }
     if (pick.dissimilarity) return true;
     auto matrix = asked_dissimilarity(pick.request, std::move(stop), pick.mark);
     if (!matrix) {
@@ -75,6 +81,10 @@ bool find_dissimilarity(Pick& pick, std::stop_token stop) {
         return false;
     }
     pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
+    if (work_takes_turns()) {
+        turns.dissimilarity = pick.dissimilarity;
+        turns.mark = pick.mark;
+    }
     return true;
 }
 
@@ -85,7 +95,7 @@ std::optional<Pick> pick_subset(const PickTask& task, std::stop_token stop,
                                 PickTurns& turns) {
     const PickRequest& request = task.question;
     Pick pick{request, task.apart, {}, {}, task.mark};
-    const bool is_known = find_dissimilarity(pick, stop);
+    const bool is_known = find_dissimilarity(pick, stop, turns);
     if (stop.stop_requested()) return std::nullopt;
     if (!is_known) return pick;
     SubsetOptions options;

@@ -144,8 +144,10 @@ TEST_CASE("subset: without threads a search gives its turn back, and ends unprov
         while (!picking.pick) give_one();
         CHECK(picking.pick->is_so_far);
         CHECK(is_picking(picking));
+        const auto apart = picking.pick->dissimilarity;
         while (is_picking(picking)) give_one();
-        CHECK(turns >= 5);  // of 0.1, 0.2, 0.4, 0.8 and 1.6 s
+        CHECK(picking.pick->dissimilarity == apart);  // found once, not in each turn
+        CHECK(turns >= 5);                            // of 0.1, 0.2, 0.4, 0.8 and 1.6 s
         CHECK_FALSE(picking.pick->is_so_far);
         CHECK(picking.pick->answer.proof == SubsetProof::open);
         picking.count = 19;
