@@ -39,8 +39,7 @@ Dissimilarity of every pair of vibrations.
 
 waves    array (n, samples) in g, or a list of n arrays of any lengths, at most 60 s each; shorter
          ones are padded with silence at the end
-metric   one of tactspace.metrics: "pm", its parts "nc" and "oc", "rmse", "dtw", "msm", "mtm",
-         "st-sim", "spqi", "level", "bands", "balance", "van-rossum", "no-physiology"
+metric   one of tactspace.metrics: "pm", its parts "nc" and "oc"{, others}
 rate_hz  sampling rate of the waves, 100 to 1e7 Hz; other than 10000 they are resampled
 threads  0: all cores. The time depends on it, the result does not
 model    parameters of PM: None (the paper's), read_set(..)["model"] or train(..)["model"]

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "app/python/help.h"
 #include "app/python/parts.h"
@@ -168,11 +170,30 @@ py::dict subset(const py::object& matrix, const py::object& k, const py::object&
                     "optimal"_a = answer.proof == SubsetProof::optimal, "bound"_a = answer.bound);
 }
 
+// Help of predict(), with the keys of the metrics that its words do not name.
+std::string help_of_predict() {
+    constexpr std::string_view kMark = "{, others}";
+    constexpr std::size_t kColumns = 100;
+    const std::string indent(9, ' ');
+    const std::string words = help::kPredict;
+    const std::size_t at = words.find(kMark);
+    std::string text = words.substr(0, at);
+    for (const Metric metric : kMetrics) {
+        if (metric == Metric::pm || metric == Metric::nc || metric == Metric::oc) continue;
+        const std::string key = " \"" + std::string(traits(metric).key) + '"';
+        text += ',';
+        const std::size_t column = text.size() - text.rfind('\n') - 1;
+        const bool fits = column + key.size() + 1 <= kColumns;  // with the comma behind it
+        text += fits ? key : '\n' + indent + key.substr(1);
+    }
+    return text + words.substr(at + kMark.size());
+}
+
 // Arguments are taken as objects: what is wrong with one is said with its name (scalars.h).
 void define_predictions(py::module_& module) {
     const auto none = py::none();
     const py::tuple nobody;
-    module.def("predict", predict_matrix, help::kPredict, "waves"_a, "metric"_a = "pm",
+    module.def("predict", predict_matrix, help_of_predict().c_str(), "waves"_a, "metric"_a = "pm",
                "rate_hz"_a = kModelRateHz, "threads"_a = 0, "model"_a = none, py::kw_only(),
                "progress"_a = none);
     module.def("stages", stages, help::kStages, "wave"_a, "rate_hz"_a = kModelRateHz,
