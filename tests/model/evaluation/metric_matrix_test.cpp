@@ -1,6 +1,9 @@
 #include "model/evaluation/metric_matrix.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <string>
 
 #include "model/metrics/rank_average.h"
 #include "model/perceptual_model/perceptual_model.h"
@@ -130,6 +133,52 @@ TEST_CASE("metric matrix: four sets by every metric equal the independent progra
         lines.baseline.van_rossum.lines = SpikeLines::one_by_one;
         CHECK(worst(matrix_of(Metric::van_rossum, set.waveforms, lines),
                     matrices.at("van-rossum/lines")) <= kTolerance);
+    }
+}
+
+// Numbers of an independent program for one metric: a matrix in each set of a golden file.
+struct Oracle {
+    Metric metric;
+    const char* file;
+    const char* in_set;  // a JSON pointer
+};
+
+// Those that are not in metrics.json under the metric's key.
+constexpr std::array kOraclesElsewhere{
+    // The model has an oracle of its own, reference_model.py: perceptual_model_test.
+    Oracle{Metric::pm, "predictions.json", "/results/0/pm"},
+    Oracle{Metric::nc, "predictions.json", "/results/0/nc"},
+    Oracle{Metric::oc, "predictions.json", "/results/0/oc"},
+    // By every tenth sample: the time it takes grows with the square of their number.
+    Oracle{Metric::dtw, "metrics.json", "/matrices/dtw of every tenth"},
+    // Made of the matrices of others, OC among them, which not every set has.
+    Oracle{Metric::no_physiology, "metrics.json", "/no-physiology"}};
+
+TEST_CASE("metric matrix: every metric has numbers of an independent program") {
+    std::map<std::string, Json> sets_of;
+    for (const char* file : {"metrics.json", "predictions.json"}) {
+        sets_of[file] = golden::read(file, "sets");
+    }
+    for (const Metric metric : kMetrics) {
+        const std::string key = traits(metric).key;
+        CAPTURE(key);
+        const std::string by_key = "/matrices/" + key;
+        const auto elsewhere = std::ranges::find(kOraclesElsewhere, metric, &Oracle::metric);
+        const bool is_elsewhere = elsewhere != kOraclesElsewhere.end();
+        const Json& sets = sets_of.at(is_elsewhere ? elsewhere->file : "metrics.json");
+        const Json::json_pointer at(is_elsewhere ? elsewhere->in_set : by_key);
+        std::size_t held = 0;
+        for (const Json& set : sets) {
+            if (!set.contains(at)) continue;
+            CHECK(set.at(at).size() == pair_count(set.at("patterns").size()));
+            ++held;
+        }
+        CHECK(held >= 2);
+        if (!is_elsewhere) continue;
+        // What has its numbers under its key needs no place in the list.
+        for (const Json& set : sets_of.at("metrics.json")) {
+            CHECK_FALSE(set.contains(Json::json_pointer(by_key)));
+        }
     }
 }
 
