@@ -47,8 +47,8 @@ FeltStepWords words_of_step(PatternParameter parameter) {
 }
 
 std::string source_text(PatternParameter parameter) {
-    const FeltSource source = source_of_step(parameter);
-    return std::string(source.is_guess ? "Guess: " : "Source: ") + source.words;
+    const ParameterTraits& about = traits(parameter);
+    return std::string(about.step_is_guess ? "Guess: " : "Source: ") + about.step_source;
 }
 
 }  // namespace

@@ -11,21 +11,6 @@ namespace tact {
 
 namespace {
 
-constexpr double kDecibels15 = 1.188502227437019;  // 1.5 dB as a factor
-constexpr const char* kIsrar = "Israr, Tan & Reed 2006";
-constexpr const char* kOurs = "ours";
-
-constexpr std::array<FeltSource, kPatternParameters.size()> kSources{
-    {{"Craig 1972, as cited", false},
-     {kIsrar, false},
-     {kIsrar, false},
-     {kOurs, true},
-     {"as of a carrier", true},
-     {kOurs, true},
-     {"Jones, Poliakoff & Wells 2009", false},
-     {"Remache-Vinueza et al. 2025, of pulses", true},
-     {"Remache-Vinueza et al. 2025, of pulses", true}}};
-
 std::size_t place_in_order(PatternParameter parameter) {
     return static_cast<std::size_t>(parameter);
 }
@@ -50,10 +35,12 @@ double stepped_by_ratio(const ParameterTraits& about, double step, double value,
 
 }  // namespace
 
-StepSizes usual_felt_steps() { return {kDecibels15, 1.2, 1.2, 0.2, 1.2, 0.2, 1.16, 0.03, 0.03}; }
-
-FeltSource source_of_step(PatternParameter parameter) {
-    return kSources[place_in_order(parameter)];
+StepSizes usual_felt_steps() {
+    StepSizes sizes{};
+    for (const PatternParameter parameter : kPatternParameters) {
+        sizes[place_in_order(parameter)] = traits(parameter).step;
+    }
+    return sizes;
 }
 
 Range step_range(PatternParameter parameter) {

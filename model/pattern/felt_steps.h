@@ -20,7 +20,7 @@
 
 namespace tact {
 
-// In the order of kPatternParameters: a factor if traits().by_ratio, otherwise a difference.
+// In the order of kPatternParameters; the usual ones are traits().step.
 using StepSizes = std::array<double, kPatternParameters.size()>;
 StepSizes usual_felt_steps();
 
@@ -29,13 +29,6 @@ struct FeltSteps {
 
     bool operator==(const FeltSteps&) const = default;
 };
-
-// "Israr, Tan & Reed 2006"; and whether that measured something else.
-struct FeltSource {
-    const char* words;
-    bool is_guess;
-};
-FeltSource source_of_step(PatternParameter parameter);
 
 // What a step may be: a factor above 1, or a part of the number's range.
 Range step_range(PatternParameter parameter);

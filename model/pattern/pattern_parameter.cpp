@@ -10,17 +10,47 @@ namespace tact {
 
 namespace {
 
+// What is felt of a change (model/pattern/felt_steps.h has the sources). `first` and `least`: of
+// what goes by ratio.
+struct FeltChange {
+    bool by_ratio;
+    double step;
+    const char* source;
+    bool is_guess = false;
+    double first = 0.0;
+    double least = 0.0;
+};
+
+constexpr double kDecibels15 = 1.188502227437019;  // 1.5 dB as a factor
+constexpr const char* kIsrar = "Israr, Tan & Reed 2006";
+constexpr const char* kOurs = "ours";
+constexpr FeltChange kFeltAmplitude{true, kDecibels15, "Craig 1972, as cited", false, 0.05, 0.001};
+constexpr FeltChange kFeltFrequency{true, 1.2, kIsrar};
+constexpr FeltChange kFeltModulation{true, 1.2, "as of a carrier", true, 1.0, 1.0};
+constexpr FeltChange kFeltShare{false, 0.2, kOurs, true};
+constexpr FeltChange kFeltUnit{true, 1.16, "Jones, Poliakoff & Wells 2009"};
+constexpr FeltChange kFeltRamp{false, 0.03, "Remache-Vinueza et al. 2025, of pulses", true};
+
 // A parameter by the number that it is, and where a pattern has it; null where it has none.
 struct DescribedParameter {
+    PatternParameter parameter;
     ParameterTraits traits;
     const double* (*at)(const Pattern&);
 };
 
-// `first` and `least`: of what goes by ratio.
 constexpr ParameterTraits of(const char* key, const char* name, const char* unit,
-                             const Number& number, bool by_ratio, double first = 0.0,
-                             double least = 0.0) {
-    return {key, name, unit, number.range, number.slider, by_ratio, first, least};
+                             const Number& number, const FeltChange& felt) {
+    return {.key = key,
+            .name = name,
+            .unit = unit,
+            .range = number.range,
+            .slider = number.slider,
+            .by_ratio = felt.by_ratio,
+            .first = felt.first,
+            .least = felt.least,
+            .step = felt.step,
+            .step_source = felt.source,
+            .step_is_guess = felt.is_guess};
 }
 
 const Carrier* second_of(const Pattern& p) {
@@ -28,25 +58,36 @@ const Carrier* second_of(const Pattern& p) {
 }
 
 // clang-format off
-constexpr std::array<DescribedParameter, 9> kParameters{{
-    {of("amplitude_g", "amplitude", "g", numbers::kAmplitude, true, 0.05, 0.001),
+constexpr auto kParameters = std::to_array<DescribedParameter>({
+    {PatternParameter::amplitude, of("amplitude_g", "amplitude", "g", numbers::kAmplitude, kFeltAmplitude),
      [](const Pattern& p) { return &p.amplitude_g; }},
-    {of("carrier_hz", "carrier", "Hz", numbers::kCarrier, true),
+    {PatternParameter::carrier, of("carrier_hz", "carrier", "Hz", numbers::kCarrier, kFeltFrequency),
      // A drawn frequency is no number.
      [](const Pattern& p) { return p.carriers.empty() || !p.frequency_curve.empty() ? nullptr : &p.carriers[0].frequency_hz; }},
-    {of("second_carrier_hz", "second carrier", "Hz", numbers::kCarrier, true),
+    {PatternParameter::second_carrier, of("second_carrier_hz", "second carrier", "Hz", numbers::kCarrier, kFeltFrequency),
      [](const Pattern& p) { return second_of(p) == nullptr ? nullptr : &second_of(p)->frequency_hz; }},
-    {of("mix", "weight of the second carrier", "", numbers::kWeight, false),
+    {PatternParameter::mix, of("mix", "weight of the second carrier", "", numbers::kWeight, kFeltShare),
      [](const Pattern& p) { return second_of(p) == nullptr ? nullptr : &second_of(p)->weight; }},
-    {of("modulation_hz", "modulation", "Hz", numbers::kModulation, true, 1.0, 1.0),
+    {PatternParameter::modulation, of("modulation_hz", "modulation", "Hz", numbers::kModulation, kFeltModulation),
      [](const Pattern& p) { return &p.modulation.frequency_hz; }},
-    {of("depth", "depth", "", numbers::kDepth, false),
+    {PatternParameter::depth, of("depth", "depth", "", numbers::kDepth, kFeltShare),
      [](const Pattern& p) { return p.modulation.kind == ModulationKind::am ? &p.modulation.depth : nullptr; }},
-    {of("rhythm_unit_s", "rhythm unit", "s", numbers::kRhythmUnit, true),
+    {PatternParameter::rhythm_unit, of("rhythm_unit_s", "rhythm unit", "s", numbers::kRhythmUnit, kFeltUnit),
      [](const Pattern& p) { return p.rhythm.text.empty() ? nullptr : &p.rhythm.unit_s; }},
-    {of("attack_s", "attack", "s", numbers::kAttack, false), [](const Pattern& p) { return &p.attack_s; }},
-    {of("release_s", "release", "s", numbers::kRelease, false), [](const Pattern& p) { return &p.release_s; }}}};
+    {PatternParameter::attack, of("attack_s", "attack", "s", numbers::kAttack, kFeltRamp),
+     [](const Pattern& p) { return &p.attack_s; }},
+    {PatternParameter::release, of("release_s", "release", "s", numbers::kRelease, kFeltRamp),
+     [](const Pattern& p) { return &p.release_s; }}});
 // clang-format on
+
+constexpr bool is_row_of_each() {
+    if (kParameters.size() != kPatternParameters.size()) return false;
+    for (std::size_t k = 0; k < kParameters.size(); ++k) {
+        if (kParameters[k].parameter != kPatternParameters[k]) return false;
+    }
+    return true;
+}
+static_assert(is_row_of_each(), "expected a row for each parameter, in the order of the enum");
 
 const DescribedParameter& described(PatternParameter parameter) {
     return kParameters[static_cast<std::size_t>(parameter)];

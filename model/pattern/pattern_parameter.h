@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "model/common/units.h"
@@ -27,10 +28,12 @@ enum class PatternParameter {
     release
 };
 
-inline constexpr std::array<PatternParameter, 9> kPatternParameters{
-    PatternParameter::amplitude,   PatternParameter::carrier,    PatternParameter::second_carrier,
-    PatternParameter::mix,         PatternParameter::modulation, PatternParameter::depth,
-    PatternParameter::rhythm_unit, PatternParameter::attack,     PatternParameter::release};
+inline constexpr auto kPatternParameters = [] {
+    constexpr auto kLast = static_cast<std::size_t>(PatternParameter::release);
+    std::array<PatternParameter, kLast + 1> all{};
+    for (std::size_t k = 0; k <= kLast; ++k) all[k] = static_cast<PatternParameter>(k);
+    return all;
+}();
 
 // What a number is, said once: files, fields and felt steps all go by it.
 struct ParameterTraits {
@@ -44,6 +47,11 @@ struct ParameterTraits {
     bool by_ratio;
     double first;
     double least;
+    // The least change that is felt, a factor if by_ratio, otherwise a difference; its source,
+    // "Israr, Tan & Reed 2006"; and whether it is a guess, as that measured something else.
+    double step;
+    const char* step_source;
+    bool step_is_guess;
 };
 
 const ParameterTraits& traits(PatternParameter parameter);

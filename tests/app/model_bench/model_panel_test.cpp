@@ -3,6 +3,7 @@
 
 #include "tests/support/program.h"
 #include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace model_panel_test {
 
@@ -107,7 +108,7 @@ TEST_CASE("model panel: felt steps are said with their source, typed in dB, undo
     for (const PatternParameter parameter : kPatternParameters) {
         CAPTURE(traits(parameter).key);
         CHECK(program.shows(std::string("slider:felt_step_") + traits(parameter).key));
-        CHECK_FALSE(std::string(source_of_step(parameter).words).empty());
+        CHECK_FALSE(std::string(traits(parameter).step_source).empty());
     }
     const FeltSteps& steps = program.app.work.document.set.felt_steps;
     const FeltSteps usual = steps;

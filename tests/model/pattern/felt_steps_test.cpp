@@ -39,11 +39,11 @@ TEST_CASE("felt steps: amplitude's is 1.5 dB, a frequency's 20 %, and each names
     CHECK(20.0 * std::log10(step_of(felt, PatternParameter::amplitude)) == doctest::Approx(1.5));
     CHECK(step_of(felt, PatternParameter::carrier) == 1.2);
     for (const PatternParameter parameter : kPatternParameters) {
-        CHECK(std::string(source_of_step(parameter).words).size() > 3);
+        CHECK(std::string(traits(parameter).step_source).size() > 3);
         CHECK(step_range(parameter).contains(step_of(felt, parameter)));
     }
-    CHECK(source_of_step(PatternParameter::depth).is_guess);
-    CHECK_FALSE(source_of_step(PatternParameter::carrier).is_guess);
+    CHECK(traits(PatternParameter::depth).step_is_guess);
+    CHECK_FALSE(traits(PatternParameter::carrier).step_is_guess);
 }
 
 TEST_CASE("felt steps: patterns are within a step where no number differs by one") {
@@ -79,10 +79,12 @@ TEST_CASE("felt steps: patterns are within a step where no number differs by one
 
 // Values that a file may hold: the ends, what lies next to them, the bends of the scale, and any.
 std::vector<double> legal_values(PatternParameter parameter, RandomStream& random) {
-    const auto& [key, name, unit, range, slider, by_ratio, first, least] = traits(parameter);
+    const ParameterTraits& about = traits(parameter);
+    const Range& range = about.range;
     std::vector<double> values{range.low, range.high, std::nextafter(range.low, range.high),
                                std::nextafter(range.high, range.low)};
-    for (const double bend : {first, least, 0.5 * least, slider.low, slider.high}) {
+    for (const double bend :
+         {about.first, about.least, 0.5 * about.least, about.slider.low, about.slider.high}) {
         if (range.contains(bend)) values.push_back(bend);
     }
     for (int k = 0; k < 50; ++k) {
