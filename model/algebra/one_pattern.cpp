@@ -27,15 +27,16 @@ bool has_bed(const Layer& layer) {
 void turn_back(Pattern& pattern, double offset_s) {
     const double first_hz = first_carrier_hz(pattern, 0.0);
     const double of_hz = pattern.carriers.front().frequency_hz;
-    for (Carrier& carrier : pattern.carriers) {
-        const double turns = carrier.frequency_hz / of_hz * first_hz * offset_s;
-        carrier.phase_rad = std::remainder(carrier.phase_rad - kTurn * turns, kTurn);
+    for (auto& [frequency_hz, weight, phase_rad] : pattern.carriers) {
+        const double turns = frequency_hz / of_hz * first_hz * offset_s;
+        phase_rad = std::remainder(phase_rad - kTurn * turns, kTurn);
     }
 }
 
 // Whether the modulation is at the offset what it is at 0 s.
 bool fits(const Modulation& modulation, double offset_s) {
-    const double turns = modulation.frequency_hz * offset_s;
+    const auto& [kind, frequency_hz, depth] = modulation;
+    const double turns = frequency_hz * offset_s;
     return std::abs(turns - std::round(turns)) <= 1e-9 * std::max(1.0, turns);
 }
 

@@ -29,15 +29,15 @@ void add_line(std::vector<PhasorLine>& lines, double frequency_hz, Phasor phasor
 
 void add_carrier(std::vector<PhasorLine>& lines, const Carrier& carrier, double amplitude_g,
                  const Modulation& modulation) {
-    const Phasor cosine = portable::polar(amplitude_g * carrier.weight, carrier.phase_rad);
+    const auto& [f_hz, weight, phase_rad] = carrier;
+    const auto& [kind, by_hz, depth] = modulation;
+    const Phasor cosine = portable::polar(amplitude_g * weight, phase_rad);
     const Phasor sine = cosine * Phasor(0.0, -1.0);
-    const double f_hz = carrier.frequency_hz;
-    const double by_hz = modulation.frequency_hz;
     if (by_hz == 0.0) return add_line(lines, f_hz, sine);
     double side = 0.5;
-    if (modulation.kind == ModulationKind::am) {
+    if (kind == ModulationKind::am) {
         add_line(lines, f_hz, sine);
-        side *= modulation.depth;
+        side *= depth;
     }
     add_line(lines, f_hz - by_hz, side * cosine);
     add_line(lines, f_hz + by_hz, -side * cosine);

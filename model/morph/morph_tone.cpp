@@ -16,9 +16,10 @@ struct Strengths {
 };
 
 Strengths strengths_of(const Modulation& modulation) {
-    const bool am = modulation.kind == ModulationKind::am;
-    if (modulation.frequency_hz == 0.0 || (am && modulation.depth == 0.0)) return {};
-    return {am ? 1.0 : 0.0, am ? modulation.depth : 1.0, modulation.frequency_hz};
+    const auto& [kind, frequency_hz, depth] = modulation;
+    const bool am = kind == ModulationKind::am;
+    if (frequency_hz == 0.0 || (am && depth == 0.0)) return {};
+    return {am ? 1.0 : 0.0, am ? depth : 1.0, frequency_hz};
 }
 
 // Carriers of both, in their order.
@@ -32,11 +33,11 @@ std::vector<Carrier> carriers_between(const Pattern& from, const Pattern& to, do
     };
     std::vector<Carrier> carriers;
     for (std::size_t k = 0; k < count; ++k) {
-        const Carrier a = carrier_of(from, to, k);
-        const Carrier b = carrier_of(to, from, k);
-        carriers.push_back({between(a.frequency_hz, b.frequency_hz, share, BlendBy::ratio),
-                            between(a.weight, b.weight, share, BlendBy::difference),
-                            between(a.phase_rad, b.phase_rad, share, BlendBy::difference)});
+        const auto [a_hz, a_weight, a_rad] = carrier_of(from, to, k);
+        const auto [b_hz, b_weight, b_rad] = carrier_of(to, from, k);
+        carriers.push_back({between(a_hz, b_hz, share, BlendBy::ratio),
+                            between(a_weight, b_weight, share, BlendBy::difference),
+                            between(a_rad, b_rad, share, BlendBy::difference)});
     }
     return carriers;
 }
@@ -44,15 +45,16 @@ std::vector<Carrier> carriers_between(const Pattern& from, const Pattern& to, do
 // sin(2 pi m t) w sin(2 pi f t + phi) as two sines; none where one would not move at all.
 std::optional<std::vector<Carrier>> side_bands_of(const Carrier& carrier, double at_hz) {
     constexpr double kQuarter = std::numbers::pi / 2.0;
-    const double low_hz = carrier.frequency_hz - at_hz;
-    const double high_hz = carrier.frequency_hz + at_hz;
+    const auto& [frequency_hz, weight, phase_rad] = carrier;
+    const double low_hz = frequency_hz - at_hz;
+    const double high_hz = frequency_hz + at_hz;
     if (std::abs(low_hz) < limits::kCarrierHz.low || high_hz > limits::kCarrierHz.high) {
         return std::nullopt;
     }
-    Carrier low{low_hz, 0.5 * carrier.weight, carrier.phase_rad + kQuarter};
+    Carrier low{low_hz, 0.5 * weight, phase_rad + kQuarter};
     // Below 0 Hz it is the same sine, turned.
     if (low_hz < 0.0) low = {-low_hz, -low.weight, -low.phase_rad};
-    return std::vector<Carrier>{low, {high_hz, 0.5 * carrier.weight, carrier.phase_rad - kQuarter}};
+    return std::vector<Carrier>{low, {high_hz, 0.5 * weight, phase_rad - kQuarter}};
 }
 
 // The modulation written out as carriers.

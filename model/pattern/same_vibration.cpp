@@ -50,8 +50,9 @@ Pattern plainly(Pattern pattern) {
 std::vector<Carrier> sounding(const Pattern& pattern) {
     std::vector<Carrier> carriers = pattern.carriers;
     for (Carrier& carrier : carriers) carrier.weight *= pattern.amplitude_g;
-    std::ranges::sort(carriers, {}, [](const Carrier& c) {
-        return std::tuple(c.frequency_hz, c.phase_rad, c.weight);
+    std::ranges::sort(carriers, {}, [](const Carrier& carrier) {
+        const auto& [frequency_hz, weight, phase_rad] = carrier;
+        return std::tuple(frequency_hz, phase_rad, weight);
     });
     std::vector<Carrier> merged;
     for (const Carrier& carrier : carriers) {
@@ -65,11 +66,12 @@ std::vector<Carrier> sounding(const Pattern& pattern) {
 }
 
 void add_modulation(std::vector<double>& numbers, const Modulation& modulation) {
-    const bool am = modulation.kind == ModulationKind::am;
-    if (modulation.frequency_hz == 0.0 || (am && modulation.depth == 0.0)) return;
+    const auto& [kind, frequency_hz, depth] = modulation;
+    const bool am = kind == ModulationKind::am;
+    if (frequency_hz == 0.0 || (am && depth == 0.0)) return;
     numbers.push_back(am ? 2.0 : 1.0);
-    numbers.push_back(rounded(modulation.frequency_hz));
-    if (am) numbers.push_back(rounded(modulation.depth));
+    numbers.push_back(rounded(frequency_hz));
+    if (am) numbers.push_back(rounded(depth));
 }
 
 // First and last sample of every note, and its strength where that is not the whole one. Without
@@ -127,9 +129,9 @@ void add_carriers(std::vector<double>& numbers, const Pattern& pattern) {
     if (numbers.size() == silent) return;
     numbers.insert(numbers.end(), {-1.0, rounded(pattern.attack_s), rounded(pattern.release_s)});
     add_modulation(numbers, pattern.modulation);
-    for (const Carrier& carrier : carriers) {
-        numbers.insert(numbers.end(), {-2.0, rounded(carrier.frequency_hz), rounded(carrier.weight),
-                                       rounded(carrier.phase_rad)});
+    for (const auto& [frequency_hz, weight, phase_rad] : carriers) {
+        numbers.insert(numbers.end(),
+                       {-2.0, rounded(frequency_hz), rounded(weight), rounded(phase_rad)});
     }
     add_curves(numbers, pattern);
 }

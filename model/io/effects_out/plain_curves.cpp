@@ -57,12 +57,14 @@ double strength_at(const CarrierSum& sum, double t_s) {
     const double turns = turns_at(sum.sweep, t_s);
     double squares = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        squares += all[i].weight * all[i].weight;
+        const auto& [a_hz, a_weight, a_rad] = all[i];
+        squares += a_weight * a_weight;
         for (std::size_t j = 0; j < i; ++j) {
             if (!sum.beats_slowly(all[i], all[j])) continue;
-            const double ratio = (all[i].frequency_hz - all[j].frequency_hz) / sum.first_hz;
-            const double phase = kFullTurn * ratio * turns + all[i].phase_rad - all[j].phase_rad;
-            squares += 2.0 * all[i].weight * all[j].weight * portable::cos(phase);
+            const auto& [b_hz, b_weight, b_rad] = all[j];
+            const double ratio = (a_hz - b_hz) / sum.first_hz;
+            const double phase = kFullTurn * ratio * turns + a_rad - b_rad;
+            squares += 2.0 * a_weight * b_weight * portable::cos(phase);
         }
     }
     return std::sqrt(std::max(squares, 0.0));
@@ -78,8 +80,9 @@ bool has_beat(const CarrierSum& sum) {
 }
 
 bool is_modulated(const Modulation& modulation) {
-    const bool flat = modulation.kind == ModulationKind::am && modulation.depth == 0.0;
-    return modulation.frequency_hz > 0.0 && !flat;
+    const auto& [kind, frequency_hz, depth] = modulation;
+    const bool flat = kind == ModulationKind::am && depth == 0.0;
+    return frequency_hz > 0.0 && !flat;
 }
 
 bool is_slow(const Modulation& modulation) {
@@ -89,13 +92,13 @@ bool is_slow(const Modulation& modulation) {
 
 double strength_at(const Modulation& modulation, double t_s) {
     if (!is_modulated(modulation)) return 1.0;
-    const bool product = modulation.kind == ModulationKind::product;
+    const auto& [kind, frequency_hz, depth] = modulation;
+    const bool product = kind == ModulationKind::product;
     if (!is_slow(modulation)) {
-        return product ? std::sqrt(0.5)
-                       : std::sqrt(1.0 + 0.5 * modulation.depth * modulation.depth);
+        return product ? std::sqrt(0.5) : std::sqrt(1.0 + 0.5 * depth * depth);
     }
-    const double sine = portable::sin(kFullTurn * modulation.frequency_hz * t_s);
-    return product ? std::abs(sine) : 1.0 + modulation.depth * sine;
+    const double sine = portable::sin(kFullTurn * frequency_hz * t_s);
+    return product ? std::abs(sine) : 1.0 + depth * sine;
 }
 
 // The note's gain on one side of a time; 0 between notes.
