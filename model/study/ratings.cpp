@@ -170,6 +170,8 @@ std::string first_names(const std::vector<std::string>& names) {
 
 // What the study says of these patterns, in their order; unnamed ones go by their place.
 RatingStudy moved_to(const RatingStudy& study, const std::vector<std::string>& names) {
+    // Mostly the labels are these names already, and to find each takes a walk through all.
+    if (study.is_named && study.labels == names) return study;
     std::vector<std::size_t> from;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const auto found = std::ranges::find(study.labels, names[k]);

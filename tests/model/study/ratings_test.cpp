@@ -102,6 +102,26 @@ TEST_CASE("ratings: matched by name, whatever the order") {
           study->judgements[2]);
 }
 
+TEST_CASE("ratings: spread over their own names they stay, and turned around twice, too") {
+    RatingStudy study = small_study();
+    for (Judgement& judgement : study.judgements) {
+        for (double& value : judgement.condensed) {
+            if (std::isnan(value)) value = 0.0;  // so that two studies can be compared
+        }
+    }
+    study.standings = {{.participant = "P2", .synthetic = true}};
+    study.fingerprint = "f";
+    study.versions = {"v1", "v2", "v3"};
+    study.edited = {"b"};
+    study.gone = {"d"};
+    study.left_out = 2;
+    study.rehearsals = 1;
+    CHECK(*spread_over(study, {"a", "b", "c"}) == study);
+    const RatingStudy turned = *spread_over(study, {"c", "b", "a"});
+    CHECK(turned.versions == std::vector<std::string>{"v3", "v2", "v1"});
+    CHECK(*spread_over(turned, {"a", "b", "c"}) == study);
+}
+
 TEST_CASE("ratings: those of some of the patterns serve, and the others are named") {
     const auto study = matched(small_study(), {"d", "a", "b", "c", "e"});
     REQUIRE(study);
