@@ -48,7 +48,7 @@ AudioNode.prototype.connect = function (to, ...more) {
 };
 """
 # Controllers that are pretended, where a part wants some: what they are told is kept, and they answer as real ones do
-# to what they are asked. "pads" of the session are those that were allowed before; "none" is a browser without WebHID.
+# to what they are asked. Given are those that were allowed before; null is a browser without WebHID.
 BEFORE_THE_PAGE += """
 self.told = [];
 class Pad extends EventTarget {
@@ -77,7 +77,10 @@ class Pad extends EventTarget {
   async receiveFeatureReport() { throw new DOMException('none', 'NotAllowedError'); }
 }
 class Pads extends EventTarget {
-  there = JSON.parse(sessionStorage.pads).map((kind) => new Pad(kind));
+  constructor(kinds) {
+    super();
+    this.there = kinds.map((kind) => new Pad(kind));
+  }
   async getDevices() { return [...this.there]; }
   async requestDevice(options) {
     self.asked = {filters: options.filters, isAfterPress: navigator.userActivation.isActive};
@@ -91,10 +94,9 @@ class Pads extends EventTarget {
     this.dispatchEvent(Object.assign(new Event('disconnect'), {device}));
   }
 }
-if (sessionStorage.pads) {
-  const hid = sessionStorage.pads === 'none' ? undefined : new Pads();
-  Object.defineProperty(navigator, 'hid', {value: hid});
-}
+self.pretend_pads = (kinds) => {
+  Object.defineProperty(navigator, 'hid', {value: kinds ? new Pads(kinds) : undefined});
+};
 """
 CTRL, SHIFT = 2, 8
 MODIFIER_KEYS = ((CTRL, "Control", "ControlLeft", 17), (SHIFT, "Shift", "ShiftLeft", 16))
@@ -564,8 +566,18 @@ NEUTRAL = 5  # reports that end each play
 
 def controller(page, source):
     """Controllers that are pretended are allowed, listed, played on, silenced, hidden and unplugged."""
-    def with_pads(pads):
-        page.value(f"sessionStorage.pads = {json.dumps(pads)}; 0")
+    pretended = []
+
+    def without_pads():
+        for script in pretended:
+            page.browser.ask("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+        pretended.clear()
+
+    def with_pads(kinds):
+        without_pads()
+        script = f"pretend_pads({json.dumps(kinds)});"
+        added = page.browser.ask("Page.addScriptToEvaluateOnNewDocument", source=script)
+        pretended.append(added["identifier"])
         reload(page)
 
     def menu():
@@ -591,16 +603,16 @@ def controller(page, source):
         page.until(lambda: not all(map(is_neutral, told())), f"{what} is told to vibrate", 60)
 
     page.screen(1280, 800)
-    with_pads("none")
+    with_pads(None)
     menu()
     sentence = page.widget("device:no controllers", "a browser without WebHID says so", seconds=60)[4]
-    with_pads("[]")
+    with_pads([])
     menu()
     if source == "disk":  # without threads
         told_why = page.widget("device:no controllers", "the page says why it has no controllers", seconds=60)[4]
         if "device:connect" in page.widgets() or told_why == sentence:
             sys.exit(f"a page from the disk offers controllers, or says {told_why!r}")
-        page.value("delete sessionStorage.pads")
+        without_pads()
         reload(page)
         print(f"controllers: {told_why!r}")
         return
@@ -637,11 +649,11 @@ def controller(page, source):
         page.key("Escape", "Escape", 0, 27)
         page.until(lambda: "device:dialog" not in page.widgets(), "the menu closes", 60)
         print(f"{kind}: {strong} reports of {REPORTS[told()[0][0]][0]} bytes, and at rest after Esc, hidden, unplugged")
-    with_pads('["joycon"]')
+    with_pads(["joycon"])
     menu()
     page.until(lambda: any(one.startswith("device:hid:057e:2006:") for one in page.widgets()),
                "a controller that was allowed before is listed", 60)
-    page.value("delete sessionStorage.pads")
+    without_pads()
     reload(page)
     print(f"without WebHID: {sentence!r}")
 
