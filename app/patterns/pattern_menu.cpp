@@ -87,22 +87,23 @@ PatternAction draw_pattern_menu(Ui& ui, Workspace& work, std::size_t index, cons
     }
     const Vibration& vibration = work.document.set.vibrations[index];
     PatternAction action = PatternAction::none;
-    const auto row = [&ui](const MenuRow& menu_row) {
-        const bool pressed = draw_menu_row(ui.theme, menu_row);
-        note_item(ui.rects, std::string("row menu:") + menu_row.words);
+    const auto row = [&ui](const char* words, const char* keys, std::optional<Icon> icon,
+                           bool enabled = true) {
+        const bool pressed = draw_menu_row(
+            ui.theme, {.words = words, .keys = keys, .enabled = enabled, .icon = icon});
+        note_item(ui.rects, std::string("row menu:") + words);
         return pressed;
     };
     // `why_not`: the reason why it is disabled.
     const auto asks = [&](const char* words, const char* keys, PatternAction what,
                           const char* why_not = nullptr, std::optional<Icon> icon = {}) {
-        if (row({.words = words, .keys = keys, .enabled = why_not == nullptr, .icon = icon}))
-            action = what;
+        if (row(words, keys, icon, why_not == nullptr)) action = what;
         if (why_not != nullptr) draw_tooltip(ui, why_not);
     };
     // Runs after all rows are drawn, as it may remove some.
     const auto does = [&](const char* words, const char* keys, std::function<void()> act,
                           std::optional<Icon> icon = {}) {
-        if (row({.words = words, .keys = keys, .icon = icon})) ui.waiting.push_back(std::move(act));
+        if (row(words, keys, icon)) ui.waiting.push_back(std::move(act));
     };
     const std::size_t count = work.document.set.vibrations.size();
     const bool has_numbers = std::holds_alternative<Pattern>(vibration.source);

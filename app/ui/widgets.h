@@ -1,7 +1,9 @@
 // Widgets: buttons, rows, fields of numbers, tables.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,6 +23,47 @@ namespace tact {
 
 // Tabs of the lower right pane.
 enum class BenchTab { matrix, candidates, subset, compare, shepard, why, model, device, library };
+
+struct BenchRow {
+    BenchTab tab;
+    const char* key;      // in sessions: it never changes
+    const char* label;    // on the tab, and the title of the pane
+    const char* about;    // after the title
+    const char* command;  // in the View menu
+    const char* words;    // more words by which the palette finds it
+};
+
+// In the order of BenchTab. app/window/panes.cpp draws them, assets/manual/panes.html has an entry
+// for each.
+inline constexpr auto kBenchTabs = std::to_array<BenchRow>({
+    {BenchTab::matrix, "matrix", "Matrix", "dissimilarity of every pair", "Matrix",
+     "dissimilarity heat map"},
+    {BenchTab::candidates, "candidates", "Table", "candidates side by side", "Table of candidates",
+     "columns sort filter lock drop numbers"},
+    {BenchTab::subset, "subset", "Subset", "the most distinct patterns", "Subset",
+     "pick most distinct confusable separate stable"},
+    {BenchTab::compare, "compare", "Compare", "metrics against people", "Compare with people",
+     "ratings metrics rho table"},
+    {BenchTab::shepard, "shepard", "Shepard", "how well the map fits", "Shepard diagram",
+     "stress fit map"},
+    {BenchTab::why, "why", "Why", "are these two different?", "Why are these two different?",
+     "pair channels explain"},
+    {BenchTab::model, "model", "Model", "parameters of PM", "Model",
+     "parameters weights layers thresholds"},
+    {BenchTab::device, "device", "Device", "what an actuator makes of", "What a device makes of it",
+     "rendering actuator controller joy-con energy lost"},
+    {BenchTab::library, "library", "Library", "effects to choose from", "Library",
+     "effects folder search tags like shape"},
+});
+
+static_assert(
+    [] {
+        for (std::size_t k = 0; k < kBenchTabs.size(); ++k) {
+            if (kBenchTabs[k].tab != static_cast<BenchTab>(k)) return false;
+        }
+        return true;
+    }(),
+    "rows are in the order of BenchTab");
 
 enum class Pane {
     patterns,

@@ -122,33 +122,16 @@ std::vector<std::string> beside_map_forms(const App& app) {
 }
 
 PaneTitle bench_title(const App& app) {
-    switch (app.layout.bench) {
-        case BenchTab::matrix:
-            return {"Matrix",
-                    shown_side(app.work) == Side::both ? "dissimilarity of every pair"
-                                                       : side_detail(app),
-                    beside_map_forms(app)};
-        case BenchTab::candidates:
-            return {"Table", "candidates side by side", {shown_patterns_text(app.work)}};
-        case BenchTab::subset:
-            return {"Subset", "the most distinct patterns", beside_map_forms(app)};
-        case BenchTab::compare:
-            return {"Compare", "metrics against people", {}};
-        case BenchTab::shepard:
-            return {"Shepard", "how well the map fits", {}};
-        case BenchTab::why:
-            return {"Why", "are these two different?", {}};
-        case BenchTab::model:
-            return {"Model", "parameters of PM", {}};
-        case BenchTab::device:
-            return {"Device",
-                    "what an actuator makes of " +
-                        (current_vibration(app.work) == nullptr ? "it" : current_name(app)),
-                    {}};
-        case BenchTab::library:
-            return {"Library", "effects to choose from", {}};
-    }
-    return {};
+    const auto& row = kBenchTabs[static_cast<std::size_t>(app.layout.bench)];
+    PaneTitle title{row.label, row.about, {}};
+    if (row.tab == BenchTab::matrix && shown_side(app.work) != Side::both)
+        title.detail = side_detail(app);
+    if (row.tab == BenchTab::matrix || row.tab == BenchTab::subset)
+        title.right = beside_map_forms(app);
+    if (row.tab == BenchTab::candidates) title.right = {shown_patterns_text(app.work)};
+    if (row.tab == BenchTab::device)
+        title.detail += " " + (current_vibration(app.work) == nullptr ? "it" : current_name(app));
+    return title;
 }
 
 std::vector<std::string> people_forms(const App& app) {
@@ -228,16 +211,8 @@ void draw_bench_tabs(App& app) {
                which == BenchTab::why || which == app.layout.bench;
     };
     std::vector<std::pair<BenchTab, const char*>> offered;
-    for (const auto& [which, name] : {std::pair{BenchTab::matrix, "Matrix"},
-                                      {BenchTab::candidates, "Table"},
-                                      {BenchTab::subset, "Subset"},
-                                      {BenchTab::compare, "Compare"},
-                                      {BenchTab::shepard, "Shepard"},
-                                      {BenchTab::why, "Why"},
-                                      {BenchTab::model, "Model"},
-                                      {BenchTab::device, "Device"},
-                                      {BenchTab::library, "Library"}}) {
-        if (is_offered(which)) offered.emplace_back(which, name);
+    for (const auto& row : kBenchTabs) {
+        if (is_offered(row.tab)) offered.emplace_back(row.tab, row.label);
     }
     // If one row is too narrow, two rows of about the same number: no tab stands alone below.
     const float gap_px = 2.0F * app.ui.theme.scale;

@@ -1,6 +1,8 @@
 // The rows of View: content of the window, and its size.
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "app/document/workspace.h"
 #include "app/lesson/lesson.h"
@@ -46,7 +48,7 @@ bool is_folded_to(const App& app) {
     return app.layout.physiology == kFold;
 }
 
-constexpr auto kViewCommands = std::to_array<Command>({
+constexpr auto kLookCommands = std::to_array<Command>({
     {"View", "Design", ctrl('1'), always, show_the_workspace<Arrangement::design>,
      shows_workspace<Arrangement::design>, "workspace layout columns map"},
     {"View", "Select", ctrl('2'), always, show_the_workspace<Arrangement::select>,
@@ -150,77 +152,29 @@ constexpr auto kViewCommands = std::to_array<Command>({
      [](const App& app) { return app.ui.motion; },
      "animation"},
     {"View", "Bring hints back", {}, always, [](App& app) { app.ui.dismissed_hints.clear(); }},
-    {"View", "Matrix", {}, always, show_bench<BenchTab::matrix>, nullptr, "dissimilarity heat map"},
-    {"View",
-     "Table of candidates",
-     {},
-     always,
-     show_bench<BenchTab::candidates>,
-     nullptr,
-     "columns sort filter lock drop numbers"},
-    {"View",
-     "Only picked",
-     {},
-     always,
-     [](App& app) { app.work.selection.only_picked = !app.work.selection.only_picked; },
-     [](const App& app) { return app.work.selection.only_picked; },
-     "filter list subset"},
-    {"View",
-     "Subset",
-     {},
-     always,
-     show_bench<BenchTab::subset>,
-     nullptr,
-     "pick most distinct confusable separate stable"},
-    {"View",
-     "Compare with people",
-     {},
-     always,
-     show_bench<BenchTab::compare>,
-     nullptr,
-     "ratings metrics rho table"},
-    {"View",
-     "Shepard diagram",
-     {},
-     always,
-     show_bench<BenchTab::shepard>,
-     nullptr,
-     "stress fit map"},
-    {"View",
-     "Why are these two different?",
-     {},
-     always,
-     show_bench<BenchTab::why>,
-     nullptr,
-     "pair channels explain"},
-    {"View",
-     "Model",
-     {},
-     always,
-     show_bench<BenchTab::model>,
-     nullptr,
-     "parameters weights layers thresholds"},
-    {"View",
-     "Train on ratings",
-     {},
-     always,
-     show_training,
-     nullptr,
-     "fit parameters people optimum search model"},
-    {"View",
-     "What a device makes of it",
-     {},
-     always,
-     show_bench<BenchTab::device>,
-     nullptr,
-     "rendering actuator controller joy-con energy lost"},
-    {"View",
-     "Library",
-     {},
-     always,
-     show_bench<BenchTab::library>,
-     nullptr,
-     "effects folder search tags like shape"},
+});
+
+// Rows behind that of a tab.
+constexpr auto kBehindTabs = std::to_array<std::pair<BenchTab, Command>>({
+    {BenchTab::candidates,
+     {"View",
+      "Only picked",
+      {},
+      always,
+      [](App& app) { app.work.selection.only_picked = !app.work.selection.only_picked; },
+      [](const App& app) { return app.work.selection.only_picked; },
+      "filter list subset"}},
+    {BenchTab::model,
+     {"View",
+      "Train on ratings",
+      {},
+      always,
+      show_training,
+      nullptr,
+      "fit parameters people optimum search model"}},
+});
+
+constexpr auto kSideCommands = std::to_array<Command>({
     {"View",
      "Intended and measured",
      {},
@@ -244,8 +198,27 @@ constexpr auto kViewCommands = std::to_array<Command>({
      "MPS map recordings twins"},
 });
 
+template <std::size_t... kPlaces>
+std::vector<Command> with_tabs(std::index_sequence<kPlaces...>) {
+    std::vector<Command> all(kLookCommands.begin(), kLookCommands.end());
+    const auto add = [&all](std::size_t place, void (*show)(App&)) {
+        const auto& row = kBenchTabs[place];
+        all.push_back({"View", row.command, {}, always, show, nullptr, row.words});
+        for (const auto& [tab, command] : kBehindTabs) {
+            if (tab == row.tab) all.push_back(command);
+        }
+    };
+    (add(kPlaces, show_bench<kBenchTabs[kPlaces].tab>), ...);
+    all.insert(all.end(), kSideCommands.begin(), kSideCommands.end());
+    return all;
+}
+
 }  // namespace
 
-std::span<const Command> view_commands() { return kViewCommands; }
+std::span<const Command> view_commands() {
+    static const std::vector<Command> all =
+        with_tabs(std::make_index_sequence<kBenchTabs.size()>());
+    return all;
+}
 
 }  // namespace tact

@@ -22,6 +22,12 @@ constexpr std::array kArrangements{
     std::pair{Arrangement::select, std::string_view("select")},
     std::pair{Arrangement::physiology, std::string_view("physiology")}};
 constexpr std::string_view kOwn = "own ";
+constexpr std::string_view kBench = "bench ";  // and the key of the tab
+
+// Before December 2026 a tab was kept by its place among these.
+constexpr std::array kNumberedTabs{BenchTab::matrix,  BenchTab::candidates, BenchTab::subset,
+                                   BenchTab::compare, BenchTab::shepard,    BenchTab::why,
+                                   BenchTab::model,   BenchTab::device,     BenchTab::library};
 
 struct Share {
     const char* name;
@@ -38,7 +44,8 @@ void keep(const Layout& layout, const std::string& name, std::map<std::string, d
     for (const Share& share : kShares) {
         kept[name + "/" + share.name] = static_cast<double>(layout.*share.share);
     }
-    kept[name + "/bench"] = static_cast<double>(layout.bench);
+    const char* tab = kBenchTabs[static_cast<std::size_t>(layout.bench)].key;
+    kept[name + "/" + std::string(kBench) + tab] = 1.0;
     kept[name + "/physiology"] = static_cast<double>(layout.physiology);
     kept[name + "/arrangement"] = static_cast<double>(layout.arrangement);
 }
@@ -57,7 +64,11 @@ void take(std::string_view what, double number, Layout& layout) {
             layout.*share.share = std::clamp(static_cast<float>(number), share.least, share.most);
         }
     }
-    if (what == "bench") layout.bench = choice(number, BenchTab::library);
+    for (const auto& row : kBenchTabs) {
+        if (what.starts_with(kBench) && what.substr(kBench.size()) == row.key)
+            layout.bench = row.tab;
+    }
+    if (what == "bench") layout.bench = kNumberedTabs[choice(number, kNumberedTabs.size() - 1)];
     if (what == "physiology") layout.physiology = choice(number, Fold::closed);
     if (what == "arrangement") layout.arrangement = choice(number, Arrangement::physiology);
 }

@@ -23,7 +23,8 @@ Layout first_layout(Arrangement arrangement);
 void show_arrangement(Arrangement arrangement, Layout& layout, Workspaces& workspaces);
 void show_own(const std::string& name, Layout& layout, Workspaces& workspaces);
 
-// Over to the end of the program and back: numbers by name. Without any, the first design.
+// Over to the end of the program and back: numbers by name, the tab as a name of its own
+// ("shown/bench why"). Without any, the first design.
 void keep_workspaces(const Layout& layout, const Workspaces& workspaces,
                      std::map<std::string, double>& kept);
 void restore_workspaces(const std::map<std::string, double>& kept, Layout& layout,

@@ -80,10 +80,9 @@ void show_view(App& app, const View& view) {
     if (view.begin) view.begin(app);
 }
 
-const std::vector<View>& views() {
-    using enum BenchTab;
+std::vector<View> make_views() {
     constexpr Arrangement kSelect = Arrangement::select;
-    static const std::vector<View> all{
+    std::vector<View> all{
         {.name = "design"},
         {.name = "design, points move", .step = move_points},
         {.name = "design, another pattern",
@@ -100,25 +99,27 @@ const std::vector<View>& views() {
         {.name = "matrix", .maximised = Pane::matrix},
         {.name = "patterns", .maximised = Pane::patterns},
         {.name = "editor", .maximised = Pane::editor},
-        {.name = "subset", .arrangement = kSelect, .bench = subset},
         {.name = "too close",
          .arrangement = kSelect,
-         .bench = subset,
+         .bench = BenchTab::subset,
          .begin =
              [](App& app) {
                  app.picking.view = SubsetView::confusable;
                  app.picking.too_close = TooClose::share;
              }},
-        {.name = "candidates", .arrangement = kSelect, .bench = candidates},
-        {.name = "compare", .arrangement = kSelect, .bench = compare},
-        {.name = "shepard", .arrangement = kSelect, .bench = shepard},
-        {.name = "why", .arrangement = kSelect, .bench = why},
-        {.name = "model", .arrangement = kSelect, .bench = model},
-        {.name = "device", .arrangement = kSelect, .bench = device},
-        {.name = "library", .arrangement = kSelect, .bench = library},
         {.name = "physiology",
          .arrangement = Arrangement::physiology,
          .maximised = Pane::physiology}};
+    for (const BenchRow& row : kBenchTabs) {
+        // The matrix is maximised above.
+        if (row.tab == BenchTab::matrix) continue;
+        all.push_back({.name = row.key, .arrangement = kSelect, .bench = row.tab});
+    }
+    return all;
+}
+
+const std::vector<View>& views() {
+    static const std::vector<View> all = make_views();
     return all;
 }
 

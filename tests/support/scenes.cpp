@@ -54,9 +54,9 @@ void show_library_of_twelve(Program& p, bool like) {
     const TemporaryFolder folder;
     (void)write_set_file(folder.path / "twelve.tactspace.json", twelve_with_long_names(0.2, ""));
     folder.write("broken.ahap", "{");
+    p.app.library = LibraryState{};  // of the scene before
     show_bench(p, BenchTab::library);
     show_library(p.app.ui, p.app.library, folder.path);
-    // The scene before may have left another one.
     wait_until(p, [&] {
         const ShownLibrary& shown = p.app.library.library;
         return shown && shown->folder == folder.path && !is_library_busy(p.app.library);
@@ -322,9 +322,25 @@ void add_arrangements(std::vector<Scene>& all) {
                    }});
 }
 
+// A tab with what it computes, in the view that it begins with.
+void show_with_answer(Program& p, BenchTab tab) {
+    if (tab == BenchTab::subset) return show_subset(p, SubsetView::pick);
+    if (tab == BenchTab::why) return show_why(p);
+    if (tab == BenchTab::model) return show_model(p, ModelView::parameters);
+    if (tab == BenchTab::library) return show_library_of_twelve(p, false);
+    if (tab == BenchTab::compare) {
+        show_compare(p, CompareView::table);
+        return wait_for_comparison(p);
+    }
+    show_bench(p, tab);
+    if (tab != BenchTab::device) return;
+    wait_until(p, [&p] { return p.app.rendered.shown != nullptr; });
+}
+
 void add_bench(std::vector<Scene>& all) {
-    all.push_back({"candidates", [](Program& p) { show_bench(p, BenchTab::candidates); }});
-    all.push_back({"subset", [](Program& p) { show_subset(p, SubsetView::pick); }});
+    for (const BenchRow& row : kBenchTabs) {
+        all.push_back({row.key, [tab = row.tab](Program& p) { show_with_answer(p, tab); }});
+    }
     all.push_back({"too close", [](Program& p) { show_subset(p, SubsetView::confusable); }});
     all.push_back({"how sure", [](Program& p) { show_subset(p, SubsetView::stability); }});
     all.push_back({"groups", [](Program& p) {
@@ -336,10 +352,6 @@ void add_bench(std::vector<Scene>& all) {
                        show_subset(p, SubsetView::confusable);
                        open_pair(p.app.work, p.app.picking, "H-0-half", "H-0-full");
                        p.settle();
-                   }});
-    all.push_back({"compare", [](Program& p) {
-                       show_compare(p, CompareView::table);
-                       wait_for_comparison(p);
                    }});
     all.push_back({"compare with people", [](Program& p) { compare_with_people(p); }, true});
     all.push_back({"compare, pairs with people",
@@ -367,24 +379,15 @@ void add_bench(std::vector<Scene>& all) {
                        });
                    },
                    true});
-    all.push_back({"shepard", [](Program& p) { show_bench(p, BenchTab::shepard); }});
     all.push_back({"library, none", [](Program& p) {
                        p.app.library = LibraryState{};
                        show_bench(p, BenchTab::library);
                        p.settle();
                    }});
-    all.push_back({"library", [](Program& p) { show_library_of_twelve(p, false); }});
     all.push_back({"library, like a pattern", [](Program& p) { show_library_of_twelve(p, true); }});
-    all.push_back({"why", show_why});
-    all.push_back({"model", [](Program& p) { show_model(p, ModelView::parameters); }});
     all.push_back({"training", [](Program& p) { show_model(p, ModelView::training); }});
-    const auto show_device = [](Program& p) {
-        show_bench(p, BenchTab::device);
-        wait_until(p, [&p] { return p.app.rendered.shown != nullptr; });
-    };
-    all.push_back({"device", show_device});
-    all.push_back({"maximised device", [show_device](Program& p) {
-                       show_device(p);
+    all.push_back({"maximised device", [](Program& p) {
+                       show_with_answer(p, BenchTab::device);
                        maximise(p, Pane::matrix);
                    }});
 }

@@ -166,12 +166,10 @@ TEST_CASE("exports: the picture of the window shows what the window shows, tab b
     app.pattern_panes.strip.height = 222.0F;
     for (const Arrangement arrangement : {Arrangement::design, Arrangement::select}) {
         app.layout.arrangement = arrangement;
-        for (const BenchTab tab :
-             {BenchTab::matrix, BenchTab::candidates, BenchTab::subset, BenchTab::compare,
-              BenchTab::shepard, BenchTab::why, BenchTab::model, BenchTab::device}) {
-            CAPTURE(static_cast<int>(tab));
-            show_bench(program, tab);
-            if (tab == BenchTab::device)
+        for (const BenchRow& row : kBenchTabs) {
+            CAPTURE(row.key);
+            show_bench(program, row.tab);
+            if (row.tab == BenchTab::device)
                 wait_until(program, [&] { return app.rendered.shown != nullptr; });
             program.hover({0.0F, 0.0F});
             std::map<std::string, std::string> live;

@@ -52,9 +52,11 @@ std::vector<View> views() {
                            also(app);
                        }});
     };
-    const auto nothing = [](App&) {};
-    bench("matrix", BenchTab::matrix, nothing);
-    bench("candidates", BenchTab::candidates, nothing);
+    for (const BenchRow& row : kBenchTabs) {
+        // These two are looked at view by view, below.
+        if (row.tab == BenchTab::subset || row.tab == BenchTab::compare) continue;
+        bench(row.key, row.tab, [](App&) {});
+    }
     for (const SubsetView view :
          {SubsetView::pick, SubsetView::confusable, SubsetView::stability, SubsetView::groups})
         bench("subset " + std::to_string(static_cast<int>(view)), BenchTab::subset,
@@ -62,12 +64,8 @@ std::vector<View> views() {
     for (const CompareView view : {CompareView::table, CompareView::scatter})
         bench("compare " + std::to_string(static_cast<int>(view)), BenchTab::compare,
               [view](App& app) { app.comparing.panel.view = view; });
-    bench("shepard", BenchTab::shepard, nothing);
-    bench("why", BenchTab::why, nothing);
-    bench("model", BenchTab::model, nothing);
     bench("training", BenchTab::model,
           [](App& app) { app.model_bench.panel.view = ModelView::training; });
-    bench("device", BenchTab::device, nothing);
     return all;
 }
 

@@ -73,11 +73,9 @@ struct Large : Program {
     }
 
     void look_at_bench() {
-        for (const BenchTab tab : {BenchTab::matrix, BenchTab::candidates, BenchTab::subset,
-                                   BenchTab::compare, BenchTab::shepard, BenchTab::why,
-                                   BenchTab::model, BenchTab::device, BenchTab::library}) {
-            app.layout.bench = tab;
-            look("bench tab " + std::to_string(static_cast<int>(tab)));
+        for (const BenchRow& row : kBenchTabs) {
+            app.layout.bench = row.tab;
+            look(std::string("bench tab ") + row.key);
         }
         app.layout.bench = BenchTab::subset;
         for (const SubsetView view : {SubsetView::pick, SubsetView::confusable,

@@ -1,5 +1,12 @@
 #include "app/workspaces/workspaces.h"
 
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "tests/support/program.h"
 
 namespace workspaces_test {
@@ -72,6 +79,7 @@ TEST_CASE("workspaces: the next start has them all, and heeds nothing odd") {
     CHECK(known.own.contains("a/b 0.5"));
 
     kept["shown/left"] = 1e9;
+    kept.erase("shown/bench subset");
     kept["shown/bench"] = -7.0;
     kept["shown/physiology"] = 99.0;
     kept["shown/right"] = std::numeric_limits<double>::quiet_NaN();
@@ -83,6 +91,54 @@ TEST_CASE("workspaces: the next start has them all, and heeds nothing odd") {
 
     restore_workspaces({}, begun, known);
     CHECK(begun == first_layout(Arrangement::design));
+}
+
+TEST_CASE("workspaces: every tab comes back by its name, wherever it stands among the others") {
+    std::set<std::string> keys;
+    for (const auto& row : kBenchTabs) {
+        CAPTURE(row.key);
+        CHECK(keys.insert(row.key).second);
+        Layout layout = first_layout(Arrangement::design);
+        layout.bench = row.tab;
+        Workspaces workspaces;
+        workspaces.left[Arrangement::select] = first_layout(Arrangement::select);
+        workspaces.own["mine"] = layout;
+        std::map<std::string, double> kept{{"shown/bench", 3.0}, {"shown/bench gone", 1.0}};
+        keep_workspaces(layout, workspaces, kept);
+        CHECK(kept.contains(std::string("shown/bench ") + row.key));
+        CHECK(kept.contains(std::string("own mine/bench ") + row.key));
+        CHECK_FALSE(kept.contains("shown/bench"));
+        CHECK_FALSE(kept.contains("shown/bench gone"));
+        Layout begun;
+        Workspaces known;
+        restore_workspaces(kept, begun, known);
+        CHECK(begun.bench == row.tab);
+        CHECK(known.own["mine"].bench == row.tab);
+        CHECK(known.left[Arrangement::select].bench == BenchTab::subset);
+    }
+}
+
+TEST_CASE("workspaces: a session from before tabs were kept by name opens the tab of its number") {
+    Layout begun;
+    Workspaces known;
+    const auto tab_of = [&](const char* what, double number) {
+        restore_workspaces({{std::string("shown/") + what, number}}, begun, known);
+        return begun.bench;
+    };
+    const std::vector<std::string> numbered{"matrix", "candidates", "subset", "compare", "shepard",
+                                            "why",    "model",      "device", "library"};
+    for (std::size_t k = 0; k < numbered.size(); ++k) {
+        const auto row = std::ranges::find(kBenchTabs, numbered[k], &BenchRow::key);
+        REQUIRE(row != kBenchTabs.end());
+        CHECK(tab_of("bench", static_cast<double>(k)) == row->tab);
+    }
+    CHECK(tab_of("bench", 99.0) == BenchTab::library);
+    CHECK(tab_of("bench", -7.0) == BenchTab::matrix);
+    CHECK(tab_of("bench", std::numeric_limits<double>::infinity()) == BenchTab::matrix);
+    for (const char* unknown : {"bench of later", "bench ", "bench 3", "benchwhy", "bench Why"}) {
+        CAPTURE(unknown);
+        CHECK(tab_of(unknown, 1.0) == BenchTab::matrix);
+    }
 }
 
 TEST_CASE("workspaces: tabs over the panes choose what is shown") {
