@@ -12,6 +12,7 @@
 #include "app/command_line/commands.h"
 #include "app/manual/parts.h"
 #include "app/report/report.h"
+#include "app/ui/widgets.h"
 #include "app/window/window.h"
 #include "assets/assets.h"
 #include "model/io/set/set_file.h"
@@ -146,6 +147,18 @@ TEST_CASE("manual: every key and every command of the window is there") {
         CHECK(contains(page(), "<td>" + html_escaped(command.name) + "</td>" +
                                    "<td class=\"number\">" +
                                    (keys.empty() ? "</td>" : "<kbd>" + html_escaped(keys))));
+    }
+}
+
+TEST_CASE("manual: every tab of the lower right pane is explained, in the order of the tabs") {
+    const std::string panes(asset("manual/panes.html"));
+    std::size_t last = panes.find("<h3 id=\"pane-matrix\">");
+    REQUIRE(last != panes.npos);
+    for (const BenchRow& row : kBenchTabs) {
+        CAPTURE(row.label);
+        const std::size_t at = panes.find("<dt>" + html_escaped(row.label) + "</dt><dd>", last + 1);
+        REQUIRE(at != panes.npos);
+        last = at;
     }
 }
 
