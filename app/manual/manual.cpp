@@ -103,14 +103,14 @@ Expected<std::string> part_of_manual(const ManualSource& source, KnownNumbers& n
     if (word == "picture") return figure_of(source, rest);
     if (word == "number") return number_text(numbers, rest);
     if (word == "example") return example_html(rest);
-    if (word == "effect") return effect_html(rest);
+    if (word == "effects") return effects_html();
     if (word == "table") return table_html(rest);
     if (word == "keys") return keys_html(source);
     if (word == "menus") return menus_html(source);
     if (word == "commands") return commands_html(source);
     if (word == "program") return html_escaped(source.program);
     return Error{
-        "expected picture, number, example, effect, table, keys, menus, commands or "
+        "expected picture, number, example, effects, table, keys, menus, commands or "
         "program between {{ and }}, got \"" +
         std::string(word) + "\""};
 }

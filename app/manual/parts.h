@@ -23,8 +23,8 @@ Expected<std::string> example_html(std::string_view file);
 // What effects are shown of: a swell with a tick in it.
 Pattern manual_pattern();
 
-// That pattern as a file of another program: "ahap", a key of model/io/formats/write_effect.h.
-Expected<std::string> effect_html(std::string_view key);
+// That pattern as a file of each other program that effects are written for.
+std::string effects_html();
 
 // What the model says of the sets that come with the program, for the manual's text.
 //

@@ -76,21 +76,28 @@ Pattern manual_pattern() {
     return pattern;
 }
 
-Expected<std::string> effect_html(std::string_view key) {
-    const auto format = target_format_of(key);
-    if (!format || is_sampled(*format)) {
-        return Error{"expected the key of a format that effects are exported to, got \"" +
-                     std::string(key) + "\""};
-    }
-    const TargetTraits& target = traits(*format);
+namespace {
+
+std::string effect_html(const TargetTraits& target) {
     const WrittenEffect written =
-        write_effect(*format, manual_pattern(), {"swell", bundled_actuator(target.map)});
+        write_effect(target.format, manual_pattern(), {"swell", bundled_actuator(target.map)});
     const std::string heading =
         html_escaped(target.title) + ", <code>swell" + html_escaped(target.ending) + "</code>";
     std::string html = folded_html(heading, written.text);
     if (*target.beside != '\0') {
         html += folded_html("and beside it <code>swell" + html_escaped(target.beside) + "</code>",
                             written.beside);
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string effects_html() {
+    std::string html;
+    for (const TargetTraits& target : target_formats()) {
+        if (is_sampled(target.format)) continue;
+        html += (html.empty() ? "" : "\n") + effect_html(target);
     }
     return html;
 }

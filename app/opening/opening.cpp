@@ -1,13 +1,16 @@
 #include "app/opening/opening.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/document/editing.h"
 #include "app/document/workspace.h"
 #include "app/progress/progress.h"
 #include "app/session/session.h"
 #include "model/common/expected.h"
+#include "model/io/formats/read_effects.h"
 #include "model/io/recordings/recording.h"
 #include "model/io/set/load.h"
 #include "model/text/numbers.h"
@@ -151,12 +154,9 @@ void add_paths(Ui& ui, Workspace& work, Opening& opening, const std::vector<fs::
 
 void ask_for_vibrations(Ui& ui, const Workspace& work, const std::string& title,
                         const std::function<void(const fs::path&)>& take) {
-    ask_for_file(ui,
-                 {.title = title,
-                  .extensions = {".json", ".wav", ".txt", ".ahap", ".haptic", ".hjif", ".haps",
-                                 ".he", ".hla", ".xml", ".zip"},
-                  .folders_too = true,
-                  .take = take},
+    std::vector<std::string> extensions{".json", ".wav", ".txt", ".xml", ".zip"};
+    for (std::string& ending : effect_endings()) extensions.push_back(std::move(ending));
+    ask_for_file(ui, {.title = title, .extensions = extensions, .folders_too = true, .take = take},
                  work.document.path.parent_path());
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "app/document/editing.h"
 #include "app/ui/ui.h"
@@ -75,10 +76,13 @@ void draw_source(Ui& ui, const MapInUse& use) {
 }
 
 void draw_no_maps(Ui& ui) {
+    std::string endings;
+    for (const std::string& one : effect_endings()) endings += (endings.empty() ? "" : ", ") + one;
     const std::string text =
         "No pattern here came from an effect file. Bring some in by File > Open... or File > Add "
-        "to set... (.ahap, .haptic, .hjif, .haps, .he, .hla, .vibrate.json): the map that each "
-        "format was read by then stands here, and another can be chosen.";
+        "to set... (" +
+        endings +
+        "): the map that each format was read by then stands here, and another can be chosen.";
     ImGui::PushTextWrapPos(0.0F);
     dim_text(ui, {.id = "effects:none", .text = text});
     ImGui::PopTextWrapPos();

@@ -380,7 +380,8 @@ inline constexpr const char* kReadSet =
 --
 
 A set: a .tactspace.json file, a folder or zip file of recordings or effects of other programs (AHAP,
-.haptic, HJIF, HAPS, Android XML, ..), a single one, or a list of such as one set.
+.haptic, HJIF, .haps, .he, .hla, Pulsar presets, Android's XML or timings as JSON, on-off times of
+browsers as JSON), a single one, or a list of such as one set.
 
 path      one, or a list
 actuator  what turns the 0 to 1 of effects into g and Hz: a name that the program knows, or a file; "":

@@ -61,7 +61,7 @@ constexpr auto
                 {"File", "New set", {}, always, [](App& app) { new_document(app.ui, app.work); }},
                 {"File", "Open...", ctrl('o'), always,
                  open_dialog, nullptr,
-                 "load import folder wav txt ahap haptic hjif haps he hla vibrate web"},
+                 "load import folder wav txt ahap haptic hjif haps he hla pulsar android vibrate web"},
                 {"File",
                  "Add to set...",
                  {},

@@ -26,15 +26,17 @@ struct FormatFolder {
     std::span<const TargetTraits> written;
 };
 
-inline constexpr std::array<FormatFolder, 10> kFormatFolders{{{kHapticFormats, kHapticTargets},
-                                                              {kAhapFormats, kAhapTargets},
-                                                              {kHapsFormats, {}},
-                                                              {kHjifFormats, kHjifTargets},
-                                                              {kAndroidFormats, kAndroidTargets},
-                                                              {kVibrateFormats, kVibrateTargets},
-                                                              {kPulsarFormats, kPulsarTargets},
-                                                              {kHeFormats, kHeTargets},
-                                                              {{}, kOpenxrTargets},
-                                                              {{}, kSamplesTargets}}};
+inline constexpr auto kFormatFolders = std::to_array<FormatFolder>({
+    {kHapticFormats, kHapticTargets},
+    {kAhapFormats, kAhapTargets},
+    {kHapsFormats, {}},
+    {kHjifFormats, kHjifTargets},
+    {kAndroidFormats, kAndroidTargets},
+    {kVibrateFormats, kVibrateTargets},
+    {kPulsarFormats, kPulsarTargets},
+    {kHeFormats, kHeTargets},
+    {{}, kOpenxrTargets},
+    {{}, kSamplesTargets},
+});
 
 }  // namespace tact

@@ -165,6 +165,16 @@ const EffectFormat* format_named(std::string_view key) {
     return first_format([&](const EffectFormat& format) { return format.key == key; });
 }
 
+std::vector<std::string> effect_endings() {
+    std::vector<std::string> endings;
+    for (const FormatFolder& folder : kFormatFolders) {
+        for (const EffectFormat& format : folder.read) {
+            if (*format.ending != '\0') endings.emplace_back(format.ending);
+        }
+    }
+    return endings;
+}
+
 bool is_effect_name(std::string_view path) {
     return first_format([&](const EffectFormat& format) {
                return has_ending(path, format.ending);

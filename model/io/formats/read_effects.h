@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/io/effects/effect_format.h"
 
@@ -20,8 +21,9 @@ inline constexpr std::size_t kMostEffectBytes = std::size_t{1} << 26;
 // The format of a key; null if no format has it.
 const EffectFormat* format_named(std::string_view key);
 
-// Whether a file of this name can be nothing else: .ahap, .haptic, .hjif, .haps, .he, .hla,
-// .vibrate.json.
+// The endings of files that can be nothing else: ".ahap", ".vibrate.json" ..
+std::vector<std::string> effect_endings();
+// Whether a file has such a name.
 bool is_effect_name(std::string_view path);
 
 // What a single effect of this file is called: its name without its ending.

@@ -1,4 +1,5 @@
-// Every option of the program that is a number, as the program itself lists them.
+// Every option of the program that is a number, as the program itself lists them; and the help that
+// options share.
 #include <doctest/doctest.h>
 
 #include <iostream>
@@ -6,6 +7,7 @@
 
 #include "app/command_line/command_line.h"
 #include "app/command_line/options.h"
+#include "tests/support/format_words.h"
 
 namespace number_options_test {
 
@@ -81,6 +83,10 @@ TEST_CASE("options: no number of any command may be NaN, infinite, empty or in a
             check_refusal(option, value);
         }
     }
+}
+
+TEST_CASE("options: the help of SET names every format of effects that is read") {
+    CHECK(read_formats_missing_in(kSetHelp) == std::vector<std::string>());
 }
 
 TEST_CASE("options: a number that is read is the number that was looked at") {
