@@ -8,6 +8,7 @@
 #include "model/io/recordings/wave_file.h"
 #include "model/signal/waveform.h"
 #include "model/text/atomic_file.h"
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
@@ -65,8 +66,6 @@ RecordingKind recording_kind(const fs::path& path, std::string_view head) {
     if (extension == ".txt") return RecordingKind::text;
     return extension == ".wav" ? RecordingKind::wave : RecordingKind::none;
 }
-
-bool is_recording(const fs::path& path) { return recording_kind(path) != RecordingKind::none; }
 
 Expected<Recording> read_recording(const fs::path& path, const RecordingOptions& options) {
     switch (recording_kind(path)) {

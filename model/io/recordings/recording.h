@@ -33,7 +33,6 @@ enum class RecordingKind { none, text, wave };
 // By what the file begins with, and by its ending where that tells nothing or nothing is there.
 RecordingKind recording_kind(const std::filesystem::path& path);
 RecordingKind recording_kind(const std::filesystem::path& path, std::string_view head);
-bool is_recording(const std::filesystem::path& path);
 
 Expected<Recording> read_recording(const std::filesystem::path& path,
                                    const RecordingOptions& options = {});

@@ -1,7 +1,10 @@
 #include "model/io/set/load.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "model/io/folders/zip_file.h"
 #include "model/io/formats/ahap/ahap_pair.h"
@@ -70,11 +73,10 @@ std::string unused_beside(const FileOfName& file_of, std::string name, const fs:
 }
 
 // A set of ours says so in its first keys, or has its patterns there: it may be large, and is not
-// read twice.
-bool may_be_effect_file(const fs::path& path) {
-    const std::string head = head_of_effects(path);
+// read twice. `head`: that of head_of_effects.
+bool may_be_effect_file(const fs::path& path, std::string_view head) {
     if (head.empty()) return false;
-    const auto has = [&head](const char* key) { return head.find(key) != head.npos; };
+    const auto has = [head](const char* key) { return head.find(key) != head.npos; };
     return is_effect_name(path.string()) || !(has("\"tactspace\"") || has("\"patterns\""));
 }
 
@@ -82,12 +84,14 @@ Expected<Loaded> load_by_kind(const fs::path& path, const fs::path& second,
                               const LoadOptions& options) {
     std::error_code none;
     if (fs::is_directory(path, none)) return read_waveform_folder(path, options);
-    if (const auto size = readable_size(path); !size) return size.error();
+    const auto size = readable_size(path);
+    if (!size) return size.error();
     if (is_zip_file(path)) return read_waveform_folder(path, options);
-    if (is_recording(path)) return load_recording(path);
-    const std::string head = head_of_effects(path);
+    std::string begin = head_of_file(path);
+    if (recording_kind(path, begin) != RecordingKind::none) return load_recording(path);
+    const std::string head = head_of_effects(std::move(begin), *size);
     const bool is_set = head.find("\"tactspace\"") != std::string::npos;
-    if (is_effect_name(path.string()) || may_be_effect_file(path)) {
+    if (is_effect_name(path.string()) || may_be_effect_file(path, head)) {
         auto effects = load_effects(path, second, options);
         if (!effects || !effects->set.vibrations.empty()) return effects;
     }
@@ -122,7 +126,7 @@ Expected<Loaded> load_set(const fs::path& path, const std::optional<ActuatorMap>
 
 bool holds_effects(const fs::path& path) {
     if (is_effect_name(path.string())) return true;
-    if (!may_be_effect_file(path)) return false;
+    if (!may_be_effect_file(path, head_of_effects(path))) return false;
     const auto text = read_text_file(path, kMostEffectBytes);
     if (!text) return false;
     const auto read = read_effects(*text, path.string());

@@ -9,10 +9,10 @@ namespace recording_test {
 using namespace tact;
 
 TEST_CASE("recording: kinds are told by the ending, in any case") {
-    CHECK(is_recording("a.txt"));
-    CHECK(is_recording("folder.json/a.WaV"));
-    CHECK_FALSE(is_recording("a.wav.json"));
-    CHECK_FALSE(is_recording("txt"));
+    CHECK(recording_kind("a.txt") == RecordingKind::text);
+    CHECK(recording_kind("folder.json/a.WaV") == RecordingKind::wave);
+    CHECK(recording_kind("a.wav.json") == RecordingKind::none);
+    CHECK(recording_kind("txt") == RecordingKind::none);
     CHECK(extension_of("a.b.JSON") == ".json");
     const auto other = read_recording("a.mp3");
     REQUIRE_FALSE(other);
