@@ -416,7 +416,7 @@ def named(page, address):
 
 
 def many_edits(page, count):
-    """Memory after many edits is what it was after a few."""
+    """Memory after many edits is what it was once 50 maps are kept, or stays small before that."""
     def memory():
         return page.value("wasmMemory.buffer.byteLength") >> 20
     few = 0
@@ -430,7 +430,7 @@ def many_edits(page, count):
             few = memory()
     page.exact("an exact map after all edits")
     print(f"memory {few} MB after {count // 4} edits, {memory()} MB after {count}")
-    if memory() > 1.1 * few:
+    if memory() > (1.1 * few if count >= 200 else 128):
         sys.exit("memory grows with edits")
 
 
