@@ -116,14 +116,18 @@ class Server(http.server.SimpleHTTPRequestHandler):
         path = pathlib.Path(self.translate_path(self.path))
         if not path.is_file():
             return super().do_GET()
-        key = (path, path.stat().st_mtime)
-        content = self.packed.get(key) or self.packed.setdefault(key, gzip.compress(path.read_bytes(), 9))
+        content = self.pack(path)
         self.send_response(200)
         self.send_header("Content-Type", self.guess_type(path))
         self.send_header("Content-Encoding", "gzip")
         self.send_header("Content-Length", str(len(content)))
         self.end_headers()
         self.wfile.write(content)
+
+    @classmethod
+    def pack(cls, path):
+        key = (path, path.stat().st_mtime)
+        return cls.packed.get(key) or cls.packed.setdefault(key, gzip.compress(path.read_bytes(), 9))
 
     def translate_path(self, path):
         beside = SETS / path.lstrip("/")
@@ -141,6 +145,8 @@ class Server(http.server.SimpleHTTPRequestHandler):
 
 def serve(folder, headers):
     kind = type("Kind", (Server,), {"headers_too": headers})
+    for path in pathlib.Path(folder).glob("tactspace.*"):  # before anybody waits for them
+        kind.pack(path)
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(kind, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}"
