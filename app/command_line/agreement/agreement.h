@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,9 +14,11 @@
 #include "app/command_line/people/people.h"
 #include "app/foreign/foreign.h"
 #include "app/rendering/rendering.h"
+#include "model/common/distributions.h"
 #include "model/common/expected.h"
 #include "model/evaluation/evaluation.h"
 #include "model/evaluation/metric_comparison.h"
+#include "model/perceptual_model/perceptual_model_params.h"
 #include "model/set/pattern_set.h"
 #include "model/study/agreement.h"
 #include "model/study/who_counts.h"
@@ -103,5 +108,49 @@ std::string methods_text(std::span<const SetAgreement> sets);
 // Into the folder `command.report`, which is made; files that are there are replaced.
 Expected<Done> write_study_report(const StudyCommand& command, const PatternSet& set,
                                   CollectedStudy study);
+
+// Optional changes of the model, and their effect on its agreement with people and with the
+// publication: a cost of waiting in the OC part, and other thresholds.
+//
+// Source    ratings: Rothkopf 1957, heard, not felt; the publication's findings
+// Output    one outcome per model, the published one first; nothing when stopped
+// Valid     two judges without a common pattern: the choice of one is tested by the other. Neither
+//           is a rating of vibrations by touch.
+// Exact     same input, same bits, on any number of threads.
+
+struct ModelVariant {
+    std::string name;
+    PerceptualModelParams model;
+};
+
+// As published, with costs of waiting from 0.02 to 1, and with the thresholds of the Android Open
+// Source Project without and with one.
+std::vector<ModelVariant> model_variants();
+
+struct VariantOutcome {
+    std::string name;
+    PerceptualModelParams model;
+    double morse_pm = 0.0;  // Spearman's rho with the ratings
+    Interval morse_interval;
+    double morse_oc = 0.0;
+    std::size_t oc_values = 0;  // distinct values
+    std::size_t hold = 0;       // findings that hold
+    std::vector<std::string> failing;
+    double twelve_rho = 0.0;  // PM of the twelve patterns against the published model's; NaN: no
+                              // order
+    double twelve_k = 0.0;    // alienation of both maps; NaN: no map
+};
+
+struct VariantOptions {
+    int threads = 0;  // 0: all cores
+    std::stop_token stop = {};
+    std::function<void(double)> progress = {};  // share of the work, 0..1
+};
+
+std::optional<std::vector<VariantOutcome>> check_variants(const VariantOptions& options);
+
+// The choice of each judge alone; ties: the first.
+const VariantOutcome& chosen_by_morse(std::span<const VariantOutcome> all);
+const VariantOutcome& chosen_by_findings(std::span<const VariantOutcome> all);
 
 }  // namespace tact

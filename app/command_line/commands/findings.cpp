@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/command_line/agreement/agreement.h"
 #include "app/command_line/commands.h"
 #include "app/command_line/output.h"
 #include "app/compare/compare.h"

@@ -1,9 +1,10 @@
-#include "app/compare/compare.h"
+#include "app/command_line/agreement/agreement.h"
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
 
+#include "app/compare/compare.h"
 #include "assets/assets.h"
 #include "model/dissimilarity/correlation.h"
 #include "model/io/set/set_file.h"

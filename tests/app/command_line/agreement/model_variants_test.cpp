@@ -1,6 +1,6 @@
 // The variants of the model, and the choice of each judge. Their results are the page "findings
 // --variants".
-#include "app/compare/compare.h"
+#include "app/command_line/agreement/agreement.h"
 
 #include <doctest/doctest.h>
 
