@@ -8,6 +8,7 @@
 #include "app/document/workspace.h"
 #include "app/map/parts.h"
 #include "model/set/likeness.h"
+#include "model/system/together.h"
 
 namespace tact {
 
@@ -180,7 +181,8 @@ void request_maps(const Ui& ui, const Workspace& work, ShownMap& shown_map,
     if (!waits && needs_asking(set) && !request.rendered_by) {
         request.checkpoint = map_checkpoint(work);
     }
-    const bool in_turn = has_preview && expected_map_s(set) > kInTurnS;
+    const bool in_turn = has_preview && (threads_weigh_alike() || expected_map_s(set) > kInTurnS);
+    if (in_turn && threads_weigh_alike()) shown_map.full_job.cancel();
     if (!waits && in_turn) shown_map.exact_in_turn = request;
     if (!waits && !in_turn) ask_exact(ui, shown_map, request);
     const auto& shown = shown_map.transition.shown;

@@ -17,4 +17,6 @@ void call_together(std::size_t others, const std::function<void()>& work) {
     work();
 }
 
+bool threads_weigh_alike() { return false; }
+
 }  // namespace tact
