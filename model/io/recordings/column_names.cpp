@@ -4,6 +4,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "model/text/numbers.h"
 #include "model/text/utf8.h"
 
 namespace tact {
