@@ -279,7 +279,8 @@ bool HidDevice::send_frames(const Play& play, RumblePlan& plan, const std::stop_
         loops_ = play.loop;
     }
     const auto deadline = [&](std::size_t k) {
-        const auto round = static_cast<double>(k / plan.size());
+        const std::size_t whole = k / plan.size();
+        const auto round = static_cast<double>(whole);
         const auto hops = static_cast<double>(k % plan.size());
         return pass.begin + nanoseconds(round * pass.duration_s + hops * hop_s);
     };

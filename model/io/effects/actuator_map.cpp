@@ -204,8 +204,8 @@ Transient steady_piece(const ActuatorMap& map, double share, double hz, double d
 }  // namespace
 
 std::span<const ActuatorMap> bundled_actuators() {
-    static const std::array<ActuatorMap, 10> kMaps = all_maps();
-    return kMaps;
+    static const std::array<ActuatorMap, 10> maps = all_maps();
+    return maps;
 }
 
 std::string actuator_names() {
