@@ -124,7 +124,7 @@ std::uint64_t trial_seed_of(JsonObject& object) {
 
 std::vector<std::string> names_in(JsonObject& object, const char* key) {
     std::vector<std::string> names;
-    const auto elements = array_field(object, key, 0, 2 * limits::kMostOddTrials);
+    const auto elements = array_field(object, key, 0, std::size_t{2} * limits::kMostOddTrials);
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const std::string place = place_of(object, key) + "/" + std::to_string(k);
         names.push_back(name_at(*object.reading, *elements[k], place));
