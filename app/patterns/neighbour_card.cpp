@@ -110,9 +110,7 @@ std::optional<Neighbour> neighbour_of(const Workspace& work, const ShownMap& sho
     const auto rows = rows_in_map(work, shown_map, *pair);
     if (!rows) return std::nullopt;
     const auto& nearest = shown_map.transition.shown->nearest;
-    const bool has_one =
-        nearest[rows->first].exists_for(rows->first);  // what nobody feels has none
-    if (!has_one) return std::nullopt;
+    if (!nearest[rows->first].exists_for(rows->first)) return std::nullopt;  // nobody feels it
     return Neighbour{rows->first, rows->second, pair->partner};
 }
 
