@@ -8,7 +8,7 @@
 #include "app/document/workspace.h"
 #include "app/map/parts.h"
 #include "model/set/likeness.h"
-#include "model/system/together.h"
+#include "model/system/process.h"
 
 namespace tact {
 
@@ -181,8 +181,10 @@ void request_maps(const Ui& ui, const Workspace& work, ShownMap& shown_map,
     if (!waits && needs_asking(set) && !request.rendered_by) {
         request.checkpoint = map_checkpoint(work);
     }
-    const bool in_turn = has_preview && (threads_weigh_alike() || expected_map_s(set) > kInTurnS);
-    if (in_turn && threads_weigh_alike()) shown_map.full_job.cancel();
+    // An exact map that does not give way would take half of the preview's processors.
+    const bool is_in_the_way = has_preview && threads_weigh_alike();
+    if (is_in_the_way) shown_map.full_job.cancel();
+    const bool in_turn = is_in_the_way || (has_preview && expected_map_s(set) > kInTurnS);
     if (!waits && in_turn) shown_map.exact_in_turn = request;
     if (!waits && !in_turn) ask_exact(ui, shown_map, request);
     const auto& shown = shown_map.transition.shown;

@@ -32,4 +32,6 @@ void give_way() {
     setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNicer);
 }
 
+bool threads_weigh_alike() { return false; }
+
 }  // namespace tact

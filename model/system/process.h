@@ -20,4 +20,7 @@ int bound_processors(int machine);
 // it; where the system weighs single threads.
 void give_way();
 
+// Whether give_way() has no effect, as in a browser.
+bool threads_weigh_alike();
+
 }  // namespace tact

@@ -17,6 +17,4 @@ void call_together(std::size_t others, const std::function<void()>& work) {
     work();
 }
 
-bool threads_weigh_alike() { return false; }
-
 }  // namespace tact

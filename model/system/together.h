@@ -10,8 +10,4 @@ namespace tact {
 // help where the system gives no more threads. `work` must not throw.
 void call_together(std::size_t others, const std::function<void()>& work);
 
-// Whether all threads weigh alike: in a browser none gives way to another (give_way() in
-// model/system/process.h).
-bool threads_weigh_alike();
-
 }  // namespace tact

@@ -10,6 +10,4 @@ void call_together(std::size_t others, const std::function<void()>& work) {
     kept.call(has_threads() ? others : 0, work);
 }
 
-bool threads_weigh_alike() { return true; }
-
 }  // namespace tact
