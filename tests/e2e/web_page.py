@@ -422,7 +422,7 @@ def named(page, address):
 
 
 def many_edits(page, count):
-    """Memory after many edits is what it was once 50 maps are kept, or stays small before that."""
+    """Memory after many edits is what it was after a few; 50 maps are kept."""
     def memory():
         return page.value("wasmMemory.buffer.byteLength") >> 20
     few = 0
@@ -436,7 +436,7 @@ def many_edits(page, count):
             few = memory()
     page.exact("an exact map after all edits")
     print(f"memory {few} MB after {count // 4} edits, {memory()} MB after {count}")
-    if memory() > (1.1 * few if count >= 200 else 128):
+    if memory() > 1.1 * few:
         sys.exit("memory grows with edits")
 
 
