@@ -1,4 +1,4 @@
-// The dialog of paper.h.
+// The dialog of a paper's files.
 
 #include <optional>
 

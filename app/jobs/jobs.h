@@ -98,7 +98,7 @@ bool has_ended(const std::future<Value>& work) {
 // Output    answers as immutable snapshots; latest() at the top of a frame, held while drawing
 //           Work may answer in part before it ends: latest() has the newest part until then.
 //           What the work throws, such as for want of memory, is no answer; failure() says why
-//           Where a page has no threads, the work is done between two frames (turns.h)
+//           Where a page has no threads, the work is done between two frames, in turns
 // Left out  queues, several workers (the work itself may use more threads)
 
 enum class JobPolicy {

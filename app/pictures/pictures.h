@@ -100,7 +100,7 @@ Expected<Done> finish(Film& film);
 // Input     a stretch of the pattern's time and a count of frames
 // Output    frame_0001.png and so on. Each stands for a share of the stretch, which it shows the
 //           begin of: the end is that of the last one, so that a film of them can go round.
-// Left out  films themselves: film.h; film_command() says what other program makes one.
+// Left out  films themselves: open_film(); film_command() says what other program makes one.
 
 inline constexpr int kMostFrames = 9999;
 inline constexpr double kFilmFramesPerS = 30.0;  // of the film that film_command() makes

@@ -189,7 +189,7 @@ std::string help_of_predict() {
     return text + words.substr(at + kMark.size());
 }
 
-// Arguments are taken as objects: what is wrong with one is said with its name (scalars.h).
+// Arguments are taken as objects: what is wrong with one is said with its name.
 void define_predictions(py::module_& module) {
     const auto none = py::none();
     const py::tuple nobody;

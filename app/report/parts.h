@@ -12,7 +12,7 @@ namespace tact {
 // A page that says what a study is to show before anybody is asked, to be deposited as it is.
 //
 // Input     the plan; nothing here decides
-// Output    one HTML page that stands alone (html.h)
+// Output    one HTML page that stands alone
 // Exact     same input, same bytes.
 
 std::string preregistration_page(const Preregistration& plan);

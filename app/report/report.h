@@ -102,7 +102,7 @@ Expected<Done> write_preregistration(const std::filesystem::path& folder,
 // The page about a set that one sends to a client: what feels the same, what to take instead.
 //
 // Input     what was computed of the set elsewhere; nothing here decides
-// Output    one HTML page that stands alone (html.h): map, groups, subset, table of patterns with
+// Output    one HTML page that stands alone: map, groups, subset, table of patterns with
 //           players, matrix, what was assumed
 // Valid     any n: a page of 1,000 patterns stays below 5 MB and opens at once. The matrix is a
 //           table up to kMostMatrixRows and a picture beyond, lists are cut, players and rows of
@@ -196,7 +196,7 @@ std::string shade_styles();  // of the matrix's cells
 // they rate, how well metrics agree with them, the maps.
 //
 // Input     what was computed of the study elsewhere; nothing here decides
-// Output    one HTML page that stands alone (html.h); every number of it is in the CSV files beside
+// Output    one HTML page that stands alone; every number of it is in the CSV files beside
 //           it (model/io/people/study_tables.h)
 // Valid     tables of participants and metrics of any length
 // Exact     same input, same bytes.
@@ -220,7 +220,7 @@ std::string study_report_page(const StudyReport& report);
 // and how the page writes numbers.
 //
 // Input     what was computed of the study elsewhere; nothing here decides
-// Output    HTML (html.h)
+// Output    HTML
 // Exact     same input, same bytes.
 
 // Agreement, intervals, differences from PM, partial correlations, single people.
