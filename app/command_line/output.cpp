@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <streambuf>
 
 #include "app/command_line/endings.h"
+#include "app/progress/progress.h"
 #include "app/rendering/rendering.h"
 #include "devices/calibration/calibration_file.h"
 #include "model/export/exported_set.h"
@@ -310,11 +310,11 @@ std::function<void(double)> progress_line_with(const std::string& what,
             if (terminal) std::fprintf(stderr, "\r\033[K");
             return;
         }
-        const double left_s = so_far.count() * (1.0 - share) / std::max(share, 1e-6);
-        const std::string end = said ? said() : std::string();
-        std::fprintf(
-            stderr, terminal ? "\r%s: %.0f %%, %s left%s\033[K" : "%s: %.0f %%, %s left%s\n",
-            what.c_str(), 100.0 * share, duration_text(std::ceil(left_s)).c_str(), end.c_str());
+        const std::string left = time_left_text(so_far.count(), share);
+        const std::string line = what + ": " + percent_done(share) +
+                                 (left.empty() ? "" : ", " + left) +
+                                 (said ? said() : std::string());
+        std::fprintf(stderr, terminal ? "\r%s\033[K" : "%s\n", line.c_str());
     };
 }
 
