@@ -121,7 +121,7 @@ std::string with_note(std::string text, std::size_t first, std::size_t last);
 //
 // Source    necklaces: Fredricksen & Maiorana 1978, recursion of Ruskey, Savage & Wang 1992; their
 //           number: Burnside's lemma. Euclidean rhythms: Bjorklund 2003, Toussaint 2005.
-// Output    texts as parse_rhythm() takes them; every note one step long until with_note_length()
+// Output    texts as a Rhythm has them; every note one step long until with_note_length()
 // Valid     1 to kMostListSteps steps, 1 to as many notes
 
 inline constexpr std::size_t kMostListSteps = 24;
