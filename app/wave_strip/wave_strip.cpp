@@ -413,6 +413,8 @@ void draw_wave_strip(Ui& ui, Workspace& work, StripState& strip, StripTime& time
     }
     const bool on_ruler = hovered && ruler.contains(ImGui::GetIO().MousePos);
     take_mouse(ui, work, strip, time, {pattern, scale, under, hovered, on_ruler});
+    if (strip.held)
+        note_rect(ui.rects, "strip:held", area.min, area.max, name_of(strip.held->grip.kind));
     strip.pointed_s.reset();
     if (hovered) strip.pointed_s = to_value(scale.amplitude.x, ImGui::GetIO().MousePos.x);
     const PatternLook look = look_of(ui, work, work.selection.current);
