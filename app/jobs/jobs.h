@@ -21,13 +21,15 @@ namespace tact {
 
 // Turns at the only thread there is: work in the background where a page has no threads of its own.
 //
-// A job asks for a turn; the window gives one between two frames, and its picture stands still
-// until the work has ended. So a preview comes while a slider moves, and work that a newer request
-// would stop comes once the person rests.
+// A job asks for a turn; the window gives one between two frames. So a preview comes while a slider
+// moves, and work that a newer request would stop comes once the person rests. Such work pauses for
+// frames where the browser can hold it back (model/system/pauses.h); else, and during a preview,
+// the picture stands still until it has ended.
 //
 // Input     jobs that ask; the window, which gives turns
-// Output    their work, one at a time, in the order in which they asked
-// Left out  several threads; a stop of work that has begun, unless it gives its turn back early
+// Output    their work, in the order in which they asked; previews while other work pauses, too
+// Left out  several threads; a stop of work that has begun, unless it pauses or gives its turn
+//           back early
 
 // Where the system has no threads (model/system/process.h).
 bool work_takes_turns();
@@ -37,7 +39,7 @@ void pretend_no_threads(bool pretend);
 
 enum class TurnKind {
     soon,    // between the next two frames
-    at_rest  // once nothing is held, moved or typed
+    at_rest  // once nothing is held, moved or typed, and no other work pauses
 };
 
 class TurnTaker {
@@ -57,7 +59,7 @@ class TurnTaker {
     std::function<void()> work_;
 };
 
-// Does the work of the one who asked first; false: nobody did whose turn it is.
+// Does the work of the one who asked first, or begins it; false: nobody did whose turn it is.
 bool give_turn(bool at_rest);
 
 // For work that can continue where it was: its turn has been as long as a picture may wait. Never
@@ -134,63 +136,69 @@ class LatestJob {
               std::move(wake), std::move(same)) {}
 
     LatestJob(JobPolicy policy, WorkInParts work, std::function<void()> wake = {}, Same same = {})
-        : policy_(policy), work_(std::move(work)), wake_(std::move(wake)), same_(std::move(same)) {
+        : policy_(policy), worker_(std::make_shared<Worker>()) {
+        worker_->work = std::move(work);
+        worker_->wake = std::move(wake);
+        worker_->same = std::move(same);
         if (work_takes_turns()) {
             const bool waits = policy == JobPolicy::supersede;
-            turn_.emplace(waits ? TurnKind::at_rest : TurnKind::soon, [this] { take_turn(); });
+            turn_.emplace(waits ? TurnKind::at_rest : TurnKind::soon, [this, worker = worker_] {
+                if (worker->take_turn()) turn_->ask();  // not where the job has gone
+            });
         } else {
-            thread_ = std::jthread([this](std::stop_token quit) { run(quit); });
+            thread_ = std::jthread([worker = worker_](std::stop_token quit) { worker->run(quit); });
         }
     }
 
-    ~LatestJob() { cancel(); }  // the thread then ends as soon as its work heeds the stop
+    // The thread then ends as soon as its work heeds the stop. Work that pauses outlives the job.
+    ~LatestJob() { cancel(); }
 
     LatestJob(const LatestJob&) = delete;
     LatestJob& operator=(const LatestJob&) = delete;
 
     void submit(Request request) {
         const auto run = std::make_shared<const Run>(Run{std::move(request), {}});
-        const std::shared_ptr<const Run> running = replace_waiting(run);
-        if (running && policy_ == JobPolicy::supersede && !is_same_work(*running, *run)) {
+        const std::shared_ptr<const Run> running = worker_->replace_waiting(run);
+        if (running && policy_ == JobPolicy::supersede && !worker_->is_same_work(*running, *run)) {
             running->stop.request_stop();
         }
-        changed_.notify_one();
+        worker_->changed.notify_one();
         if (turn_) turn_->ask();
     }
 
     // Stops the running request and forgets the waiting one: none of them will be answered.
     void cancel() {
-        if (const auto running = replace_waiting(nullptr)) running->stop.request_stop();
+        if (const auto running = worker_->replace_waiting(nullptr)) running->stop.request_stop();
     }
 
     // Besides, of what was answered nothing is left: latest() is null until the next answer.
     void forget() {
         cancel();
         std::shared_ptr<const Answer> answer;  // freed unlocked
-        const std::lock_guard lock(mutex_);
-        latest_.swap(answer);
-        failure_.clear();
+        const std::lock_guard lock(worker_->mutex);
+        worker_->latest.swap(answer);
+        worker_->failure.clear();
     }
 
     // Something is running or waiting to run.
     bool busy() const {
-        const std::lock_guard lock(mutex_);
-        return running_ || waiting_;
+        const std::lock_guard lock(worker_->mutex);
+        return worker_->running || worker_->waiting;
     }
 
     // Progress of the running request, 0 to 1.
-    float progress() const { return progress_.load(std::memory_order_relaxed); }
+    float progress() const { return worker_->progress.load(std::memory_order_relaxed); }
 
     // Why the last request that ended has no answer though nobody stopped it; otherwise empty.
     std::string failure() const {
-        const std::lock_guard lock(mutex_);
-        return failure_;
+        const std::lock_guard lock(worker_->mutex);
+        return worker_->failure;
     }
 
     // The newest answer, whole; null before the first.
     std::shared_ptr<const Answer> latest() const {
-        const std::lock_guard lock(mutex_);
-        return latest_;
+        const std::lock_guard lock(worker_->mutex);
+        return worker_->latest;
     }
 
   private:
@@ -199,110 +207,116 @@ class LatestJob {
         mutable std::stop_source stop;  // libc++ stops by a source that may change
     };
 
-    bool is_same_work(const Run& running, const Run& newer) const {
-        return same_ && same_(running.request, newer.request);
-    }
-
-    // What is running. It is compared and stopped unlocked: a stop calls whatever the work
-    // registered for it. The one that waited goes unlocked, too.
-    std::shared_ptr<const Run> replace_waiting(std::shared_ptr<const Run> run) {
-        const std::lock_guard lock(mutex_);
-        waiting_.swap(run);
-        return running_;
-    }
-
-    void run(const std::stop_token& quit) {
-        give_way();
-        while (const std::shared_ptr<const Run> run = next(quit)) do_work(*run);
-    }
-
-    // The one that waits, unless it was cancelled meanwhile.
-    void take_turn() {
-        const std::shared_ptr<const Run> run = begin_waiting();
-        if (!run) return;
-        continued_ = nullptr;
-        do_work(*run);
-        if (!take_wish_for_turn() || run->stop.stop_requested()) return;
-        continued_ = run;
-        const std::lock_guard lock(mutex_);
-        if (!waiting_) waiting_ = run;
-        turn_->ask();
-    }
-
-    void do_work(const Run& run) {
-        std::string failure;
-        std::shared_ptr<const Answer> answer;
-        try {
-            answer = answer_to(run);
-        } catch (...) {
-            failure = thrown_error().message;
+    // What the work stands on.
+    struct Worker {
+        bool is_same_work(const Run& before, const Run& newer) const {
+            return same && same(before.request, newer.request);
         }
-        publish(answer, failure, run.stop.get_token());
-        if (wake_) wake_();
-        // Here goes the answer before this one unless somebody still draws it.
-    }
 
-    std::shared_ptr<const Answer> answer_to(const Run& run) {
-        const std::stop_token stop = run.stop.get_token();
-        const auto partly = [&](Answer part) {
-            publish_part(std::make_shared<const Answer>(std::move(part)), stop);
-            if (wake_) wake_();
-        };
-        std::optional<Answer> answer = work_(run.request, stop, progress_, partly);
-        if (!answer) return nullptr;
-        return std::make_shared<const Answer>(*std::move(answer));
-    }
+        // What is running. It is compared and stopped unlocked: a stop calls whatever the work
+        // registered for it. The one that waited goes unlocked, too.
+        std::shared_ptr<const Run> replace_waiting(std::shared_ptr<const Run> run) {
+            const std::lock_guard lock(mutex);
+            waiting.swap(run);
+            return running;
+        }
 
-    // Waits for a request; null when the job ends.
-    std::shared_ptr<const Run> next(const std::stop_token& quit) {
-        std::unique_lock lock(mutex_);
-        if (!changed_.wait(lock, quit, [this] { return waiting_ != nullptr; })) return nullptr;
-        return begin();
-    }
+        void run(const std::stop_token& quit) {
+            give_way();
+            while (const std::shared_ptr<const Run> one = next(quit)) do_work(*one);
+        }
 
-    std::shared_ptr<const Run> begin_waiting() {
-        const std::lock_guard lock(mutex_);
-        return begin();
-    }
+        // Does the one that waits, unless it was cancelled meanwhile. True: another turn is wanted.
+        bool take_turn() {
+            const std::shared_ptr<const Run> run = begin_waiting();
+            if (!run) return false;
+            continued = nullptr;
+            do_work(*run);
+            if (!take_wish_for_turn() || run->stop.stop_requested()) return false;
+            continued = run;
+            const std::lock_guard lock(mutex);
+            if (!waiting) waiting = run;
+            return true;
+        }
 
-    // Under the mutex.
-    std::shared_ptr<const Run> begin() {
-        if (waiting_ != continued_) progress_.store(0.0F, std::memory_order_relaxed);
-        running_ = std::exchange(waiting_, nullptr);
-        return running_;
-    }
+        void do_work(const Run& run) {
+            std::string fault;
+            std::shared_ptr<const Answer> answer;
+            try {
+                answer = answer_to(run);
+            } catch (...) {
+                fault = thrown_error().message;
+            }
+            publish(answer, fault, run.stop.get_token());
+            if (wake) wake();
+            // Here goes the answer before this one unless somebody still draws it.
+        }
 
-    // After a stop was asked for, an answer may be one to a question nobody asks any more. Gives
-    // back what was there before: to be freed unlocked, as that may take longer than a frame.
-    void publish(std::shared_ptr<const Answer>& answer, std::string& failure,
-                 const std::stop_token& stop) {
-        const std::lock_guard lock(mutex_);
-        running_ = nullptr;  // the worker still holds it
-        if (stop.stop_requested()) return;
-        if (answer) latest_.swap(answer);
-        failure_.swap(failure);
-    }
+        std::shared_ptr<const Answer> answer_to(const Run& run) {
+            const std::stop_token stop = run.stop.get_token();
+            const auto partly = [&](Answer part) {
+                publish_part(std::make_shared<const Answer>(std::move(part)), stop);
+                if (wake) wake();
+            };
+            std::optional<Answer> answer = work(run.request, stop, progress, partly);
+            if (!answer) return nullptr;
+            return std::make_shared<const Answer>(*std::move(answer));
+        }
 
-    // The part before it goes unlocked, too.
-    void publish_part(std::shared_ptr<const Answer> part, const std::stop_token& stop) {
-        const std::lock_guard lock(mutex_);
-        if (!stop.stop_requested()) latest_.swap(part);
-    }
+        // Waits for a request; null when the job ends.
+        std::shared_ptr<const Run> next(const std::stop_token& quit) {
+            std::unique_lock lock(mutex);
+            if (!changed.wait(lock, quit, [this] { return waiting != nullptr; })) return nullptr;
+            return begin();
+        }
+
+        std::shared_ptr<const Run> begin_waiting() {
+            const std::lock_guard lock(mutex);
+            return begin();
+        }
+
+        // Under the mutex.
+        std::shared_ptr<const Run> begin() {
+            if (waiting != continued) progress.store(0.0F, std::memory_order_relaxed);
+            running = std::exchange(waiting, nullptr);
+            return running;
+        }
+
+        // After a stop was asked for, an answer may be one to a question nobody asks any more.
+        // Gives back what was there before: to be freed unlocked, as that may take longer than a
+        // frame.
+        void publish(std::shared_ptr<const Answer>& answer, std::string& fault,
+                     const std::stop_token& stop) {
+            const std::lock_guard lock(mutex);
+            running = nullptr;  // the worker still holds it
+            if (stop.stop_requested()) return;
+            if (answer) latest.swap(answer);
+            failure.swap(fault);
+        }
+
+        // The part before it goes unlocked, too.
+        void publish_part(std::shared_ptr<const Answer> part, const std::stop_token& stop) {
+            const std::lock_guard lock(mutex);
+            if (!stop.stop_requested()) latest.swap(part);
+        }
+
+        WorkInParts work;
+        std::function<void()> wake;
+        Same same;
+        std::mutex mutex;  // guards the next four; nothing is copied or freed under it
+        std::shared_ptr<const Run> waiting;
+        std::shared_ptr<const Run> running;
+        std::shared_ptr<const Answer> latest;
+        std::string failure;
+        std::condition_variable_any changed;
+        std::atomic<float> progress = 0.0F;
+        std::shared_ptr<const Run> continued;  // what the last turn has not finished
+    };
 
     JobPolicy policy_;
-    WorkInParts work_;
-    std::function<void()> wake_;
-    Same same_;
-    mutable std::mutex mutex_;  // guards the next four; nothing is copied or freed under it
-    std::shared_ptr<const Run> waiting_;
-    std::shared_ptr<const Run> running_;
-    std::shared_ptr<const Answer> latest_;
-    std::string failure_;
-    std::condition_variable_any changed_;
-    std::atomic<float> progress_ = 0.0F;
-    std::optional<TurnTaker> turn_;         // in the place of the thread
-    std::shared_ptr<const Run> continued_;  // what the last turn has not finished
-    std::jthread thread_;  // last: starts when all else is there and is joined before it goes
+    std::shared_ptr<Worker> worker_;
+    std::optional<TurnTaker> turn_;  // in the place of the thread
+    std::jthread thread_;            // last: is joined before all else goes
 };
 
 // A question to the model, as a room asks it: work in the background, what it was asked last, and

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/system/pauses.h"
 #include "model/system/process.h"
 
 namespace tact {
@@ -18,6 +19,7 @@ constexpr std::chrono::milliseconds kTurn{50};
 
 bool pretends_no_threads = false;
 bool another_is_wanted = false;
+bool is_long_under_way = false;              // a turn of the kind at_rest
 std::optional<Clock::time_point> turn_ends;  // none: no turn is under way
 
 // Those who asked, in their order. Empty where there are threads.
@@ -42,18 +44,28 @@ void TurnTaker::ask() {
 }
 
 bool give_turn(bool at_rest) {
+    const bool any = at_rest && !is_long_under_way;
     const auto next = std::ranges::find_if(
-        asking(), [&](const TurnTaker* turn) { return at_rest || turn->kind_ == TurnKind::soon; });
+        asking(), [&](const TurnTaker* turn) { return any || turn->kind_ == TurnKind::soon; });
     if (next == asking().end()) return false;
-    const TurnTaker* const turn = *next;
+    const TurnKind kind = (*next)->kind_;
+    const std::function<void()> work = (*next)->work_;  // whoever asked may go meanwhile
     asking().erase(next);
-    turn_ends = Clock::now() + kTurn;
-    turn->work_();
-    turn_ends.reset();
+    const auto ends_of_other = std::exchange(turn_ends, Clock::now() + kTurn);
+    if (kind == TurnKind::soon) {
+        work();
+    } else {
+        is_long_under_way = true;
+        call_with_pauses([work] {
+            work();
+            is_long_under_way = false;
+        });
+    }
+    turn_ends = ends_of_other;
     return true;
 }
 
-bool is_turn_over() { return turn_ends && Clock::now() >= *turn_ends; }
+bool is_turn_over() { return !is_pausable() && turn_ends && Clock::now() >= *turn_ends; }
 
 void want_another_turn() { another_is_wanted = true; }
 

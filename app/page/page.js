@@ -2,6 +2,29 @@
 addToLibrary({
   page_is_there: () => typeof document === 'undefined' ? 0 : 1,
 
+  // Work that pauses until the next frame was drawn (model/system/pauses.h). A hidden page has no frames.
+  page_can_pause: () => WebAssembly.promising && WebAssembly.Suspending ? 1 : 0,
+  // It has a stack of its own, as others use that of the page while it pauses.
+  $pausing: {},
+  page_call_with_pauses__deps: ['$pausing', '$getWasmTableEntry', '$stackSave', '$stackRestore'],
+  page_call_with_pauses: (work, stack) => {
+    const page = stackSave();
+    Object.assign(pausing, {page, hasPaused: false});
+    stackRestore(stack);
+    WebAssembly.promising(getWasmTableEntry(work))().then(() => { if (pausing.hasPaused) stackRestore(pausing.page); });
+    stackRestore(page);
+  },
+  page_pause__deps: ['$pausing', '$stackSave', '$stackRestore'],
+  page_pause: () => {
+    const own = stackSave();
+    stackRestore(pausing.page);
+    return new Promise((go) => document.hidden ? setTimeout(go) : requestAnimationFrame(() => setTimeout(go))).then(() => {
+      Object.assign(pausing, {page: stackSave(), hasPaused: true});
+      stackRestore(own);
+    });
+  },
+  page_pause__postset: 'if (WebAssembly.Suspending) _page_pause = new WebAssembly.Suspending(_page_pause);',
+
   page_show_cursor: (name) => {
     document.getElementById('canvas').style.cursor = UTF8ToString(name);
   },

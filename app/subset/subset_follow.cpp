@@ -7,6 +7,7 @@
 #include "app/subset/parts.h"
 #include "model/set/set_ratings.h"
 #include "model/subset/set_subset.h"
+#include "model/system/pauses.h"
 #include "model/tasks/set_pairs.h"
 
 namespace tact {
@@ -16,8 +17,8 @@ namespace {
 constexpr double kPickLimitS = 20.0;
 constexpr double kPreviewLimitS = 2.0;  // the exact map soon asks again
 constexpr double kCurveLimitS = 20.0;
-// The limits of a search that holds the picture up: each turn is given twice the time of the one
-// before it, until the subset is proven.
+// The limits of a search that holds the picture up: each turn has twice the time of the one before
+// it, until the subset is proven.
 constexpr double kFirstTurnS = 0.1;
 constexpr double kLongestTurnS = 1.6;
 constexpr std::size_t kAlternatives = 6;
@@ -41,8 +42,10 @@ Expected<Dissimilarity> asked_dissimilarity(const PickRequest& request, std::sto
     return std::move(found->apart);
 }
 
-// Where there are no threads: the request that took the last turn, what it found out before it
-// searched, and the time of the next.
+bool holds_picture_up() { return work_takes_turns() && !is_pausable(); }
+
+// Where it does: the request that took the last turn, what it found out before it searched, and the
+// time of the next.
 struct PickTurns {
     PickRequest of;
     double limit_s = kFirstTurnS;
@@ -52,14 +55,14 @@ struct PickTurns {
 
 double pick_limit_s(const PickRequest& request, const PickTurns& turns) {
     const double limit_s = is_of_preview(request) ? kPreviewLimitS : kPickLimitS;
-    return work_takes_turns() ? std::min(limit_s, turns.limit_s) : limit_s;
+    return holds_picture_up() ? std::min(limit_s, turns.limit_s) : limit_s;
 }
 
 // Whether the search begins again, with more time, after the next frame.
 bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
     const bool is_proven =
         pick.answer.proof == SubsetProof::optimal && pick.answer.are_alternatives_proven;
-    if (!work_takes_turns() || is_of_preview(pick.request) || is_proven ||
+    if (!holds_picture_up() || is_of_preview(pick.request) || is_proven ||
         turns.limit_s >= kLongestTurnS)
         return false;
     turns.limit_s *= 2.0;
@@ -69,7 +72,7 @@ bool takes_longer_turn(const Pick& pick, PickTurns& turns) {
 
 // False: it cannot be found, and the pick says why.
 bool find_dissimilarity(Pick& pick, std::stop_token stop, PickTurns& turns) {
-    if (work_takes_turns() && turns.of != pick.request) turns = {pick.request, kFirstTurnS, {}, {}};
+    if (holds_picture_up() && turns.of != pick.request) turns = {pick.request, kFirstTurnS, {}, {}};
     if (!pick.dissimilarity && turns.dissimilarity) {
         pick.dissimilarity = turns.dissimilarity;
         pick.mark = turns.mark;
@@ -81,7 +84,7 @@ bool find_dissimilarity(Pick& pick, std::stop_token stop, PickTurns& turns) {
         return false;
     }
     pick.dissimilarity = std::make_shared<const Dissimilarity>(*std::move(matrix));
-    if (work_takes_turns()) {
+    if (holds_picture_up()) {
         turns.dissimilarity = pick.dissimilarity;
         turns.mark = pick.mark;
     }
@@ -137,7 +140,7 @@ auto picker() {
 std::optional<PickCurve> find_curve(const PickTask& task, std::stop_token stop,
                                     std::atomic<float>& progress) {
     SubsetOptions options;
-    options.time_limit_s = work_takes_turns() ? kLongestTurnS : kCurveLimitS;
+    options.time_limit_s = holds_picture_up() ? kLongestTurnS : kCurveLimitS;
     options.stop = stop;
     options.progress = [&progress](double share) { progress = static_cast<float>(share); };
     PickCurve curve{task.question,

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "model/common/processors.h"
+#include "model/system/pauses.h"
 #include "model/system/together.h"
 
 namespace tact {
@@ -52,6 +53,7 @@ bool parallel_for(std::size_t count, int threads, std::stop_token stop,
             } catch (...) {
                 failure.keep(index, std::current_exception());
             }
+            pause_if_due();
         }
     };
     const auto workers = std::min(static_cast<std::size_t>(thread_count(threads)), count);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/dissimilarity/dissimilarity.h"
+#include "model/system/pauses.h"
 
 namespace tact {
 
@@ -145,6 +146,7 @@ Descent descend_from(Fit here, int step, double relaxation, const PairOrder& ord
     while (step < params.max_steps && here.size > 0.0 && !stop.stop_requested()) {
         if (slow_steps == kSlowSteps) return {here.points, here.stress1, step, relaxation, true};
         ++step;
+        pause_if_due();
         const double unit = std::sqrt(known / here.size);
         guttman(here, ratio, image);
         image *= unit / n;

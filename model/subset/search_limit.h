@@ -6,6 +6,8 @@
 #include <stop_token>
 #include <utility>
 
+#include "model/system/pauses.h"
+
 namespace tact {
 
 struct SearchLimit {
@@ -13,6 +15,7 @@ struct SearchLimit {
     std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
 
     bool reached() const {
+        pause_if_due();
         if (stop.stop_requested()) return true;
         return is_by_clock() && std::chrono::steady_clock::now() >= end;
     }

@@ -14,6 +14,7 @@
 #include "model/dissimilarity/correlation.h"
 #include "model/dissimilarity/dissimilarity.h"
 #include "model/perceptual_model/perceptual_model.h"
+#include "model/system/pauses.h"
 #include "model/training/training_plan.h"
 #include "model/training/training_tally.h"
 
@@ -200,6 +201,7 @@ std::optional<SearchResult> search(const SearchProblem& problem, const SearchPar
             const auto share =
                 static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(tasks);
             if (params.progress) params.progress(share);
+            pause_if_due();
         }
         const std::scoped_lock lock(mutex);
         merge_into(all, std::move(own));

@@ -105,6 +105,7 @@ MAP = "title:Perceptual space"
 
 SETS = pathlib.Path(__file__).resolve().parents[2] / "assets" / "sets"
 NAMED = "rhythms_tactspace.tactspace.json"  # beside the page, where a server hands it out
+TWELVE = "pm_2023_twelve.tactspace.json"
 WITHIN = "park_choi_2011_am_4hz.tactspace.json"  # in the address itself
 
 
@@ -421,6 +422,43 @@ def named(page, address):
     print(f"a set named in the address; of one that is not there: {sentence!r}")
 
 
+def long_work(page, address):
+    """A search of hours: the window answers while it runs, a slider has its preview, and Cancel ends it."""
+    rated = json.loads((SETS / TWELVE).read_text())
+    labels = [pattern["name"] for pattern in rated["patterns"]]
+    pairs = len(labels) * (len(labels) - 1) // 2
+    rated["ratings"] = [{"name": "people", "labels": labels, "condensed": [(7 * k % pairs) / pairs for k in range(pairs)]}]
+    content = base64.b64encode(json.dumps(rated).encode()).decode()
+    page.browser.ask("Page.navigate", url="about:blank")
+    page.browser.ask("Page.navigate", url=f"{address}#set=data:;base64,{content}")
+    page.until(lambda: "row:" + labels[0] in page.widgets(), "the rated set is open", 60)
+    page.exact("an exact map of the rated set")
+    page.command("Train on ratings")
+    page.click("train:0.025")
+    page.click("button:train")
+    page.widget("progress:training", "the search is under way")
+    page.value("""self.gaps = []; (function look(before) {
+        requestAnimationFrame((now) => { self.gaps.push(now - before); look(now); });
+    })(performance.now()); 0""")
+    at, y, before = slide(page, 0.4)
+    began = time.monotonic()
+    page.widget("slider:modulation_hz", "the slider follows while the search runs", lambda value: value != before)
+    page.widget(MAP, "a preview of the map while the search runs", lambda value: "preview" in value)
+    preview_ms = 1000 * (time.monotonic() - began)
+    page.mouse("mouseReleased", at, y)
+    time.sleep(2)
+    page.widget("progress:training", "the search goes on")
+    page.click("link:cancel training")
+    began = time.monotonic()
+    page.until(lambda: "progress:training" not in page.widgets(), "the search ends", 20)
+    longest_ms = page.value("Math.max(...self.gaps)")
+    print(f"while a model is trained: preview after {preview_ms:.0f} ms, {longest_ms:.0f} ms between two frames at most, "
+          f"cancelled within {time.monotonic() - began:.1f} s")
+    page.exact("the exact map after the search")
+    if longest_ms > 1500:
+        sys.exit("the picture waited for the search")
+
+
 def many_edits(page, count):
     """Memory after many edits is what it was after a few; 50 maps are kept."""
     def memory():
@@ -698,6 +736,7 @@ def main():
             "controller": lambda: controller(page, args.source),
             "save": lambda: save_and_reopen(page),
             "edits": lambda: many_edits(page, args.edits),
+            "work": lambda: long_work(page, address),
             "named": lambda: named(page, address),
             "pane": lambda: one_pane(page, args.pictures),
             "light": lambda: light(page, args.pictures),

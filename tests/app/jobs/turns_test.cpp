@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +69,49 @@ TEST_CASE("turns: a job without a thread answers the newest request, once it has
     CHECK_FALSE(job.busy());
     give_turn(true);
     CHECK(*job.latest() == 4);
+}
+
+// What happens while work pauses happens within it here.
+TEST_CASE("turns: while work pauses, previews get theirs and other work waits") {
+    const NoThreads pretended;
+    std::string order;
+    TurnTaker preview(TurnKind::soon, [&] { order += "p"; });
+    TurnTaker exact(TurnKind::at_rest, [&] { order += "e"; });
+    TurnTaker training(TurnKind::at_rest, [&] {
+        order += "t";
+        exact.ask();
+        preview.ask();
+        CHECK(give_turn(true));
+        CHECK_FALSE(give_turn(true));
+        order += "t";
+    });
+    training.ask();
+    CHECK(give_turn(true));
+    CHECK(order == "tpt");
+    CHECK(give_turn(true));
+    CHECK(order == "tpte");
+}
+
+TEST_CASE("turns: a job may go while its work pauses, which is stopped then and ends later") {
+    const NoThreads pretended;
+    bool is_stopped = false;
+    int woken = 0;
+    std::unique_ptr<LatestJob<int, int>> job;
+    job = std::make_unique<LatestJob<int, int>>(
+        JobPolicy::supersede,
+        [&](const int& request, std::stop_token stop, std::atomic<float>& progress) {
+            job.reset();
+            progress = 0.5F;
+            is_stopped = stop.stop_requested();
+            want_another_turn();
+            return std::optional(request);
+        },
+        [&] { ++woken; });
+    job->submit(1);
+    CHECK(give_turn(true));
+    CHECK(is_stopped);
+    CHECK(woken == 1);
+    CHECK_FALSE(give_turn(true));
 }
 
 TEST_CASE("turns: work that gives its turn back continues, unless something else is wanted") {
