@@ -61,8 +61,9 @@ Rect draw_legend(const Theme& theme, const Rect& area, const PatternSet& set) {
     const float row_px = 1.3F * text_size(theme.fonts.small, "L").y;
     const float top = area.max.y - row_px * static_cast<float>(rows);
     for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::size_t row = k / columns;
         const ImVec2 at{area.min.x + column_px * static_cast<float>(k % columns),
-                        top + row_px * static_cast<float>(k / columns)};
+                        top + row_px * static_cast<float>(row)};
         draw_pattern_mark(list, theme, {at.x + theme.mark_px, at.y + 0.4F * row_px}, theme.mark_px,
                           look_of(theme, set, k), theme.pane);
         draw_text(list, theme.fonts.small, {at.x + 3.0F * theme.mark_px, at.y}, theme.text,
@@ -145,8 +146,9 @@ Picture space_panels_picture(const PatternSet& set, std::span<const MapPanel> pa
         // The legend has the names.
         const std::vector<std::string> no_names(set.vibrations.size());
         for (std::size_t k = 0; k < panels.size(); ++k) {
+            const std::size_t row = k / columns;
             const ImVec2 corner{rest.min.x + cell.x * static_cast<float>(k % columns),
-                                rest.min.y + cell.y * static_cast<float>(k / columns)};
+                                rest.min.y + cell.y * static_cast<float>(row)};
             const Rect place = inset(rect_at(corner, cell), 0.5F * theme.gap_px);
             const std::string said =
                 panels[k].marks.quantity + ", " + stress_text(*panels[k].space);

@@ -13,7 +13,7 @@
 namespace tact {
 
 namespace py = pybind11;
-using namespace py::literals;
+using namespace py::literals;  // NOLINT(google-build-using-namespace): of _a
 
 namespace {
 

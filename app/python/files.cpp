@@ -21,7 +21,7 @@ namespace tact {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
-using namespace py::literals;
+using namespace py::literals;  // NOLINT(google-build-using-namespace): of _a
 
 namespace {
 
@@ -144,6 +144,7 @@ void refuse_taken(const fs::path& folder, const PatternSet& part, TargetFormat f
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): it has the arguments of Python's
 py::dict export_set(const py::object& given, const py::object& folder, const py::object& format,
                     const py::object& patterns, const py::object& onto, const py::object& rate_hz,
                     const py::object& bits, const py::object& count, const py::object& loss,

@@ -10,7 +10,7 @@
 namespace tact {
 
 namespace py = pybind11;
-using namespace py::literals;
+using namespace py::literals;  // NOLINT(google-build-using-namespace): of _a
 
 namespace {
 
@@ -45,6 +45,7 @@ PlanAssumptions assumed_of(const py::object& pilot, const Dissimilarity& metric,
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): it has the arguments of Python's
 py::dict plan_study(const py::object& matrix, const py::object& rival, const py::object& people,
                     const py::object& rho, const py::object& reliability, const py::object& pilot,
                     const py::object& pairs, const py::object& studies, const py::object& seed,
@@ -130,6 +131,7 @@ TrainingSet training_set_of(const py::dict& set, std::size_t number, double rate
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): it has the arguments of Python's
 py::dict train_sets(const py::object& given, const py::object& objective, const py::object& step,
                     const py::object& leave_out, const py::object& rate_hz,
                     const py::object& threads, py::object model, const py::object& progress) {

@@ -28,7 +28,7 @@ namespace tact {
 namespace {
 
 namespace py = pybind11;
-using namespace py::literals;
+using namespace py::literals;  // NOLINT(google-build-using-namespace): of _a
 
 py::array predict_matrix(const py::object& waves, const py::object& metric,
                          const py::object& rate_hz, const py::object& threads,
@@ -140,6 +140,7 @@ py::tuple space(const py::object& matrix, const py::object& dimensions, const py
     return py::make_tuple(array_of(made.points), made.stress1);
 }
 
+// NOLINTNEXTLINE(readability-function-size): it has the arguments of Python's
 py::dict subset(const py::object& matrix, const py::object& k, const py::object& keep,
                 const py::object& drop, const py::object& objective, const py::object& threads,
                 const py::object& time_limit_s, const py::object& progress) {

@@ -256,12 +256,12 @@ void draw_height_bar(const Ui& ui, StripState& strip, float shown_px) {
 
 void note_grips(Ui& ui, const Pattern& pattern, const StripScale& scale, const Rect& ruler) {
     if (ui.rects.file.empty()) return;
-    const ImVec2 kHalf{2.0F, 2.0F};
+    const ImVec2 half{2.0F, 2.0F};
     for (const PlacedGrip& placed : placed_grips(pattern, scale)) {
         note_rect(ui.rects,
                   std::string("grip:") + name_of(placed.grip.kind) + ":" +
                       std::to_string(placed.grip.index),
-                  placed.at - kHalf, placed.at + kHalf);
+                  placed.at - half, placed.at + half);
     }
     for (const NoteBlock& block : note_blocks(pattern, scale)) {
         note_rect(ui.rects, "note:" + std::to_string(block.index), block.area.min, block.area.max);

@@ -91,6 +91,11 @@ void take_ranks(const Plan& plan, std::size_t s, SetRoom& room, GridPoint at, st
                            [](double rank) { return static_cast<std::int32_t>(2.0 * rank); });
 }
 
+// To the sums of kMixes mixtures what each has of one column.
+void add_rho(double* sums, const double* rho, bool absolute) {
+    for (std::size_t l = 0; l < kMixes; ++l) sums[l] += absolute ? std::abs(rho[l]) : rho[l];
+}
+
 // The objectives of all mixtures of one order of NC.
 void tally_mixes(const Plan& plan, const std::vector<SetRoom>& rooms, GridPoint at,
                  SearchTally& tally) {
@@ -105,10 +110,7 @@ void tally_mixes(const Plan& plan, const std::vector<SetRoom>& rooms, GridPoint 
                 const PlannedSet& planned = plan.sets[place.set];
                 const std::size_t column = block * planned.columns +
                                            planned.rated[place.rated].first_column + place.column;
-                const double* rho = rooms[place.set].rho + column * kMixes;
-                for (std::size_t l = 0; l < kMixes; ++l) {
-                    value[l] += absolute ? std::abs(rho[l]) : rho[l];
-                }
+                add_rho(value, rooms[place.set].rho + column * kMixes, absolute);
             }
             for (double& sum : value) sum /= static_cast<double>(places.size());
             take_values(tally, plan.grid, o, at, std::span(value).first(used));

@@ -49,6 +49,16 @@ function written(path) {
 }
 </script><script src="%s.js"></script>"""
 
+# What was said, once the command has ended; after five minutes it will not.
+ENDED = """new Promise((done) => {
+  const began = Date.now();
+  const look = setInterval(() => {
+    if (said.code === null && Date.now() - began < 3e5) return;
+    clearInterval(look);
+    done(said);
+  }, 20);
+})"""
+
 
 def outputs_of(arguments):
     return [after for before, after in zip(arguments, arguments[1:]) if before == "--out"]
@@ -104,17 +114,17 @@ def main():
             return browser.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)["result"].get("value")
 
         browser.ask("Page.enable")
-        browser.ask("Page.navigate", url=address)
-        browser.wait_for("Page.loadEventFired")
-        # 20 minutes at most.
-        said = value("""new Promise((done) => {
-            const began = Date.now();
-            const look = setInterval(() => {
-              if (said.code === null && Date.now() - began < 1.2e6) return;
-              clearInterval(look);
-              done(said);
-            }, 20);
-          })""")
+        # Between threads, emscripten loses a message now and then (its issue 25211).
+        for _ in range(2):
+            browser.events.clear()
+            browser.ask("Page.navigate", url=address)
+            browser.wait_for("Page.loadEventFired")
+            said = value(ENDED)
+            if said["code"] is not None:
+                break
+            print(f"{kind} {' '.join(arguments)} has not ended in Chromium", file=sys.stderr)
+        else:
+            return 1
         for error in said["error"]:
             print(error, file=sys.stderr)
         for line in said["out"]:
@@ -123,8 +133,6 @@ def main():
             for path, content in value(f"written({json.dumps(str(pathlib.Path(out).absolute()))})"):
                 pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
                 pathlib.Path(path).write_bytes(base64.b64decode(content))
-        if said["code"] is None:
-            sys.exit(f"{kind} {' '.join(arguments)} has not ended in Chromium")
         return said["code"]
 
 
