@@ -27,7 +27,7 @@ namespace tact {
 // the picture stands still until it has ended.
 //
 // Input     jobs that ask; the window, which gives turns
-// Output    their work, in the order in which they asked; previews while other work pauses, too
+// Output    their work, in the order in which they asked, while other work pauses, too
 // Left out  several threads; a stop of work that has begun, unless it pauses or gives its turn
 //           back early
 
@@ -39,7 +39,7 @@ void pretend_no_threads(bool pretend);
 
 enum class TurnKind {
     soon,    // between the next two frames
-    at_rest  // once nothing is held, moved or typed, and no other work pauses
+    at_rest  // once nothing is held, moved or typed
 };
 
 class TurnTaker {
@@ -228,15 +228,18 @@ class LatestJob {
 
         // Does the one that waits, unless it was cancelled meanwhile. True: another turn is wanted.
         bool take_turn() {
+            if (has_turn) return false;  // it pauses; what came meanwhile is next
             const std::shared_ptr<const Run> run = begin_waiting();
             if (!run) return false;
             continued = nullptr;
+            has_turn = true;
             do_work(*run);
-            if (!take_wish_for_turn() || run->stop.stop_requested()) return false;
-            continued = run;
+            has_turn = false;
+            const bool continues = take_wish_for_turn() && !run->stop.stop_requested();
+            if (continues) continued = run;
             const std::lock_guard lock(mutex);
-            if (!waiting) waiting = run;
-            return true;
+            if (continues && !waiting) waiting = run;
+            return waiting != nullptr;
         }
 
         void do_work(const Run& run) {
@@ -310,6 +313,7 @@ class LatestJob {
         std::string failure;
         std::condition_variable_any changed;
         std::atomic<float> progress = 0.0F;
+        bool has_turn = false;                 // in the place of the thread
         std::shared_ptr<const Run> continued;  // what the last turn has not finished
     };
 

@@ -19,7 +19,6 @@ constexpr std::chrono::milliseconds kTurn{50};
 
 bool pretends_no_threads = false;
 bool another_is_wanted = false;
-bool is_long_under_way = false;              // a turn of the kind at_rest
 std::optional<Clock::time_point> turn_ends;  // none: no turn is under way
 
 // Those who asked, in their order. Empty where there are threads.
@@ -44,9 +43,8 @@ void TurnTaker::ask() {
 }
 
 bool give_turn(bool at_rest) {
-    const bool any = at_rest && !is_long_under_way;
     const auto next = std::ranges::find_if(
-        asking(), [&](const TurnTaker* turn) { return any || turn->kind_ == TurnKind::soon; });
+        asking(), [&](const TurnTaker* turn) { return at_rest || turn->kind_ == TurnKind::soon; });
     if (next == asking().end()) return false;
     const TurnKind kind = (*next)->kind_;
     const std::function<void()> work = (*next)->work_;  // whoever asked may go meanwhile
@@ -55,11 +53,7 @@ bool give_turn(bool at_rest) {
     if (kind == TurnKind::soon) {
         work();
     } else {
-        is_long_under_way = true;
-        call_with_pauses([work] {
-            work();
-            is_long_under_way = false;
-        });
+        call_with_pauses(work);
     }
     turn_ends = ends_of_other;
     return true;

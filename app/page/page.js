@@ -4,14 +4,14 @@ addToLibrary({
 
   // Work that pauses until the next frame was drawn (model/system/pauses.h). A hidden page has no frames.
   page_can_pause: () => WebAssembly.promising && WebAssembly.Suspending ? 1 : 0,
-  // It has a stack of its own, as others use that of the page while it pauses.
+  // The page's own stack was left at pausing.page; work has another.
   $pausing: {},
   page_call_with_pauses__deps: ['$pausing', '$getWasmTableEntry', '$stackSave', '$stackRestore'],
-  page_call_with_pauses: (work, stack) => {
+  page_call_with_pauses: (run, call, stack) => {
     const page = stackSave();
-    Object.assign(pausing, {page, hasPaused: false});
+    Object.assign(pausing, {page, isResumed: false});
     stackRestore(stack);
-    WebAssembly.promising(getWasmTableEntry(work))().then(() => { if (pausing.hasPaused) stackRestore(pausing.page); });
+    WebAssembly.promising(getWasmTableEntry(run))(call).then(() => { if (pausing.isResumed) stackRestore(pausing.page); });
     stackRestore(page);
   },
   page_pause__deps: ['$pausing', '$stackSave', '$stackRestore'],
@@ -19,7 +19,7 @@ addToLibrary({
     const own = stackSave();
     stackRestore(pausing.page);
     return new Promise((go) => document.hidden ? setTimeout(go) : requestAnimationFrame(() => setTimeout(go))).then(() => {
-      Object.assign(pausing, {page: stackSave(), hasPaused: true});
+      Object.assign(pausing, {page: stackSave(), isResumed: true});
       stackRestore(own);
     });
   },

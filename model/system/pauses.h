@@ -10,8 +10,8 @@
 
 namespace tact {
 
-// Returns when the work ends or pauses; it then continues between later frames, to its end. One at
-// a time: until that end, others must not be called so. `work` must not throw.
+// Returns when the work ends or pauses; it then continues between later frames, to its end, in turn
+// with other work that was called so meanwhile. `work` must not throw.
 void call_with_pauses(std::function<void()> work);
 
 // Called by work as often as it likes: it pauses if it has taken long since it did last.

@@ -1,13 +1,16 @@
 #include "model/system/pauses.h"
 
+#include <array>
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
 // In app/page/page.js.
 extern "C" {
 int page_can_pause();
-void page_call_with_pauses(void (*work)(), void* end_of_stack);
+void page_call_with_pauses(void (*run)(void* call), void* call, void* end_of_stack);
 void page_pause();
 }
 
@@ -20,29 +23,43 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPiece{50};
 constexpr std::size_t kStackBytes = 2 << 20;  // what a thread has (app/CMakeLists.txt)
 
-std::function<void()> called;  // the work, while it has not ended
-bool is_running = false;       // and does not pause
+// A stack of its own for each, as the page uses its own while the work pauses. It grows from its
+// end.
+struct Call {
+    std::function<void()> work;
+    alignas(16) std::array<std::byte, kStackBytes> stack;
+};
+
+std::vector<std::unique_ptr<Call>> ended;  // for others: none is freed while it runs on its stack
+int calls = 0;                             // that have not ended
+bool is_running = false;                   // one of them, which does not pause
 Clock::time_point piece_ends;
 
+// Their pieces together are as long as one.
 void begin_piece() {
     is_running = true;
-    piece_ends = Clock::now() + kPiece;
+    piece_ends = Clock::now() + kPiece / calls;
 }
 
-void run_to_its_end() {
+void run(void* given) {
+    std::unique_ptr<Call> call(static_cast<Call*>(given));
     begin_piece();
-    called();
+    std::exchange(call->work, nullptr)();
     is_running = false;
-    called = nullptr;
+    --calls;
+    ended.push_back(std::move(call));
 }
 
 }  // namespace
 
 void call_with_pauses(std::function<void()> work) {
     if (page_can_pause() == 0) return work();
-    alignas(16) static char stack[kStackBytes];  // it grows from its end
-    called = std::move(work);
-    page_call_with_pauses(run_to_its_end, stack + kStackBytes);
+    if (ended.empty()) ended.push_back(std::make_unique<Call>());
+    Call* const call = ended.back().release();
+    ended.pop_back();
+    call->work = std::move(work);
+    ++calls;
+    page_call_with_pauses(run, call, call->stack.data() + kStackBytes);
 }
 
 void pause_if_due() {

@@ -72,7 +72,7 @@ TEST_CASE("turns: a job without a thread answers the newest request, once it has
 }
 
 // What happens while work pauses happens within it here.
-TEST_CASE("turns: while work pauses, previews get theirs and other work waits") {
+TEST_CASE("turns: while work pauses, others get theirs") {
     const NoThreads pretended;
     std::string order;
     TurnTaker preview(TurnKind::soon, [&] { order += "p"; });
@@ -81,15 +81,40 @@ TEST_CASE("turns: while work pauses, previews get theirs and other work waits") 
         order += "t";
         exact.ask();
         preview.ask();
+        CHECK(give_turn(false));
+        CHECK_FALSE(give_turn(false));
         CHECK(give_turn(true));
-        CHECK_FALSE(give_turn(true));
         order += "t";
     });
     training.ask();
     CHECK(give_turn(true));
-    CHECK(order == "tpt");
+    CHECK_FALSE(give_turn(true));
+    CHECK(order == "tpet");
+}
+
+TEST_CASE("turns: what a job is asked while its work pauses comes after it") {
+    const NoThreads pretended;
+    std::vector<int> seen;
+    std::optional<LatestJob<int, int>> job;
+    job.emplace(JobPolicy::supersede,
+                [&](const int& request, std::stop_token stop, std::atomic<float>&) {
+                    seen.push_back(request);
+                    if (request == 1) {
+                        job->submit(2);
+                        CHECK(stop.stop_requested());
+                        CHECK(give_turn(true));
+                        CHECK(seen == std::vector{1});
+                    }
+                    return std::optional(request);
+                });
+    job->submit(1);
     CHECK(give_turn(true));
-    CHECK(order == "tpte");
+    CHECK(job->busy());
+    CHECK(give_turn(true));
+    CHECK_FALSE(give_turn(true));
+    CHECK(seen == std::vector{1, 2});
+    REQUIRE(job->latest());
+    CHECK(*job->latest() == 2);
 }
 
 TEST_CASE("turns: a job may go while its work pauses, which is stopped then and ends later") {
