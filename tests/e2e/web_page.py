@@ -1,6 +1,6 @@
 """Uses the window in a page (app/web) as a person does, in headless Chromium.
 
-    web_page.py BUILD --from disk|server|headers [--matrices FOLDER] [--edits 200] [--pictures FOLDER]
+    web_page.py BUILD --from disk|server|headers [--matrices FOLDER] [--edits 400] [--pictures FOLDER]
 
 BUILD is build/web. From the disk its one file is opened, from a server its folder; with headers the
 server sets the page apart as threads need it, without them the page's service worker does. FOLDER has NAME.csv, what
@@ -461,7 +461,7 @@ def long_work(page, address):
 
 
 def many_edits(page, count):
-    """Memory after many edits is what it was after a few; 50 maps are kept."""
+    """Memory after many edits is what it was after half of them: 50 maps are kept, and stacks of work that pauses."""
     def memory():
         return page.value("wasmMemory.buffer.byteLength") >> 20
     few = 0
@@ -470,11 +470,11 @@ def many_edits(page, count):
         page.mouse("mouseReleased", at, y)
         if edit_number % 20 == 19:
             page.exact("an exact map between edits")
-        if edit_number == count // 4:
-            page.exact("an exact map after a quarter of the edits")
+        if edit_number == count // 2:
+            page.exact("an exact map after half of the edits")
             few = memory()
     page.exact("an exact map after all edits")
-    print(f"memory {few} MB after {count // 4} edits, {memory()} MB after {count}")
+    print(f"memory {few} MB after {count // 2} edits, {memory()} MB after {count}")
     if memory() > 1.1 * few:
         sys.exit("memory grows with edits")
 
@@ -708,7 +708,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--from", dest="source", choices=("disk", "server", "headers"), default="disk")
     parser.add_argument("--matrices")
-    parser.add_argument("--edits", type=int, default=200)
+    parser.add_argument("--edits", type=int, default=400)
     parser.add_argument("--pictures")
     parser.add_argument("--mbit-s", type=float, help="of the line to the server, with 40 ms to it and back")
     parser.add_argument("--only", help="names of parts, with commas between them")
