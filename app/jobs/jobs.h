@@ -228,13 +228,10 @@ class LatestJob {
 
         // Does the one that waits, unless it was cancelled meanwhile. True: another turn is wanted.
         bool take_turn() {
-            if (has_turn) return false;  // it pauses; what came meanwhile is next
             const std::shared_ptr<const Run> run = begin_waiting();
             if (!run) return false;
             continued = nullptr;
-            has_turn = true;
             do_work(*run);
-            has_turn = false;
             const bool continues = take_wish_for_turn() && !run->stop.stop_requested();
             if (continues) continued = run;
             const std::lock_guard lock(mutex);
@@ -273,9 +270,10 @@ class LatestJob {
             return begin();
         }
 
+        // None while another one pauses, which is followed by what came meanwhile.
         std::shared_ptr<const Run> begin_waiting() {
             const std::lock_guard lock(mutex);
-            return begin();
+            return running ? nullptr : begin();
         }
 
         // Under the mutex.
@@ -313,7 +311,6 @@ class LatestJob {
         std::string failure;
         std::condition_variable_any changed;
         std::atomic<float> progress = 0.0F;
-        bool has_turn = false;                 // in the place of the thread
         std::shared_ptr<const Run> continued;  // what the last turn has not finished
     };
 

@@ -15,7 +15,7 @@ struct SearchLimit {
     std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
 
     bool reached() const {
-        pause_if_due();
+        pause_if_due();  // every search asks often
         if (stop.stop_requested()) return true;
         return is_by_clock() && std::chrono::steady_clock::now() >= end;
     }
