@@ -56,6 +56,11 @@ class Browser:
                 return answer["result"]
             self.events.append(answer)
 
+    def open_tab(self):
+        """Whatever is asked from then on is asked of it."""
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+
     def wait_for(self, event):
         while not any(one.get("method") == event for one in self.events):
             self.events.append(self.read())
@@ -65,8 +70,7 @@ class Browser:
 
 
 def open_page(browser, args):
-    target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
-    browser.session = browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    browser.open_tab()
     for domain in ("Page", "Network", "Log", "Runtime"):
         browser.ask(domain + ".enable")
     browser.ask("Emulation.setDeviceMetricsOverride", width=args.width, height=1100, deviceScaleFactor=1,

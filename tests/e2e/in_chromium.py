@@ -14,9 +14,9 @@ import os
 import pathlib
 import sys
 import tempfile
-import threading
 
 from browser import Browser
+from web_page import Server, serve_by
 
 FONTS = pathlib.Path("/usr/share/fonts")  # viz/drawing/fonts.cpp
 
@@ -75,29 +75,18 @@ def page_of(kind, arguments):
 
 
 def serve(build, page):
-    class Handler(http.server.SimpleHTTPRequestHandler):
-        def __init__(self, *args):
-            super().__init__(*args, directory=build)
+    class Handler(Server):
+        headers_too = True  # threads need them
 
         def do_GET(self):
             if self.path != "/":
-                return super().do_GET()
+                return http.server.SimpleHTTPRequestHandler.do_GET(self)
             self.send_response(200)
             self.send_header("Content-Type", "text/html")
             self.end_headers()
             self.wfile.write(page.encode())
 
-        def end_headers(self):  # threads need them
-            self.send_header("Cross-Origin-Opener-Policy", "same-origin")
-            self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
-            super().end_headers()
-
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    return f"http://127.0.0.1:{server.server_port}/"
+    return serve_by(Handler, build)
 
 
 def main():
@@ -107,8 +96,7 @@ def main():
         browser = Browser(at_end.enter_context(tempfile.TemporaryDirectory(ignore_cleanup_errors=True)))
         at_end.callback(browser.process.wait)
         at_end.callback(browser.process.terminate)
-        target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
-        browser.session = browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        browser.open_tab()
 
         def value(expression):
             return browser.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)["result"].get("value")

@@ -148,6 +148,10 @@ def serve(folder, headers):
     kind = type("Kind", (Server,), {"headers_too": headers})
     for path in pathlib.Path(folder).glob("tactspace.*"):  # before anybody waits for them
         kind.pack(path)
+    return serve_by(kind, folder)
+
+
+def serve_by(kind, folder):
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(kind, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}"
@@ -157,9 +161,8 @@ class Page:
     def __init__(self, browser, downloads):
         self.browser = browser
         self.downloads = downloads
-        target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
         browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(downloads))
-        browser.session = browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        browser.open_tab()
         for domain in ("Page", "Log", "Runtime"):
             browser.ask(domain + ".enable")
         browser.ask("Page.addScriptToEvaluateOnNewDocument", source=BEFORE_THE_PAGE)
@@ -282,14 +285,22 @@ def open_page(page, address):
           f"{page.value('self.crossOriginIsolated')}")
 
 
+def data_of(content):
+    return "data:;base64," + base64.b64encode(content).decode()
+
+
+def follow(page, address, link, first):
+    """Opens the page with the set of a link, whose first pattern has that name."""
+    page.browser.ask("Page.navigate", url="about:blank")
+    page.browser.ask("Page.navigate", url=f"{address}#set={link}")
+    page.until(lambda: "row:" + first in page.widgets(), f"the set with {first} is open", 60)
+
+
 def visit(page, address, name):
     """Opens the page with a set: beside it, or within the address from the disk, where a page may read nothing else."""
-    content = base64.b64encode((SETS / name).read_bytes()).decode()
-    page.browser.ask("Page.navigate", url="about:blank")
-    page.browser.ask("Page.navigate", url=f"{address}#set=" +
-                     (f"data:;base64,{content}" if address.startswith("file:") else name))
-    first = json.loads((SETS / name).read_text())["patterns"][0]["name"]
-    page.until(lambda: "row:" + first in page.widgets(), f"{name} is open", 60)
+    content = (SETS / name).read_bytes()
+    first = json.loads(content)["patterns"][0]["name"]
+    follow(page, address, data_of(content) if address.startswith("file:") else name, first)
 
 
 def same_matrices(page, address, folder):
@@ -428,10 +439,7 @@ def long_work(page, address):
     labels = [pattern["name"] for pattern in rated["patterns"]]
     pairs = len(labels) * (len(labels) - 1) // 2
     rated["ratings"] = [{"name": "people", "labels": labels, "condensed": [(7 * k % pairs) / pairs for k in range(pairs)]}]
-    content = base64.b64encode(json.dumps(rated).encode()).decode()
-    page.browser.ask("Page.navigate", url="about:blank")
-    page.browser.ask("Page.navigate", url=f"{address}#set=data:;base64,{content}")
-    page.until(lambda: "row:" + labels[0] in page.widgets(), "the rated set is open", 60)
+    follow(page, address, data_of(json.dumps(rated).encode()), labels[0])
     page.exact("an exact map of the rated set")
     page.command("Train on ratings")
     page.click("train:0.025")
@@ -449,7 +457,7 @@ def long_work(page, address):
     began = time.monotonic()
     page.exact("an exact map while the search runs")
     exact_s = time.monotonic() - began
-    page.widget("progress:training", "the search goes on")
+    page.widget("progress:training", "the search is still under way")
     page.click("link:cancel training")
     began = time.monotonic()
     page.until(lambda: "progress:training" not in page.widgets(), "the search ends", 20)
