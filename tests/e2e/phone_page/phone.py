@@ -24,8 +24,7 @@ class Phone:
         self.browser = Browser(profile)
         self.agent = self.browser.ask("Browser.getVersion")["userAgent"]
         self.script = None
-        target = self.browser.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.browser.session = self.browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.browser.open_tab()
         for domain in ("Page", "Network", "Log", "Runtime"):
             self.browser.ask(domain + ".enable")
         self.browser.ask("Emulation.setTouchEmulationEnabled", enabled=True)
